@@ -1,0 +1,41 @@
+//! Closed forms of the model, and one brute-force check, independent of the engine.
+//!
+//! Tests, benchmarks and reports measure the engine against this module, so it shares no code with it: plain
+//! functions of `f64`, arguments in SI units, no state except in [`springs`]. Inputs are trusted; a violated
+//! precondition panics.
+//!
+//! | symbol | meaning | unit |
+//! | --- | --- | --- |
+//! | f(r), g(x) | profile and its one-dimensional image | m |
+//! | E*, G* | effective normal and tangential modulus | Pa |
+//! | d, a, F_N | indentation depth, contact radius, normal force | m, m, N |
+//! | q(x) = E* (d − g) | line force of the image | N/m |
+//! | p(r), τ(r) | pressure and shear traction | Pa |
+//! | U, T | tangential displacement and force | m, N |
+//! | μ, c, u_max = μ d E*/G* | friction coefficient, stick radius, displacement at which all slips | 1, m, m |
+//! | k, σ₀ | wear coefficient and hardness of the worn body | 1, Pa |
+//!
+//! | file | content | sources |
+//! | --- | --- | --- |
+//! | [`shape`] | profiles and images | Sneddon 1965; Popov and Heß, *Method of Dimensionality Reduction* |
+//! | [`normal`] | d, a, F_N, p for each profile | Hertz 1882; Sneddon 1965 |
+//! | [`tangential`] | T(U), stick radius, traction, slip, loop work | Cattaneo 1938; Mindlin 1949; Jäger 1995; Ciavarella 1998 |
+//! | [`wear`] | final state at constant depth, gross slip, seed cycles | Popov 2014; Dimaki et al. 2014 |
+//! | [`wear_tables`] | histories without a closed form, as data | Dimaki et al. 2014 for the scenes |
+//! | [`springs`] | the image as a row of springs, stepped | Dimaki et al. 2014, eq. (13) |
+//! | [`quadrature`], [`root`] | what the formulas need where no antiderivative exists | Takahasi and Mori 1974 |
+
+pub mod normal;
+pub mod quadrature;
+pub mod root;
+pub mod shape;
+pub mod springs;
+pub mod tangential;
+pub mod wear;
+pub mod wear_tables;
+
+pub use normal::NormalContact;
+pub use shape::Shape;
+pub use springs::PlainSpringRow;
+pub use tangential::{MonomialContact, TangentialContact};
+pub use wear::ConstantDepthEnd;
