@@ -1,0 +1,137 @@
+//! The commands, each a list of named steps.
+
+use crate::check::{self, Archive};
+use crate::libclang::{self, Environment};
+use crate::platform::Platform;
+use crate::process::{run_lines, run_quietly, run_shown};
+use crate::python::Venv;
+use crate::totals::Totals;
+use crate::workspace::Workspace;
+use crate::{library, package, progress};
+use anyhow::{Result, bail};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Instant;
+
+/// What every command works with, set up on first use.
+pub(crate) struct Setup<'a> {
+    workspace: &'a Workspace,
+    venv: Venv<'a>,
+    /// For every call of cargo that compiles fmi-sys.
+    pub(crate) environment: Environment,
+}
+
+/// Python with its packages, and libclang.
+pub(crate) fn set_up(workspace: &Workspace) -> Result<Setup<'_>> {
+    let mut requirements = vec![workspace.file("tests/python/requirements.txt")];
+    let of_system = libclang::of_system();
+    if of_system.is_none() {
+        requirements.push(workspace.file("fmu-build/libclang-requirements.txt"));
+    }
+    let venv = Venv::with(workspace, &requirements)?;
+    let environment = match of_system {
+        Some(environment) => environment,
+        None => libclang::of_wheel(&venv.site_packages()?)?,
+    };
+    Ok(Setup { workspace, venv, environment })
+}
+
+impl Setup<'_> {
+    /// Builds, packages and checks the FMU; returns its path. A package with a fault stays beside it under
+    /// another name.
+    pub(crate) fn build(&self, platform: &Platform) -> Result<PathBuf> {
+        let fmu = self.workspace.fmu();
+        let unchecked = fmu.with_extension("unchecked.fmu");
+        let library =
+            progress::shown("Building the library", || library::build(self.workspace, &self.environment))?;
+        progress::quiet("Packaging", |_| package::write(self.workspace, platform, &library, &unchecked))?;
+        self.check(&unchecked)?;
+        std::fs::rename(&unchecked, &fmu)?;
+        eprintln!("FMU for {}: {}", platform.package_folders().join(", "), fmu.display());
+        Ok(fmu)
+    }
+
+    /// Our own checks, then those of fmpy.
+    pub(crate) fn check(&self, fmu: &Path) -> Result<()> {
+        progress::quiet("Checking exports, archive and model description", |_| {
+            let problems = check::problems(&Archive::open(fmu)?);
+            if !problems.is_empty() {
+                bail!("{} has {} fault(s):\n  {}", fmu.display(), problems.len(), problems.join("\n  "));
+            }
+            Ok(())
+        })?;
+        progress::quiet("Checking with `fmpy validate`", |step| {
+            let mut fmpy = self.venv.python();
+            fmpy.args(["-m", "fmpy", "validate"]).arg(fmu);
+            run_quietly(step, fmpy)?;
+            Ok(())
+        })
+    }
+
+    /// Drives the FMU through the worked example.
+    pub(crate) fn demo(&self, fmu: &Path) -> Result<()> {
+        let output = self.workspace.product("demo");
+        progress::shown("Running the worked example", || {
+            let mut demo = self.venv.python();
+            demo.arg("examples/demo/demo.py").arg("--fmu").arg(fmu).arg("--out").arg(&output);
+            demo.env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
+            run_shown(demo)
+        })?;
+        eprintln!("Plots and tables: {}", output.display());
+        Ok(())
+    }
+
+    /// Runs the tests of Rust and Python, the second also after a failure of the first.
+    pub(crate) fn test(&self, fmu: &Path) -> Result<()> {
+        let started = Instant::now();
+        let mut cargo = self.cargo("test");
+        cargo.args(["--workspace", "--locked", "--no-fail-fast"]);
+        let rust = progress::shown("Rust tests", || run_tests(cargo, Totals::add_rust_line));
+
+        let mut pytest = self.venv.python();
+        let cache = self.workspace.product("pytest");
+        pytest.args(["-m", "pytest", "tests/python", "-o"]).arg(format!("cache_dir={}", cache.display()));
+        pytest.env("FRETTING_FMU", fmu).env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
+        let python = progress::shown("Python tests", || run_tests(pytest, Totals::add_pytest_line));
+
+        let (rust, python) = (rust?, python?);
+        let time = progress::seconds(started.elapsed());
+        println!("Rust: {rust}. Python: {python}. Time: {time}.");
+        if !(rust.passed() && python.passed()) {
+            bail!("some tests failed: see above");
+        }
+        Ok(())
+    }
+
+    /// rustfmt and clippy, any warning being an error.
+    pub(crate) fn lint(&self) -> Result<()> {
+        progress::shown("rustfmt", || {
+            let mut cargo = self.cargo("fmt");
+            cargo.args(["--all", "--check"]);
+            run_shown(cargo)
+        })?;
+        progress::shown("clippy", || {
+            let mut cargo = self.cargo("clippy");
+            cargo.args(["--workspace", "--all-targets", "--locked", "--", "--deny", "warnings"]);
+            run_shown(cargo)
+        })
+    }
+
+    /// Any other call of cargo, with libclang set up for it.
+    fn cargo(&self, subcommand: &str) -> Command {
+        let mut cargo = self.workspace.cargo();
+        cargo.arg(subcommand).envs(self.environment.iter().map(|(name, value)| (name, value)));
+        cargo
+    }
+}
+
+/// Runs tests with their output shown and counted.
+fn run_tests(command: Command, count: fn(&mut Totals, &str)) -> Result<Totals> {
+    let mut totals = Totals::default();
+    let status = run_lines(command, |line| {
+        println!("{line}");
+        count(&mut totals, line);
+    })?;
+    totals.finish(status.success());
+    Ok(totals)
+}

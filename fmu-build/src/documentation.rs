@@ -1,0 +1,141 @@
+//! documentation/index.html: a written page, with the tables of variables taken from modelDescription.xml.
+
+use anyhow::{Context, Result};
+use roxmltree::{Document, Node};
+
+/// The page, with `{{variables}}` and `{{version}}` to be filled in.
+const PAGE: &str = include_str!("../assets/documentation/index.html");
+
+/// Causalities in the order of the page, with their headings.
+const SECTIONS: [(&str, &str); 5] = [
+    ("input", "Inputs"),
+    ("output", "Outputs"),
+    ("parameter", "Parameters"),
+    ("calculatedParameter", "Calculated parameters"),
+    ("local", "Local variables"),
+];
+
+/// The page for a model description.
+pub(crate) fn page(description: &str) -> Result<String> {
+    let document = Document::parse(description).context("modelDescription.xml is not well-formed")?;
+    let root = document.root_element();
+    let variables: Vec<Row> = root
+        .descendants()
+        .filter(|node| node.has_tag_name("ScalarVariable"))
+        .filter_map(|node| Row::of(root, node))
+        .collect();
+    let tables: String =
+        SECTIONS.iter().map(|(causality, heading)| table(heading, causality, &variables)).collect();
+    let version = root.attribute("version").unwrap_or(env!("CARGO_PKG_VERSION"));
+    Ok(PAGE.replace("{{variables}}", &tables).replace("{{version}}", &escape(version)))
+}
+
+/// One variable, or the first of an array.
+struct Row {
+    causality: String,
+    name: String,
+    unit: String,
+    start: String,
+    description: String,
+}
+
+impl Row {
+    /// `None` for the further elements of an array, which share the row of the first.
+    fn of(root: Node<'_, '_>, variable: Node<'_, '_>) -> Option<Self> {
+        let text = |node: Node<'_, '_>, key: &str| node.attribute(key).unwrap_or_default().to_owned();
+        let name = match variable.attribute("name")?.split_once('[') {
+            Some((array, "1]")) => format!("{array}[1] … {array}[{}]", array_length(root, array)),
+            Some(_) => return None,
+            None => text(variable, "name"),
+        };
+        let element = variable.children().find(Node::is_element)?;
+        let declared = element.attribute("declaredType").and_then(|name| declared_type(root, name));
+        let unit = element.attribute("unit").or_else(|| declared?.attribute("unit"));
+        let start = match declared {
+            Some(declared) if declared.has_tag_name("Enumeration") => {
+                item_name(declared, &text(element, "start"))
+            }
+            _ => text(element, "start"),
+        };
+        Some(Self {
+            causality: variable.attribute("causality").unwrap_or("local").to_owned(),
+            name,
+            unit: unit.unwrap_or_default().to_owned(),
+            start,
+            description: text(variable, "description"),
+        })
+    }
+}
+
+fn table(heading: &str, causality: &str, variables: &[Row]) -> String {
+    let rows: String = variables
+        .iter()
+        .filter(|row| row.causality == causality)
+        .map(|row| {
+            let cells =
+                [&row.unit, &row.start, &row.description].map(|text| format!("<td>{}</td>", escape(text)));
+            format!("<tr><td><code>{}</code></td>{}</tr>\n", escape(&row.name), cells.concat())
+        })
+        .collect();
+    if rows.is_empty() {
+        return rows;
+    }
+    let head = "<tr><th>Name</th><th>Unit</th><th>Default</th><th>Meaning</th></tr>";
+    format!("<h3>{heading}</h3>\n<table>\n{head}\n{rows}</table>\n")
+}
+
+fn array_length(root: Node<'_, '_>, array: &str) -> usize {
+    let start = format!("{array}[");
+    let mut names = root
+        .descendants()
+        .filter_map(|node| if node.has_tag_name("ScalarVariable") { node.attribute("name") } else { None });
+    names.by_ref().filter(|name| name.starts_with(&start)).count()
+}
+
+fn declared_type<'a, 'input>(root: Node<'a, 'input>, name: &str) -> Option<Node<'a, 'input>> {
+    let mut types = root.descendants().filter(|node| node.has_tag_name("SimpleType"));
+    types.find(|node| node.attribute("name") == Some(name))?.children().find(Node::is_element)
+}
+
+/// The name of an enumeration's item, or the value if it has none.
+fn item_name(enumeration: Node<'_, '_>, value: &str) -> String {
+    let mut items = enumeration.children().filter(|node| node.has_tag_name("Item"));
+    let item = items.find(|item| item.attribute("value") == Some(value));
+    item.and_then(|item| item.attribute("name")).unwrap_or(value).to_owned()
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::page;
+
+    const DESCRIPTION: &str = r#"<fmiModelDescription version="1.2.3">
+<TypeDefinitions><SimpleType name="Shape"><Enumeration><Item name="cone" value="2"/></Enumeration></SimpleType></TypeDefinitions>
+<ModelVariables>
+<ScalarVariable name="load" causality="input" description="a &lt; b"><Real unit="N" start="1e3"/></ScalarVariable>
+<ScalarVariable name="shape" causality="parameter"><Enumeration declaredType="Shape" start="2"/></ScalarVariable>
+<ScalarVariable name="p[1]" causality="local"><Real unit="Pa"/></ScalarVariable>
+<ScalarVariable name="p[2]" causality="local"><Real unit="Pa"/></ScalarVariable>
+</ModelVariables></fmiModelDescription>"#;
+
+    #[test]
+    fn variables_are_listed_with_unit_default_and_meaning() {
+        let page = page(DESCRIPTION).unwrap();
+        assert!(
+            page.contains("<tr><td><code>load</code></td><td>N</td><td>1e3</td><td>a &lt; b</td></tr>"),
+            "{page}"
+        );
+        assert!(page.contains("<code>shape</code></td><td></td><td>cone</td>"), "{page}");
+        assert!(page.contains("1.2.3") && !page.contains("{{"), "{page}");
+    }
+
+    #[test]
+    fn an_array_takes_one_row() {
+        let page = page(DESCRIPTION).unwrap();
+        assert!(page.contains("<code>p[1] … p[2]</code>"), "{page}");
+        assert!(!page.contains("<code>p[2]"), "{page}");
+    }
+}

@@ -1,0 +1,100 @@
+//! The `cargo fmu` commands: build, check and try out `FrettingContact.fmu`.
+//!
+//! Each command first sets up what it needs: a virtual environment under `target/venv` with pinned packages, and
+//! libclang for the FMI types, taken from the system or from a wheel. This program does not link the library
+//! itself, so it compiles where libclang is not yet found.
+
+mod check;
+mod commands;
+mod documentation;
+mod libclang;
+mod library;
+mod licences;
+mod package;
+mod platform;
+mod process;
+mod progress;
+mod python;
+mod totals;
+mod workspace;
+
+use anyhow::Result;
+use clap::{Parser, Subcommand};
+use platform::Platform;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use workspace::Workspace;
+
+/// Builds, checks and tries out FrettingContact.fmu.
+#[derive(Parser)]
+#[command(name = "cargo fmu", bin_name = "cargo fmu", version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Build, package and check target/fmu/FrettingContact.fmu
+    Build {
+        /// Platform folders to build for, such as linux64; this machine's own if not given
+        #[arg(long, value_delimiter = ',', value_name = "FOLDER")]
+        platforms: Vec<String>,
+    },
+    /// Check an FMU: exported functions, archive, model description, `fmpy validate`
+    Check {
+        /// The FMU; target/fmu/FrettingContact.fmu if not given
+        path: Option<PathBuf>,
+    },
+    /// Build, then drive the FMU through the worked example; plots and CSV go to target/demo
+    Demo,
+    /// Build, then run every test there is: Rust and Python
+    Test,
+    /// Run rustfmt and clippy, warnings being errors
+    Lint,
+    /// Print the environment that plain cargo calls need to find libclang, for `eval "$(cargo fmu env)"`
+    Env,
+}
+
+fn main() -> ExitCode {
+    match run(Arguments::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(task: Task) -> Result<()> {
+    let workspace = Workspace::of_this_program();
+    match task {
+        Task::Build { platforms } => {
+            let platform = Platform::requested(&platforms)?;
+            commands::set_up(&workspace)?.build(platform)?;
+        }
+        Task::Check { path } => {
+            let path = std::path::absolute(path.unwrap_or_else(|| workspace.fmu()))?;
+            commands::set_up(&workspace)?.check(&path)?;
+        }
+        Task::Demo => {
+            let setup = commands::set_up(&workspace)?;
+            setup.demo(&setup.build(Platform::own()?)?)?;
+        }
+        Task::Test => {
+            let setup = commands::set_up(&workspace)?;
+            setup.test(&setup.build(Platform::own()?)?)?;
+        }
+        Task::Lint => commands::set_up(&workspace)?.lint()?,
+        Task::Env => print_environment(&workspace)?,
+    }
+    Ok(())
+}
+
+/// Lines that a POSIX shell evaluates.
+fn print_environment(workspace: &Workspace) -> Result<()> {
+    for (name, value) in commands::set_up(workspace)?.environment {
+        println!("export {name}='{}'", Path::new(&value).display().to_string().replace('\'', r"'\''"));
+    }
+    Ok(())
+}

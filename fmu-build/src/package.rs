@@ -1,0 +1,56 @@
+//! The FMU's zip file: which entries it has, and writing them so that equal content gives equal bytes.
+
+use crate::platform::Platform;
+use crate::workspace::{MODEL_IDENTIFIER, Workspace};
+use crate::{documentation, licences};
+use anyhow::{Context, Result};
+use std::collections::BTreeMap;
+use std::fs::{self, File};
+use std::io::Write;
+use std::path::Path;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, DateTime, ZipWriter};
+
+/// Entry names and content.
+type Entries = BTreeMap<String, Vec<u8>>;
+
+/// Writes the FMU for one platform.
+pub(crate) fn write(workspace: &Workspace, platform: &Platform, library: &Path, fmu: &Path) -> Result<()> {
+    let read = |path: &Path| fs::read(path).with_context(|| format!("cannot read {}", path.display()));
+    let description = workspace.file("modelDescription.xml");
+    let description =
+        fs::read_to_string(&description).with_context(|| format!("cannot read {}", description.display()))?;
+    let mut entries = Entries::new();
+    for folder in platform.package_folders() {
+        let name = format!("binaries/{folder}/{MODEL_IDENTIFIER}.{}", std::env::consts::DLL_EXTENSION);
+        entries.insert(name, read(library)?);
+    }
+    entries.insert("documentation/index.html".to_owned(), documentation::page(&description)?.into_bytes());
+    for file in ["LICENSE-APACHE", "LICENSE-MIT"] {
+        entries.insert(format!("documentation/licenses/{file}"), read(&workspace.file(file))?);
+    }
+    entries
+        .insert("documentation/licenses/third-party.txt".to_owned(), licences::text(workspace)?.into_bytes());
+    entries.insert("model.png".to_owned(), read(&workspace.file("fmu-build/assets/model.png"))?);
+    entries.insert("modelDescription.xml".to_owned(), description.into_bytes());
+    write_zip(&entries, fmu)
+}
+
+/// Names in order and one date for all: two builds give the same bytes.
+fn write_zip(entries: &Entries, path: &Path) -> Result<()> {
+    if let Some(parent) = path.parent() {
+        fs::create_dir_all(parent)?;
+    }
+    let file = File::create(path).with_context(|| format!("cannot write {}", path.display()))?;
+    let mut zip = ZipWriter::new(file);
+    let options = SimpleFileOptions::default()
+        .compression_method(CompressionMethod::Deflated)
+        .last_modified_time(DateTime::default())
+        .unix_permissions(0o644);
+    for (name, content) in entries {
+        zip.start_file(name.as_str(), options)?;
+        zip.write_all(content)?;
+    }
+    zip.finish()?;
+    Ok(())
+}
