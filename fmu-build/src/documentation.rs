@@ -55,14 +55,15 @@ impl Row {
             Some(declared) if declared.has_tag_name("Enumeration") => {
                 item_name(declared, &text(element, "start"))
             }
-            _ => text(element, "start"),
+            _ => short_number(&text(element, "start")),
         };
         Some(Self {
             causality: variable.attribute("causality").unwrap_or("local").to_owned(),
             name,
             unit: unit.unwrap_or_default().to_owned(),
             start,
-            description: text(variable, "description"),
+            // The row stands for the whole array.
+            description: text(variable, "description").replace("[1]", ""),
         })
     }
 }
@@ -104,20 +105,29 @@ fn item_name(enumeration: Node<'_, '_>, value: &str) -> String {
     item.and_then(|item| item.attribute("name")).unwrap_or(value).to_owned()
 }
 
+/// Numbers far from 1 with an exponent, 2.1e11 for 210000000000.0; any other text as it is.
+fn short_number(text: &str) -> String {
+    match text.parse::<f64>() {
+        Ok(value) if value != 0.0 && !(1e-3..1e5).contains(&value.abs()) => format!("{value:e}"),
+        Ok(value) => value.to_string(),
+        Err(_) => text.to_owned(),
+    }
+}
+
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
 mod tests {
-    use super::page;
+    use super::{page, short_number};
 
     const DESCRIPTION: &str = r#"<fmiModelDescription version="1.2.3">
 <TypeDefinitions><SimpleType name="Shape"><Enumeration><Item name="cone" value="2"/></Enumeration></SimpleType></TypeDefinitions>
 <ModelVariables>
-<ScalarVariable name="load" causality="input" description="a &lt; b"><Real unit="N" start="1e3"/></ScalarVariable>
+<ScalarVariable name="load" causality="input" description="a &lt; b"><Real unit="N" start="1000.0"/></ScalarVariable>
 <ScalarVariable name="shape" causality="parameter"><Enumeration declaredType="Shape" start="2"/></ScalarVariable>
-<ScalarVariable name="p[1]" causality="local"><Real unit="Pa"/></ScalarVariable>
+<ScalarVariable name="p[1]" causality="local" description="at r[1]"><Real unit="Pa"/></ScalarVariable>
 <ScalarVariable name="p[2]" causality="local"><Real unit="Pa"/></ScalarVariable>
 </ModelVariables></fmiModelDescription>"#;
 
@@ -125,7 +135,7 @@ mod tests {
     fn variables_are_listed_with_unit_default_and_meaning() {
         let page = page(DESCRIPTION).unwrap();
         assert!(
-            page.contains("<tr><td><code>load</code></td><td>N</td><td>1e3</td><td>a &lt; b</td></tr>"),
+            page.contains("<tr><td><code>load</code></td><td>N</td><td>1000</td><td>a &lt; b</td></tr>"),
             "{page}"
         );
         assert!(page.contains("<code>shape</code></td><td></td><td>cone</td>"), "{page}");
@@ -135,7 +145,14 @@ mod tests {
     #[test]
     fn an_array_takes_one_row() {
         let page = page(DESCRIPTION).unwrap();
-        assert!(page.contains("<code>p[1] … p[2]</code>"), "{page}");
+        assert!(page.contains("<code>p[1] … p[2]</code></td><td>Pa</td><td></td><td>at r</td>"), "{page}");
         assert!(!page.contains("<code>p[2]"), "{page}");
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        let shown =
+            ["210000000000.0", "3.48291e-6", "0.01", "0.0", "128", "C:/profile.txt"].map(short_number);
+        assert_eq!(shown, ["2.1e11", "3.48291e-6", "0.01", "0", "128", "C:/profile.txt"]);
     }
 }
