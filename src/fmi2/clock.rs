@@ -1,0 +1,97 @@
+//! Communication points.
+
+use super::refusal::Refusal;
+
+/// Two times are the same when they differ by less than this, relative to the larger of the time and the step:
+/// masters add up step sizes, and their sums differ in the last digits.
+const SAME: f64 = 1e-9;
+
+/// Where an instance stands in time, s.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Clock {
+    time: f64,
+    stop: Option<f64>,
+}
+
+impl Default for Clock {
+    fn default() -> Self {
+        Self { time: 0.0, stop: None }
+    }
+}
+
+impl Clock {
+    /// The clock of an experiment that starts at `time` and may not pass `stop`.
+    pub(super) fn new(time: f64, stop: Option<f64>) -> Result<Self, Refusal> {
+        if !time.is_finite() {
+            return Err(Refusal::Argument {
+                argument: "startTime",
+                value: time,
+                requirement: "a time is finite",
+            });
+        }
+        if let Some(value) = stop.filter(|stop| !(stop.is_finite() && *stop >= time)) {
+            let requirement = "a stop time is finite and not before the start time";
+            return Err(Refusal::Argument { argument: "stopTime", value, requirement });
+        }
+        Ok(Self { time, stop })
+    }
+
+    /// End of the last step.
+    pub(super) fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The clock after a step of `length` from `point`.
+    pub(super) fn after(&self, point: f64, length: f64) -> Result<Self, Refusal> {
+        if !(length >= 0.0 && length.is_finite()) {
+            let requirement = "a step is finite and not negative";
+            return Err(Refusal::Argument { argument: "communicationStepSize", value: length, requirement });
+        }
+        // Also refuses a point that is not a number.
+        let slack = SAME * point.abs().max(length);
+        if !((point - self.time).abs() <= slack && point.is_finite()) {
+            return Err(Refusal::CommunicationPoint { given: point, expected: self.time });
+        }
+        let time = point + length;
+        if let Some(stop) = self.stop.filter(|stop| time > stop + SAME * stop.abs().max(length)) {
+            return Err(Refusal::BeyondStopTime { from: point, length, stop });
+        }
+        Ok(Self { time, ..*self })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_digits_of_a_communication_point_do_not_matter() {
+        // 0.1 added a hundred times is 9.99999999999998, not 10.
+        let mut clock = Clock::new(0.0, Some(10.0)).unwrap();
+        for i in 0..100 {
+            clock = clock.after(f64::from(i) * 0.1, 0.1).unwrap();
+        }
+        assert!(clock.after(10.0, 0.0).is_ok());
+        assert!(matches!(clock.after(10.0, 1e-6), Err(Refusal::BeyondStopTime { .. })));
+    }
+
+    #[test]
+    fn wrong_points_and_steps_are_refused() {
+        let clock = Clock::new(1.0, None).unwrap();
+        for point in [0.0, 1.001, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(clock.after(point, 0.1), Err(Refusal::CommunicationPoint { .. })), "{point}");
+        }
+        for length in [-1e-3, f64::NAN, f64::INFINITY] {
+            assert!(matches!(clock.after(1.0, length), Err(Refusal::Argument { .. })), "{length}");
+        }
+        assert_eq!(clock.after(1.0, 0.0).unwrap(), clock);
+    }
+
+    #[test]
+    fn an_experiment_has_a_finite_start_and_a_later_stop() {
+        assert!(Clock::new(f64::NAN, None).is_err());
+        assert!(Clock::new(1.0, Some(0.5)).is_err());
+        assert!(Clock::new(1.0, Some(f64::NAN)).is_err());
+        assert!(Clock::new(-1.0, Some(-1.0)).is_ok());
+    }
+}

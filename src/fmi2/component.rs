@@ -1,0 +1,229 @@
+//! One instance of the FMU: the model, where it is in its life, and how it speaks to the importer.
+
+use super::guard::Status;
+use super::lifecycle::{Call, State};
+use super::logger::Logger;
+use super::model::Model;
+use super::refusal::Refusal;
+use super::resources::Resources;
+use super::saved::{Saved, SavedStates};
+use super::{GUID, MODEL_IDENTIFIER};
+use core::ffi::CStr;
+use fmi_sys::fmi2::{fmi2FMUstate, fmi2Type, fmi2Type_fmi2CoSimulation};
+
+/// Below this the materials count as elastically similar: it is round-off of the two sides of the paper's eq. (6).
+const SIMILAR: f64 = 1e-9;
+
+/// How the last step ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Outcome {
+    Done,
+    Refused,
+}
+
+/// What an importer's fmi2Component points to.
+pub(super) struct Component {
+    pub(super) model: Model,
+    pub(super) resources: Resources,
+    logger: Logger,
+    state: State,
+    /// What made the instance unusable.
+    failure: Option<String>,
+    /// Worst status of the call that is being carried out, apart from its result.
+    worst: Status,
+    last_step: Outcome,
+    saved: SavedStates,
+}
+
+impl Component {
+    pub(super) fn new(logger: Logger, resources: Option<Resources>) -> Self {
+        Self {
+            model: Model::default(),
+            resources: resources.unwrap_or_default(),
+            logger,
+            state: State::Instantiated,
+            failure: None,
+            worst: Status::Ok,
+            last_step: Outcome::Done,
+            saved: SavedStates::default(),
+        }
+    }
+
+    /// fmi2Instantiate, once the arguments are safe to look at; the error is what to tell the importer.
+    pub(super) fn instantiate(
+        logger: Logger,
+        kind: fmi2Type,
+        guid: Option<&CStr>,
+        resource_location: Option<&CStr>,
+    ) -> Result<Self, (Logger, String)> {
+        if kind != fmi2Type_fmi2CoSimulation {
+            let text =
+                format!("fmuType = {kind} is refused: {MODEL_IDENTIFIER} is for co-simulation, fmuType = 1");
+            return Err((logger, text));
+        }
+        let Some(guid) = guid else {
+            return Err((logger, "argument fmuGUID is a null pointer".into()));
+        };
+        if guid.to_bytes() != GUID.as_bytes() {
+            let text = format!(
+                "fmuGUID = {} is refused: this library belongs to the modelDescription.xml with guid {GUID}; use the \
+                 two files of one FMU",
+                guid.to_string_lossy()
+            );
+            return Err((logger, text));
+        }
+        let resources = resource_location.and_then(|uri| Resources::from_uri(&uri.to_string_lossy()));
+        if let (None, Some(uri)) = (&resources, resource_location) {
+            let uri = uri.to_string_lossy();
+            let text = format!(
+                "fmi2Instantiate: fmuResourceLocation = {uri} is no folder of this machine; not used"
+            );
+            logger.log(Status::Ok, &text);
+        }
+        let component = Self::new(logger, resources);
+        component.event(&format!("{MODEL_IDENTIFIER} {} is instantiated", env!("CARGO_PKG_VERSION")));
+        Ok(component)
+    }
+
+    /// Whether `call` is allowed now.
+    pub(super) fn admit(&mut self, call: &Call) -> Result<(), Refusal> {
+        self.worst = Status::Ok;
+        call.check(self.state).map_err(|out_of_order| match &self.failure {
+            Some(failure) => Refusal::Unusable(failure.clone()),
+            None => out_of_order,
+        })
+    }
+
+    /// The status of a call with this result; a refusal is told to the importer.
+    pub(super) fn conclude(&mut self, call: &Call, result: Result<(), Refusal>) -> Status {
+        let Err(refusal) = result else { return self.worst };
+        self.logger.log(refusal.status(), &format!("{}: {refusal}", call.name));
+        self.worst.max(refusal.status())
+    }
+
+    /// Marks the instance as unusable after a panic that said `text`.
+    pub(super) fn fail(&mut self, call: &Call, text: &str) -> Status {
+        let failure = format!("an internal failure in {} ({text})", call.name);
+        self.logger.log(
+            Status::Error,
+            &format!("{}: internal failure: {text}; call fmi2Reset to start anew", call.name),
+        );
+        self.failure = Some(failure);
+        self.state = State::Failed;
+        Status::Error
+    }
+
+    /// A warning of the present call.
+    pub(super) fn warn(&mut self, text: &str) {
+        self.logger.log(Status::Warning, text);
+        self.worst = self.worst.max(Status::Warning);
+    }
+
+    fn event(&self, text: &str) {
+        self.logger.log(Status::Ok, text);
+    }
+
+    pub(super) fn set_debug_logging(
+        &mut self,
+        logging_on: bool,
+        categories: &[&CStr],
+    ) -> Result<(), Refusal> {
+        self.logger.select(logging_on, categories)
+    }
+
+    pub(super) fn setup_experiment(
+        &mut self,
+        tolerance: Option<f64>,
+        start: f64,
+        stop: Option<f64>,
+    ) -> Result<(), Refusal> {
+        if let Some(value) = tolerance.filter(|tolerance| !(tolerance.is_finite() && *tolerance > 0.0)) {
+            let requirement = "a tolerance is finite and greater than 0";
+            return Err(Refusal::Argument { argument: "tolerance", value, requirement });
+        }
+        self.model.staged().clock = super::clock::Clock::new(start, stop)?;
+        if let Some(tolerance) = tolerance {
+            self.event(&format!(
+                "tolerance {tolerance:?} of the experiment is not used: set the parameter tolerance"
+            ));
+        }
+        Ok(())
+    }
+
+    pub(super) fn enter_initialization_mode(&mut self) -> Result<(), Refusal> {
+        self.state = State::InitializationMode;
+        Ok(())
+    }
+
+    pub(super) fn exit_initialization_mode(&mut self) -> Result<(), Refusal> {
+        let contact = self.model.begin(&self.resources)?;
+        let materials = contact.parameters().materials;
+        self.state = State::StepComplete;
+        self.event(&format!(
+            "initialized with E* = {:e} Pa and G* = {:e} Pa",
+            materials.normal_modulus(),
+            materials.tangential_modulus()
+        ));
+        let defect = materials.similarity_defect();
+        if defect > SIMILAR {
+            self.warn(&format!(
+                "the materials are not elastically similar: (1 - 2 poisson_ratio)/shear modulus of the two bodies \
+                 differs by {:.3} %; the coupling of normal and tangential contact that follows is neglected",
+                100.0 * defect
+            ));
+        }
+        Ok(())
+    }
+
+    pub(super) fn do_step(&mut self, point: f64, length: f64) -> Result<(), Refusal> {
+        let result = self.model.step(point, length);
+        self.last_step = if result.is_ok() { Outcome::Done } else { Outcome::Refused };
+        result
+    }
+
+    /// fmi2DoStepStatus.
+    pub(super) fn last_step(&self) -> Status {
+        match self.last_step {
+            Outcome::Done => Status::Ok,
+            Outcome::Refused => Status::Error,
+        }
+    }
+
+    pub(super) fn terminate(&mut self) -> Result<(), Refusal> {
+        self.state = State::Terminated;
+        if let (Some(contact), _) = self.model.parts() {
+            let counters = contact.counters().to_string();
+            self.event(&format!("terminated after this work: {counters}"));
+        }
+        Ok(())
+    }
+
+    /// Back to the state after fmi2Instantiate. Saved states remain.
+    pub(super) fn reset(&mut self) -> Result<(), Refusal> {
+        self.model = Model::default();
+        self.state = State::Instantiated;
+        self.failure = None;
+        self.last_step = Outcome::Done;
+        Ok(())
+    }
+
+    pub(super) fn save(&mut self, old: fmi2FMUstate) -> Result<fmi2FMUstate, Refusal> {
+        let saved = Saved { state: self.state, last_step: self.last_step, model: self.model.save() };
+        self.saved.keep(saved, old)
+    }
+
+    pub(super) fn restore(&mut self, state: fmi2FMUstate) -> Result<(), Refusal> {
+        let saved = self.saved.get(state)?;
+        if self.failure.is_some() {
+            self.model = saved.model.revive()?;
+        } else {
+            self.model.restore(&saved.model)?;
+        }
+        (self.state, self.last_step, self.failure) = (saved.state, saved.last_step, None);
+        Ok(())
+    }
+
+    pub(super) fn free_saved(&mut self, state: fmi2FMUstate) -> Result<(), Refusal> {
+        self.saved.free(state)
+    }
+}

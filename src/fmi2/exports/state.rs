@@ -1,0 +1,134 @@
+//! Saved states and directional derivatives.
+
+use super::conforming;
+use crate::fmi2::guard::{enter, out};
+use crate::fmi2::lifecycle::{self, Call};
+use crate::fmi2::refusal::Refusal;
+use fmi_sys::fmi2::{fmi2Byte, fmi2Component, fmi2FMUstate, fmi2Real, fmi2Status, fmi2ValueReference};
+
+conforming! {
+    fmi2GetFMUstate: fmi2GetFMUstateTYPE,
+    fmi2SetFMUstate: fmi2SetFMUstateTYPE,
+    fmi2FreeFMUstate: fmi2FreeFMUstateTYPE,
+    fmi2SerializedFMUstateSize: fmi2SerializedFMUstateSizeTYPE,
+    fmi2SerializeFMUstate: fmi2SerializeFMUstateTYPE,
+    fmi2DeSerializeFMUstate: fmi2DeSerializeFMUstateTYPE,
+    fmi2GetDirectionalDerivative: fmi2GetDirectionalDerivativeTYPE,
+}
+
+/// Saves everything that makes the instance, parameters and inputs included; into an earlier state if given one.
+///
+/// # Safety
+/// See the [module](super); what `state` points to is null or a handle.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
+    // SAFETY: by this function's contract; the standard demands that the handle is initialized.
+    unsafe {
+        enter(c, &lifecycle::GET_FMU_STATE, |component| {
+            let state = out("FMUstate", state)?.assume_init_mut();
+            *state = component.save(*state)?;
+            Ok(())
+        })
+    }
+}
+
+/// Back to a saved state, also after an internal failure.
+///
+/// # Safety
+/// See the [module](super). The handle may be anything.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SetFMUstate(c: fmi2Component, state: fmi2FMUstate) -> fmi2Status {
+    // SAFETY: by this function's contract.
+    unsafe { enter(c, &lifecycle::SET_FMU_STATE, |component| component.restore(state)) }
+}
+
+/// Drops a saved state and sets its handle to null.
+///
+/// # Safety
+/// As for [`fmi2GetFMUstate`].
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2FreeFMUstate(c: fmi2Component, state: *mut fmi2FMUstate) -> fmi2Status {
+    // SAFETY: by this function's contract; the standard demands that the handle is initialized.
+    unsafe {
+        enter(c, &lifecycle::FREE_FMU_STATE, |component| {
+            if state.is_null() {
+                return Ok(());
+            }
+            let state = out("FMUstate", state)?.assume_init_mut();
+            component.free_saved(*state)?;
+            *state = core::ptr::null_mut();
+            Ok(())
+        })
+    }
+}
+
+/// Not supported, as modelDescription.xml says.
+///
+/// # Safety
+/// See the [module](super).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
+    c: fmi2Component,
+    _state: fmi2FMUstate,
+    _size: *mut usize,
+) -> fmi2Status {
+    // SAFETY: by this function's contract.
+    unsafe { unsupported(c, &lifecycle::SERIALIZED_FMU_STATE_SIZE, SERIALIZE) }
+}
+
+/// Not supported, as modelDescription.xml says.
+///
+/// # Safety
+/// See the [module](super).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2SerializeFMUstate(
+    c: fmi2Component,
+    _state: fmi2FMUstate,
+    _serialized_state: *mut fmi2Byte,
+    _size: usize,
+) -> fmi2Status {
+    // SAFETY: by this function's contract.
+    unsafe { unsupported(c, &lifecycle::SERIALIZE_FMU_STATE, SERIALIZE) }
+}
+
+/// Not supported, as modelDescription.xml says.
+///
+/// # Safety
+/// See the [module](super).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
+    c: fmi2Component,
+    _serialized_state: *const fmi2Byte,
+    _size: usize,
+    _state: *mut fmi2FMUstate,
+) -> fmi2Status {
+    // SAFETY: by this function's contract.
+    unsafe { unsupported(c, &lifecycle::DE_SERIALIZE_FMU_STATE, SERIALIZE) }
+}
+
+/// Not supported, as modelDescription.xml says.
+///
+/// # Safety
+/// See the [module](super).
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
+    c: fmi2Component,
+    _unknowns: *const fmi2ValueReference,
+    _n_unknown: usize,
+    _knowns: *const fmi2ValueReference,
+    _n_known: usize,
+    _dv_known: *const fmi2Real,
+    _dv_unknown: *mut fmi2Real,
+) -> fmi2Status {
+    // SAFETY: by this function's contract.
+    unsafe { unsupported(c, &lifecycle::GET_DIRECTIONAL_DERIVATIVE, "providesDirectionalDerivative = false") }
+}
+
+const SERIALIZE: &str = "canSerializeFMUstate = false";
+
+/// # Safety
+/// As for [`enter`].
+unsafe fn unsupported(c: fmi2Component, call: &Call, flag: &'static str) -> fmi2Status {
+    // SAFETY: this function's contract.
+    unsafe { enter(c, call, |_| Err(Refusal::Unsupported { flag })) }
+}

@@ -1,0 +1,96 @@
+//! Which function may be called in which state: the co-simulation state machine of FMI 2.0 as data.
+//!
+//! Steps are synchronous and a refused step changes nothing, so the standard's states "step in progress", "step
+//! failed" and "step canceled" do not occur; its state "error" is [`State::Failed`].
+
+use super::refusal::Refusal;
+use State::{Failed, InitializationMode, Instantiated, StepComplete, Terminated};
+use std::fmt;
+
+/// State of one instance.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum State {
+    /// After fmi2Instantiate or fmi2Reset.
+    Instantiated,
+    /// Between fmi2EnterInitializationMode and fmi2ExitInitializationMode.
+    InitializationMode,
+    /// Ready for fmi2DoStep.
+    StepComplete,
+    /// After fmi2Terminate: results can be read.
+    Terminated,
+    /// After an internal failure: nothing of the model can be trusted.
+    Failed,
+}
+
+impl fmt::Display for State {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Instantiated => "instantiated",
+            InitializationMode => "initialization mode",
+            StepComplete => "step complete",
+            Terminated => "terminated",
+            Failed => "failed",
+        })
+    }
+}
+
+/// One C function that acts on an instance.
+#[derive(Debug)]
+pub(super) struct Call {
+    pub(super) name: &'static str,
+    allowed: &'static [State],
+}
+
+impl Call {
+    /// The one gate.
+    pub(super) fn check(&self, state: State) -> Result<(), Refusal> {
+        if self.allowed.contains(&state) {
+            return Ok(());
+        }
+        Err(Refusal::OutOfOrder { state, allowed: self.allowed })
+    }
+}
+
+macro_rules! calls {
+    ($($constant:ident = $name:ident in [$($state:ident),*];)*) => {
+        $(pub(super) const $constant: Call = Call { name: stringify!($name), allowed: &[$($state),*] };)*
+    };
+}
+
+calls! {
+    SET_DEBUG_LOGGING = fmi2SetDebugLogging in [Instantiated, InitializationMode, StepComplete, Terminated, Failed];
+    SETUP_EXPERIMENT = fmi2SetupExperiment in [Instantiated];
+    ENTER_INITIALIZATION_MODE = fmi2EnterInitializationMode in [Instantiated];
+    EXIT_INITIALIZATION_MODE = fmi2ExitInitializationMode in [InitializationMode];
+    TERMINATE = fmi2Terminate in [StepComplete];
+    RESET = fmi2Reset in [Instantiated, InitializationMode, StepComplete, Terminated, Failed];
+
+    GET_REAL = fmi2GetReal in [InitializationMode, StepComplete, Terminated];
+    GET_INTEGER = fmi2GetInteger in [InitializationMode, StepComplete, Terminated];
+    GET_BOOLEAN = fmi2GetBoolean in [InitializationMode, StepComplete, Terminated];
+    GET_STRING = fmi2GetString in [InitializationMode, StepComplete, Terminated];
+    SET_REAL = fmi2SetReal in [Instantiated, InitializationMode, StepComplete];
+    SET_INTEGER = fmi2SetInteger in [Instantiated, InitializationMode, StepComplete];
+    SET_BOOLEAN = fmi2SetBoolean in [Instantiated, InitializationMode, StepComplete];
+    SET_STRING = fmi2SetString in [Instantiated, InitializationMode, StepComplete];
+
+    GET_FMU_STATE = fmi2GetFMUstate in [Instantiated, InitializationMode, StepComplete, Terminated];
+    SET_FMU_STATE = fmi2SetFMUstate in [Instantiated, InitializationMode, StepComplete, Terminated, Failed];
+    FREE_FMU_STATE = fmi2FreeFMUstate in [Instantiated, InitializationMode, StepComplete, Terminated, Failed];
+    SERIALIZED_FMU_STATE_SIZE = fmi2SerializedFMUstateSize
+        in [Instantiated, InitializationMode, StepComplete, Terminated];
+    SERIALIZE_FMU_STATE = fmi2SerializeFMUstate in [Instantiated, InitializationMode, StepComplete, Terminated];
+    DE_SERIALIZE_FMU_STATE = fmi2DeSerializeFMUstate in [Instantiated, InitializationMode, StepComplete, Terminated];
+    GET_DIRECTIONAL_DERIVATIVE = fmi2GetDirectionalDerivative in [InitializationMode, StepComplete, Terminated];
+
+    SET_REAL_INPUT_DERIVATIVES = fmi2SetRealInputDerivatives in [Instantiated, InitializationMode, StepComplete];
+    GET_REAL_OUTPUT_DERIVATIVES = fmi2GetRealOutputDerivatives in [StepComplete, Terminated];
+    DO_STEP = fmi2DoStep in [StepComplete];
+    // Only a step in progress can be cancelled, and here none ever is.
+    CANCEL_STEP = fmi2CancelStep in [];
+    GET_STATUS = fmi2GetStatus in [StepComplete, Terminated];
+    GET_REAL_STATUS = fmi2GetRealStatus in [StepComplete, Terminated];
+    GET_INTEGER_STATUS = fmi2GetIntegerStatus in [StepComplete, Terminated];
+    GET_BOOLEAN_STATUS = fmi2GetBooleanStatus in [StepComplete, Terminated];
+    GET_STRING_STATUS = fmi2GetStringStatus in [StepComplete, Terminated];
+}

@@ -1,0 +1,141 @@
+//! Messages to the importer's logger.
+
+use super::guard::Status;
+use super::refusal::Refusal;
+use core::ffi::{CStr, c_void};
+use fmi_sys::fmi2::{fmi2CallbackFunctions, fmi2CallbackLogger};
+use std::ffi::CString;
+
+/// Name and meaning of the log categories, as in modelDescription.xml. The last one stands for all.
+pub const CATEGORIES: [(&CStr, &str); 6] = [
+    (c"logEvents", "what the instance does: creation, initialization, termination"),
+    (c"logStatusWarning", "messages of calls that return fmi2Warning"),
+    (c"logStatusDiscard", "messages of calls that return fmi2Discard"),
+    (c"logStatusError", "messages of calls that return fmi2Error"),
+    (c"logStatusFatal", "messages of calls that return fmi2Fatal"),
+    (c"logAll", "all messages"),
+];
+
+const ALL: usize = CATEGORIES.len() - 1;
+
+/// The importer's callback with what it needs. The struct of callbacks is copied, since the importer may drop its
+/// own after fmi2Instantiate.
+pub(super) struct Logger {
+    callback: fmi2CallbackLogger,
+    environment: *mut c_void,
+    instance_name: CString,
+    logging_on: bool,
+    selected: [bool; CATEGORIES.len()],
+}
+
+impl Logger {
+    /// A logger with every category selected. Without callbacks it is silent.
+    pub(super) fn new(
+        callbacks: Option<&fmi2CallbackFunctions>,
+        instance_name: CString,
+        logging_on: bool,
+    ) -> Self {
+        Self {
+            callback: callbacks.and_then(|c| c.logger),
+            environment: callbacks.map_or(core::ptr::null_mut(), |c| c.componentEnvironment),
+            instance_name,
+            logging_on,
+            selected: [true; CATEGORIES.len()],
+        }
+    }
+
+    /// fmi2SetDebugLogging: an empty list means every category.
+    pub(super) fn select(&mut self, logging_on: bool, categories: &[&CStr]) -> Result<(), Refusal> {
+        let mut selected = [categories.is_empty(); CATEGORIES.len()];
+        for &category in categories {
+            let known = CATEGORIES.iter().position(|(name, _)| *name == category);
+            selected[known.ok_or_else(|| Refusal::LogCategory(format!("{category:?}")))?] = true;
+        }
+        self.logging_on = logging_on;
+        self.selected = selected;
+        Ok(())
+    }
+
+    /// Passes `text` on if it is wanted.
+    pub(super) fn log(&self, status: Status, text: &str) {
+        let Some(callback) = self.callback else { return };
+        if !self.admits(status) {
+            return;
+        }
+        // The text is an argument of "%s", never the format: it may contain per cent signs.
+        let text = CString::new(text.replace('\0', "\u{fffd}")).unwrap_or_default();
+        let category = CATEGORIES[category(status)].0;
+        let name = self.instance_name.as_ptr();
+        // SAFETY: the importer vouches for its callback until fmi2FreeInstance; every string ends with a null and
+        // outlives the call, and the one conversion in the format has its argument.
+        unsafe {
+            callback(
+                self.environment,
+                name,
+                status.to_fmi(),
+                category.as_ptr(),
+                c"%s".as_ptr(),
+                text.as_ptr(),
+            );
+        }
+    }
+
+    /// A warning or an error must never be opaque, so the debug switch does not silence it.
+    fn admits(&self, status: Status) -> bool {
+        match status {
+            Status::Warning | Status::Error => true,
+            Status::Ok | Status::Discard => {
+                self.logging_on && (self.selected[category(status)] || self.selected[ALL])
+            }
+        }
+    }
+}
+
+fn category(status: Status) -> usize {
+    match status {
+        Status::Ok => 0,
+        Status::Warning => 1,
+        Status::Discard => 2,
+        Status::Error => 3,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn logger(logging_on: bool) -> Logger {
+        Logger::new(None, CString::default(), logging_on)
+    }
+
+    #[test]
+    fn warnings_and_errors_pass_whatever_is_selected() {
+        for (on, events) in [(true, true), (false, false)] {
+            let logger = logger(on);
+            assert_eq!(logger.admits(Status::Ok), events);
+            assert_eq!(logger.admits(Status::Discard), events);
+            assert!(logger.admits(Status::Warning) && logger.admits(Status::Error));
+        }
+    }
+
+    #[test]
+    fn categories_select_events_and_discards() {
+        let mut logger = logger(false);
+        logger.select(true, &[c"logStatusDiscard"]).unwrap();
+        assert!(logger.admits(Status::Discard) && !logger.admits(Status::Ok));
+        logger.select(true, &[c"logAll"]).unwrap();
+        assert!(logger.admits(Status::Discard) && logger.admits(Status::Ok));
+        logger.select(false, &[c"logAll"]).unwrap();
+        assert!(!logger.admits(Status::Discard) && !logger.admits(Status::Ok));
+        logger.select(true, &[]).unwrap();
+        assert!(logger.admits(Status::Discard) && logger.admits(Status::Ok));
+    }
+
+    #[test]
+    fn an_unknown_category_is_named_and_changes_nothing() {
+        let mut logger = logger(true);
+        let refusal = logger.select(false, &[c"logEvents", c"logNonsense"]).unwrap_err();
+        assert!(refusal.to_string().contains("logNonsense"), "{refusal}");
+        assert!(logger.admits(Status::Ok));
+    }
+}

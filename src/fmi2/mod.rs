@@ -1,0 +1,55 @@
+//! The FMI 2.0 co-simulation interface: the only module that knows C, and the only one with unsafe code.
+//!
+//! | module | subject |
+//! | --- | --- |
+//! | [`exports`] | the 34 C functions, each a few lines: take the arguments over, hand them to the instance |
+//! | `guard` | the one way in from C: null, order of calls, panics, status, message |
+//! | `lifecycle` | which function is allowed in which state, as data |
+//! | `logger` | messages to the importer |
+//! | [`variables`] | the variable table, the source of modelDescription.xml |
+//! | `settings`, [`enumerations`], `resources` | parameters as the importer sets them → [`crate::Parameters`] |
+//! | `component`, `values`, `model`, `clock`, `saved` | one instance: access by value reference, the contact, its time, its saved states |
+//! | `refusal` | every reason to refuse a call, with its numbers |
+//!
+//! # What the standard leaves to the FMU, and how it is settled here
+//!
+//! - **Status.** A call that cannot be carried out returns fmi2Error and changes nothing. The standard lets a master
+//!   repeat a refused step with other inputs or another step size, and here that needs no saved state: the instance stays
+//!   usable. fmi2Discard is kept for a status that this FMU cannot report; it never does half a step, which is
+//!   what fmi2Discard would mean for fmi2DoStep. fmi2Warning goes with dissimilar materials, once.
+//! - **Panic.** It returns fmi2Error, not fmi2Fatal, since instances share nothing. The instance refuses
+//!   everything from then on, until fmi2Reset, fmi2SetFMUstate or fmi2FreeInstance.
+//! - **Messages.** Warnings and errors always reach the logger; events and discards only under `loggingOn`, and
+//!   when their category is selected.
+//! - **Start.** Inputs set before fmi2ExitInitializationMode are the state in which the contact begins, with
+//!   unstressed springs. In initialization mode outputs follow parameters and inputs as they are set.
+//! - **Steps.** Inputs set at a communication point are the target at the end of the next step. With
+//!   fmi2SetRealInputDerivatives (order 1) the target is `u + u̇·h`. Derivatives count from the communication
+//!   point at which they are set: they serve one step, after which the input stands where that step ended, so that
+//!   a step with nothing set anew stays there. A step of length zero takes the new inputs without moving time.
+//! - **Cyclic loading.** A step makes `h` times the mean frequency cycles; the other inputs count at its end.
+//! - **Tolerance.** The parameter `tolerance` rules; that of fmi2SetupExperiment is noted in the log only.
+#![allow(unsafe_code)]
+
+mod clock;
+mod component;
+pub mod enumerations;
+pub mod exports;
+mod guard;
+mod lifecycle;
+mod logger;
+mod model;
+mod refusal;
+mod resources;
+mod saved;
+mod settings;
+mod values;
+pub mod variables;
+
+pub use logger::CATEGORIES;
+
+/// Identifier that links modelDescription.xml with this library; derived from the file's content.
+pub const GUID: &str = env!("FRETTING_CONTACT_GUID");
+
+/// Base name of the library inside the FMU.
+pub const MODEL_IDENTIFIER: &str = "FrettingContact";

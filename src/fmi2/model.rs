@@ -1,0 +1,177 @@
+//! The contact behind one instance: what the importer has set, and the engine that is built from it when needed.
+
+use super::clock::Clock;
+use super::enumerations::Loading;
+use super::refusal::Refusal;
+use super::resources::Resources;
+use super::settings::{Inputs, Settings};
+use crate::engine::{FrettingContact, Snapshot};
+use crate::error::Error;
+use crate::parameters::Parameters;
+
+/// Everything but the contact itself.
+#[derive(Debug, Clone)]
+pub(super) struct Staged {
+    pub(super) settings: Settings,
+    pub(super) inputs: Inputs,
+    /// Time derivatives of the inputs, for the next step only.
+    pub(super) slopes: Inputs,
+    pub(super) clock: Clock,
+    /// Whether the contact has been brought to its initial state with the present inputs.
+    started: bool,
+    /// Whether initialization is over: parameters are fixed, and inputs are targets of steps.
+    initialized: bool,
+}
+
+impl Default for Staged {
+    fn default() -> Self {
+        Self {
+            settings: Settings::default(),
+            inputs: Inputs::default(),
+            slopes: Inputs::ZERO,
+            clock: Clock::default(),
+            started: false,
+            initialized: false,
+        }
+    }
+}
+
+/// One contact under the importer's control.
+#[derive(Default)]
+pub(super) struct Model {
+    staged: Staged,
+    /// None while it has to be built from the settings.
+    contact: Option<FrettingContact>,
+}
+
+/// A copy of a model.
+#[derive(Debug, Clone)]
+pub(super) struct SavedModel {
+    staged: Staged,
+    contact: Option<(Parameters, Snapshot)>,
+}
+
+impl Model {
+    /// What has been set.
+    pub(super) fn staged(&mut self) -> &mut Staged {
+        &mut self.staged
+    }
+
+    /// The parameters, to change one; the contact will be built anew.
+    pub(super) fn change_settings(&mut self) -> &mut Settings {
+        self.contact = None;
+        self.staged.started = false;
+        &mut self.staged.settings
+    }
+
+    /// The inputs, to change one.
+    pub(super) fn change_inputs(&mut self) -> &mut Inputs {
+        self.staged.started &= self.staged.initialized;
+        &mut self.staged.inputs
+    }
+
+    /// Whether initialization is over.
+    pub(super) fn is_initialized(&self) -> bool {
+        self.staged.initialized
+    }
+
+    /// The contact in its present state. During initialization that is the start which follows from what has been
+    /// set so far.
+    pub(super) fn contact(&mut self, resources: &Resources) -> Result<&FrettingContact, Refusal> {
+        let Self { staged: Staged { settings, inputs, started, .. }, contact } = self;
+        if !*started {
+            // Dropped where it cannot start, so that a profile file that has been corrected is read again.
+            let mut built = match contact.take() {
+                Some(contact) => contact,
+                None => FrettingContact::new(settings.parameters(resources)?)
+                    .map_err(|problem| engine("parameters", problem))?,
+            };
+            let displacement = match settings.loading() {
+                Loading::Transient => inputs.tangential_displacement,
+                Loading::Cyclic => 0.0,
+            };
+            built
+                .start_at(inputs.normal(settings.normal_control()), displacement)
+                .map_err(|problem| engine(&format!("start with {}", inputs.describe(settings)), problem))?;
+            *contact = Some(built);
+            *started = true;
+        }
+        Ok(contact.as_ref().expect("a started contact has been built"))
+    }
+
+    /// The contact as far as it has been built, and what has been set.
+    pub(super) fn parts(&mut self) -> (Option<&FrettingContact>, &mut Staged) {
+        (self.contact.as_ref(), &mut self.staged)
+    }
+
+    /// Ends the initialization.
+    pub(super) fn begin(&mut self, resources: &Resources) -> Result<&FrettingContact, Refusal> {
+        self.contact(resources)?;
+        self.staged.initialized = true;
+        self.contact(resources)
+    }
+
+    /// One step of `length` from the communication point `point`, s.
+    pub(super) fn step(&mut self, point: f64, length: f64) -> Result<(), Refusal> {
+        let Self { staged, contact } = self;
+        let clock = staged.clock.after(point, length)?;
+        let (settings, from) = (&staged.settings, staged.inputs);
+        let to = if staged.slopes == Inputs::ZERO { from } else { from.after(&staged.slopes, length) };
+        let contact =
+            contact.as_mut().expect("initialization builds the contact, and nothing discards it later");
+        let normal = to.normal(settings.normal_control());
+        match settings.loading() {
+            Loading::Transient => contact.advance_to(normal, to.tangential_displacement),
+            Loading::Cyclic => {
+                let cycles = 0.5 * (from.frequency + to.frequency) * length;
+                contact.advance_cycles(normal, to.displacement_amplitude, cycles)
+            }
+        }
+        .map_err(|problem| {
+            engine(
+                &format!("step from t = {point:?} s by {length:?} s to {}", to.describe(settings)),
+                problem,
+            )
+        })?;
+        (staged.clock, staged.inputs, staged.slopes) = (clock, to, Inputs::ZERO);
+        Ok(())
+    }
+
+    /// A copy of the present state.
+    pub(super) fn save(&self) -> SavedModel {
+        let contact = self.contact.as_ref().map(|contact| (contact.parameters().clone(), contact.snapshot()));
+        SavedModel { staged: self.staged.clone(), contact }
+    }
+
+    /// Back to a saved state. Keeps the engine where only its state differs.
+    pub(super) fn restore(&mut self, saved: &SavedModel) -> Result<(), Refusal> {
+        match (&saved.contact, &mut self.contact) {
+            (None, contact) => *contact = None,
+            (Some((parameters, snapshot)), Some(contact)) if contact.parameters() == parameters => {
+                contact.restore(snapshot).map_err(|problem| engine("saved state", problem))?;
+            }
+            (Some(_), contact) => *contact = saved.build()?,
+        }
+        self.staged = saved.staged.clone();
+        Ok(())
+    }
+}
+
+impl SavedModel {
+    /// A model in this state that shares nothing with an earlier one.
+    pub(super) fn revive(&self) -> Result<Model, Refusal> {
+        Ok(Model { staged: self.staged.clone(), contact: self.build()? })
+    }
+
+    fn build(&self) -> Result<Option<FrettingContact>, Refusal> {
+        let Some((parameters, snapshot)) = &self.contact else { return Ok(None) };
+        let mut contact = FrettingContact::new(parameters.clone())
+            .map_err(|problem| engine("saved parameters", problem))?;
+        contact.restore(snapshot).map_err(|problem| engine("saved state", problem))?;
+        Ok(Some(contact))
+    }
+}
+
+fn engine(context: &str, problem: Error) -> Refusal {
+    Refusal::Engine { context: context.into(), problem }
+}

@@ -1,0 +1,83 @@
+//! Every reason to refuse a call. Whoever returns one has changed nothing.
+
+use super::lifecycle::State;
+use crate::error::Error;
+use std::path::PathBuf;
+use thiserror::Error as ThisError;
+
+/// Why a call was refused; its text goes to the FMI logger. Values print in their shortest exact form.
+#[derive(Debug, ThisError)]
+pub(super) enum Refusal {
+    #[error("not allowed in state \"{state}\", {}", describe(.allowed))]
+    OutOfOrder { state: State, allowed: &'static [State] },
+    #[error("the instance is unusable since {0}: call fmi2Reset to start anew, or fmi2FreeInstance")]
+    Unusable(String),
+    #[error("argument {0} is a null pointer")]
+    NullPointer(&'static str),
+    #[error("argument {argument}: {length} elements are more than memory can hold")]
+    Length { argument: &'static str, length: usize },
+    #[error("value reference {reference} does not exist: modelDescription.xml lists 0 to {last}")]
+    UnknownReference { reference: u32, last: usize },
+    #[error(
+        "{name} (value reference {reference}) is of type {actual}, not {asked}: use the functions for {actual}"
+    )]
+    WrongType { name: String, reference: u32, actual: &'static str, asked: &'static str },
+    #[error(
+        "{name} = {value} is refused: it is computed by the model (causality {causality}) and cannot be set"
+    )]
+    ReadOnly { name: String, value: String, causality: &'static str },
+    #[error(
+        "{name} = {value} is refused: a parameter is fixed after initialization; call fmi2Reset to change it"
+    )]
+    Fixed { name: String, value: String },
+    #[error("{name} = {value} is refused: {requirement}")]
+    Value { name: String, value: String, requirement: String },
+    #[error("{name}: {problem}")]
+    Text { name: String, problem: &'static str },
+    #[error("{argument} = {value:?} is refused: {requirement}")]
+    Argument { argument: &'static str, value: f64, requirement: &'static str },
+    #[error("currentCommunicationPoint = {given:?} is refused: the last step ended at {expected:?}")]
+    CommunicationPoint { given: f64, expected: f64 },
+    #[error(
+        "a step from {from:?} of length {length:?} is refused: it passes the stop time {stop:?} of fmi2SetupExperiment"
+    )]
+    BeyondStopTime { from: f64, length: f64, stop: f64 },
+    #[error("derivative of {name}: order {order} is refused; only order 1 of inputs is supported")]
+    DerivativeOrder { name: String, order: i32 },
+    #[error("derivative of {name} = {value:?} is refused: {requirement}")]
+    Derivative { name: String, value: f64, requirement: &'static str },
+    #[error("{0} is not a log category of modelDescription.xml")]
+    LogCategory(String),
+    #[error("this FMU does not support it ({flag} in modelDescription.xml)")]
+    Unsupported { flag: &'static str },
+    #[error("status kind {kind} cannot be reported by this function")]
+    StatusKind { kind: u32 },
+    #[error("FMU state {0:#x} does not belong to this instance, or has been freed")]
+    UnknownState(usize),
+    #[error("profile_file = \"\" is refused: profile = table needs a file with two columns, r and f in m")]
+    NoProfileFile,
+    #[error("profile_file = \"{name}\" cannot be read from {}: {reason}", .path.display())]
+    ProfileFile { name: String, path: PathBuf, reason: std::io::Error },
+    #[error("profile_file = \"{name}\" ({}): {problem}", .path.display())]
+    ProfileContent { name: String, path: PathBuf, problem: Error },
+    #[error("{context}: {problem}")]
+    Engine { context: String, problem: Error },
+}
+
+impl Refusal {
+    /// Only a missing status is a discard; see the module's documentation.
+    pub(super) fn status(&self) -> super::guard::Status {
+        match self {
+            Self::StatusKind { .. } => super::guard::Status::Discard,
+            _ => super::guard::Status::Error,
+        }
+    }
+}
+
+fn describe(allowed: &[State]) -> String {
+    if allowed.is_empty() {
+        return "nor in any other: steps are carried out synchronously".into();
+    }
+    let names: Vec<_> = allowed.iter().map(|state| format!("\"{state}\"")).collect();
+    format!("only in {}", names.join(", "))
+}

@@ -1,0 +1,104 @@
+//! The FMU's resources folder, and profile files.
+
+use super::refusal::Refusal;
+use crate::profile::ProfileTable;
+use percent_encoding::percent_decode_str;
+use std::ffi::CStr;
+use std::path::{Path, PathBuf};
+
+/// Where relative file names are looked for.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Resources {
+    folder: Option<PathBuf>,
+}
+
+impl Resources {
+    /// From the `fmuResourceLocation` of fmi2Instantiate. Importers write the same folder as `file:/a`, `file:///a`
+    /// or `file://localhost/a`, with or without escapes; some give a plain path. None where there is no such folder
+    /// on this machine.
+    pub(super) fn from_uri(uri: &str) -> Option<Self> {
+        let (path, encoded) = match uri.split_once(':') {
+            Some((scheme, rest)) if scheme.eq_ignore_ascii_case("file") => (local_path(rest)?, true),
+            // One letter is a drive, not a scheme.
+            Some((scheme, _)) if scheme.len() > 1 && !scheme.contains(['/', '\\']) => return None,
+            _ => (uri, false),
+        };
+        let path =
+            if encoded { percent_decode_str(path).decode_utf8().ok()?.into_owned() } else { path.to_owned() };
+        // file:///C:/a is C:/a.
+        let drive = path.strip_prefix('/').filter(|rest| rest.as_bytes().get(1) == Some(&b':'));
+        let folder = PathBuf::from(drive.unwrap_or(&path));
+        (!folder.as_os_str().is_empty()).then_some(Self { folder: Some(folder) })
+    }
+
+    /// A relative file is one of the resources folder, else of the working directory.
+    fn locate(&self, file: &Path) -> PathBuf {
+        let in_resources = self.folder.as_ref().map(|folder| folder.join(file));
+        match in_resources {
+            Some(path) if file.is_absolute() || path.exists() => path,
+            _ => file.to_owned(),
+        }
+    }
+
+    /// Reads the profile that the parameter `profile_file` names.
+    pub(super) fn profile_table(&self, file: &CStr) -> Result<ProfileTable, Refusal> {
+        let name = file.to_string_lossy().into_owned();
+        if name.is_empty() {
+            return Err(Refusal::NoProfileFile);
+        }
+        let located = self.locate(Path::new(&name));
+        let path = std::path::absolute(&located).unwrap_or(located);
+        match std::fs::read_to_string(&path) {
+            Err(reason) => Err(Refusal::ProfileFile { name, path, reason }),
+            Ok(text) => {
+                ProfileTable::parse(&text).map_err(|problem| Refusal::ProfileContent { name, path, problem })
+            }
+        }
+    }
+}
+
+/// The path of a file URI without its scheme; none if it is on another host.
+fn local_path(rest: &str) -> Option<&str> {
+    let Some(authority_and_path) = rest.strip_prefix("//") else { return Some(rest) };
+    let (host, path) = authority_and_path.split_at(authority_and_path.find('/')?);
+    (host.is_empty() || host.eq_ignore_ascii_case("localhost")).then_some(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ways_to_write_a_folder() {
+        for (uri, folder) in [
+            ("file:///tmp/a/resources", "/tmp/a/resources"),
+            ("file:/tmp/a/resources", "/tmp/a/resources"),
+            ("FILE://localhost/tmp/a", "/tmp/a"),
+            ("file:///tmp/with%20blank/%7Bb%7D", "/tmp/with blank/{b}"),
+            ("file:///tmp/with blank/{b}", "/tmp/with blank/{b}"),
+            ("file:///tmp/gr%C3%B6%C3%9Fe", "/tmp/größe"),
+            ("file:///tmp/100%", "/tmp/100%"),
+            ("file:///C:/a", "C:/a"),
+            ("/tmp/a%20b", "/tmp/a%20b"),
+            ("C:/a", "C:/a"),
+        ] {
+            let resources = Resources::from_uri(uri).unwrap_or_else(|| panic!("{uri}"));
+            assert_eq!(resources.folder.unwrap(), PathBuf::from(folder), "{uri}");
+        }
+        for uri in ["", "http://example.org/a", "file://server/a", "file://", "file:///%ff"] {
+            assert_eq!(Resources::from_uri(uri), None, "{uri}");
+        }
+    }
+
+    #[test]
+    fn a_relative_file_is_taken_from_the_resources_first() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::write(folder.path().join("tip.txt"), "0 0\n1e-4 1e-6\n2e-4 4e-6\n").unwrap();
+        let resources = Resources { folder: Some(folder.path().to_owned()) };
+        assert_eq!(resources.profile_table(c"tip.txt").unwrap().points().len(), 3);
+        let absolute = std::ffi::CString::new(folder.path().join("tip.txt").to_str().unwrap()).unwrap();
+        assert_eq!(Resources::default().profile_table(&absolute).unwrap().points().len(), 3);
+        let missing = resources.profile_table(c"other.txt").unwrap_err().to_string();
+        assert!(missing.contains("profile_file = \"other.txt\""), "{missing}");
+    }
+}

@@ -1,0 +1,191 @@
+//! Parameters and inputs as the importer sets them, and the engine's parameters that follow.
+
+use super::enumerations::{Items, Loading, ProfileKind};
+use super::refusal::Refusal;
+use super::resources::Resources;
+use crate::material::{Elastic, Pair};
+use crate::parameters::{NormalControl, Parameters};
+use crate::profile::Profile;
+use std::ffi::CString;
+
+/// Values of all parameters of modelDescription.xml, each within its declared range.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Settings {
+    pub(super) profile: i32,
+    pub(super) radius: f64,
+    pub(super) cone_slope: f64,
+    pub(super) exponent: f64,
+    pub(super) coefficient: f64,
+    pub(super) flat_radius: f64,
+    pub(super) profile_file: CString,
+    pub(super) youngs_modulus_1: f64,
+    pub(super) poisson_ratio_1: f64,
+    pub(super) youngs_modulus_2: f64,
+    pub(super) poisson_ratio_2: f64,
+    pub(super) friction_coefficient: f64,
+    pub(super) wear_coefficient: f64,
+    pub(super) hardness: f64,
+    pub(super) normal_control: i32,
+    pub(super) loading: i32,
+    pub(super) resolution: i32,
+    pub(super) tolerance: f64,
+}
+
+impl Default for Settings {
+    /// The engine's defaults; the dimensions of the other profiles suit a contact of the same size.
+    fn default() -> Self {
+        let Parameters { materials: Pair { body_1, body_2 }, .. } = Parameters::default();
+        let engine = Parameters::default();
+        Self {
+            profile: ProfileKind::Parabola.number(),
+            radius: 0.01,
+            cone_slope: 0.02,
+            exponent: 2.0,
+            coefficient: 50.0,
+            flat_radius: 1e-4,
+            profile_file: CString::default(),
+            youngs_modulus_1: body_1.youngs_modulus,
+            poisson_ratio_1: body_1.poisson_ratio,
+            youngs_modulus_2: body_2.youngs_modulus,
+            poisson_ratio_2: body_2.poisson_ratio,
+            friction_coefficient: engine.friction_coefficient,
+            wear_coefficient: engine.wear_coefficient,
+            hardness: engine.hardness,
+            normal_control: engine.normal_control.number(),
+            loading: Loading::Transient.number(),
+            resolution: engine.resolution as i32,
+            tolerance: engine.tolerance,
+        }
+    }
+}
+
+impl Settings {
+    pub(super) fn normal_control(&self) -> NormalControl {
+        NormalControl::from_number(self.normal_control)
+    }
+
+    pub(super) fn loading(&self) -> Loading {
+        Loading::from_number(self.loading)
+    }
+
+    /// What the engine is built from. Reads the profile file if there is one.
+    pub(super) fn parameters(&self, resources: &Resources) -> Result<Parameters, Refusal> {
+        let elastic = |youngs_modulus, poisson_ratio| Elastic { youngs_modulus, poisson_ratio };
+        Ok(Parameters {
+            materials: Pair {
+                body_1: elastic(self.youngs_modulus_1, self.poisson_ratio_1),
+                body_2: elastic(self.youngs_modulus_2, self.poisson_ratio_2),
+            },
+            profile: self.profile(resources)?,
+            friction_coefficient: self.friction_coefficient,
+            wear_coefficient: self.wear_coefficient,
+            hardness: self.hardness,
+            normal_control: self.normal_control(),
+            resolution: self.resolution as usize,
+            tolerance: self.tolerance,
+        })
+    }
+
+    fn profile(&self, resources: &Resources) -> Result<Profile, Refusal> {
+        let Self { radius, flat_radius, exponent, coefficient, cone_slope: slope, .. } = *self;
+        Ok(match ProfileKind::from_number(self.profile) {
+            ProfileKind::Parabola => Profile::Parabola { radius },
+            ProfileKind::Cone => Profile::Cone { slope },
+            ProfileKind::PowerLaw => Profile::PowerLaw { exponent, coefficient },
+            ProfileKind::BluntedSphere => Profile::BluntedSphere { radius, flat_radius },
+            ProfileKind::RoundedPunch => Profile::RoundedPunch { radius, flat_radius },
+            ProfileKind::FlatPunch => Profile::FlatPunch { flat_radius },
+            ProfileKind::Table => Profile::Table(resources.profile_table(&self.profile_file)?),
+        })
+    }
+}
+
+/// Values of all inputs, or of their derivatives with respect to time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Inputs {
+    pub(super) normal_force: f64,
+    pub(super) indentation: f64,
+    pub(super) tangential_displacement: f64,
+    pub(super) displacement_amplitude: f64,
+    pub(super) frequency: f64,
+}
+
+impl Default for Inputs {
+    /// 100 N on the default contact, or the indentation depth that belongs to it; the bodies are not displaced.
+    fn default() -> Self {
+        Self {
+            normal_force: 100.0,
+            indentation: 3.48291e-6,
+            tangential_displacement: 0.0,
+            displacement_amplitude: 1e-6,
+            frequency: 1.0,
+        }
+    }
+}
+
+impl Inputs {
+    /// Nothing, as the derivatives of constant inputs.
+    pub(super) const ZERO: Self = Self {
+        normal_force: 0.0,
+        indentation: 0.0,
+        tangential_displacement: 0.0,
+        displacement_amplitude: 0.0,
+        frequency: 0.0,
+    };
+
+    /// The inputs after `time`, s, when they change at the rates `slopes`.
+    pub(super) fn after(&self, slopes: &Self, time: f64) -> Self {
+        Self {
+            normal_force: self.normal_force + slopes.normal_force * time,
+            indentation: self.indentation + slopes.indentation * time,
+            tangential_displacement: self.tangential_displacement + slopes.tangential_displacement * time,
+            displacement_amplitude: self.displacement_amplitude + slopes.displacement_amplitude * time,
+            frequency: self.frequency + slopes.frequency * time,
+        }
+    }
+
+    /// The quantity that `control` prescribes, N or m.
+    pub(super) fn normal(&self, control: NormalControl) -> f64 {
+        match control {
+            NormalControl::Force => self.normal_force,
+            NormalControl::Indentation => self.indentation,
+        }
+    }
+
+    /// The inputs in use, for messages.
+    pub(super) fn describe(&self, settings: &Settings) -> String {
+        let normal = match settings.normal_control() {
+            NormalControl::Force => format!("normal_force = {:?} N", self.normal_force),
+            NormalControl::Indentation => format!("indentation = {:?} m", self.indentation),
+        };
+        match settings.loading() {
+            Loading::Transient => {
+                format!("{normal}, tangential_displacement = {:?} m", self.tangential_displacement)
+            }
+            Loading::Cyclic => format!(
+                "{normal}, displacement_amplitude = {:?} m, frequency = {:?} Hz",
+                self.displacement_amplitude, self.frequency
+            ),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_start_values_are_the_engines_defaults() {
+        let parameters = Settings::default().parameters(&Resources::default()).unwrap();
+        assert_eq!(parameters, Parameters::default());
+    }
+
+    #[test]
+    fn every_profile_is_usable_with_its_start_values() {
+        for kind in ProfileKind::ALL.iter().filter(|kind| **kind != ProfileKind::Table) {
+            let settings = Settings { profile: kind.number(), ..Settings::default() };
+            let parameters = settings.parameters(&Resources::default()).unwrap();
+            assert!(parameters.validate().is_ok(), "{kind:?}");
+        }
+    }
+}

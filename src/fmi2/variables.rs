@@ -1,0 +1,247 @@
+//! The variable table: name, type, unit, range, meaning and access of every variable, in one place. A variable's value
+//! reference is its position. modelDescription.xml is written from it.
+
+mod table;
+
+use super::enumerations::Enumeration;
+use super::settings::{Inputs, Settings};
+use crate::engine::{FrettingContact, SlipState};
+use std::borrow::Cow;
+use std::ffi::CString;
+use std::fmt;
+use std::ops::{Bound, RangeBounds};
+use std::sync::LazyLock;
+
+/// Number of radii at which the fields are given.
+pub const PROBES: usize = 64;
+
+/// All variables in the order of their value references.
+pub fn variables() -> &'static [Variable] {
+    static TABLE: LazyLock<Vec<Variable>> = LazyLock::new(table::rows);
+    &TABLE
+}
+
+/// One row of the table.
+#[derive(Debug)]
+pub struct Variable {
+    /// Name in the structured naming convention.
+    pub name: Cow<'static, str>,
+    /// Meaning, for people.
+    pub description: Cow<'static, str>,
+    /// Type with unit and range.
+    pub data_type: DataType,
+    /// Where the value lives.
+    pub(super) access: Access,
+    /// Names of the variables on which it depends at the end of the initialization, if it is an output.
+    pub initial_dependencies: &'static [&'static str],
+}
+
+/// Type of a variable and what belongs to it.
+#[derive(Debug, PartialEq)]
+pub enum DataType {
+    /// fmi2Real.
+    Real {
+        /// One of [`UNITS`]; none where the unit depends on another parameter.
+        unit: Option<Unit>,
+        /// A usual size, where 1 is none.
+        nominal: Option<f64>,
+        /// Accepted values.
+        range: Range,
+    },
+    /// fmi2Integer.
+    Integer {
+        /// Least accepted value.
+        min: i32,
+        /// Largest accepted value.
+        max: i32,
+    },
+    /// fmi2Integer in C.
+    Enumeration(&'static Enumeration),
+    /// fmi2String.
+    String,
+}
+
+impl DataType {
+    /// Name in modelDescription.xml.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Real { .. } => "Real",
+            Self::Integer { .. } => "Integer",
+            Self::Enumeration(_) => "Enumeration",
+            Self::String => "String",
+        }
+    }
+}
+
+/// A unit and its exponents of the SI base units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// Name in modelDescription.xml.
+    pub name: &'static str,
+    /// Attribute names of BaseUnit with their exponents.
+    pub base: &'static [(&'static str, i32)],
+}
+
+/// Every unit that a variable may have.
+pub const UNITS: [Unit; 9] = [
+    Unit { name: "1", base: &[] },
+    Unit { name: "Hz", base: &[("s", -1)] },
+    Unit { name: "J", base: &[("kg", 1), ("m", 2), ("s", -2)] },
+    Unit { name: "N", base: &[("kg", 1), ("m", 1), ("s", -2)] },
+    Unit { name: "N/m", base: &[("kg", 1), ("s", -2)] },
+    Unit { name: "Pa", base: &[("kg", 1), ("m", -1), ("s", -2)] },
+    Unit { name: "m", base: &[("m", 1)] },
+    Unit { name: "m3", base: &[("m", 3)] },
+    Unit { name: "rad", base: &[("rad", 1)] },
+];
+
+/// Accepted values of a real variable; they are finite in any case.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Lower bound.
+    pub low: Bound<f64>,
+    /// Upper bound.
+    pub high: Bound<f64>,
+}
+
+impl Range {
+    pub(super) const FINITE: Self = Self { low: Bound::Unbounded, high: Bound::Unbounded };
+    pub(super) const POSITIVE: Self = Self { low: Bound::Excluded(0.0), high: Bound::Unbounded };
+    pub(super) const NOT_NEGATIVE: Self = Self { low: Bound::Included(0.0), high: Bound::Unbounded };
+
+    /// Whether `value` is accepted.
+    pub fn contains(&self, value: f64) -> bool {
+        value.is_finite() && (self.low, self.high).contains(&value)
+    }
+}
+
+impl fmt::Display for Range {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("give a finite number")?;
+        match self.low {
+            Bound::Included(low) => write!(f, " >= {low:?}")?,
+            Bound::Excluded(low) => write!(f, " > {low:?}")?,
+            Bound::Unbounded => {}
+        }
+        let and = if self.low == Bound::Unbounded { "" } else { " and" };
+        match self.high {
+            Bound::Included(high) => write!(f, "{and} <= {high:?}"),
+            Bound::Excluded(high) => write!(f, "{and} < {high:?}"),
+            Bound::Unbounded => Ok(()),
+        }
+    }
+}
+
+/// Where a value lives. Causality, variability and initial value follow from it.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Access {
+    Input(fn(&mut Inputs) -> &mut f64),
+    Parameter(fn(&mut Settings) -> &mut f64),
+    /// An Integer or Enumeration parameter.
+    Number(fn(&mut Settings) -> &mut i32),
+    Text(fn(&mut Settings) -> &mut CString),
+    Output(fn(&FrettingContact) -> f64),
+    Slip(fn(&FrettingContact) -> SlipState),
+    /// The value of a field at one of the probe radii.
+    Field {
+        probe: usize,
+        read: fn(&FrettingContact, f64) -> f64,
+    },
+}
+
+/// A start value as modelDescription.xml writes it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Start {
+    /// Of a Real.
+    Real(f64),
+    /// Of an Integer or Enumeration.
+    Integer(i32),
+    /// Of a String.
+    Text(String),
+}
+
+impl Variable {
+    /// FMI causality.
+    pub fn causality(&self) -> &'static str {
+        match self.access {
+            Access::Input(_) => "input",
+            Access::Parameter(_) | Access::Number(_) | Access::Text(_) => "parameter",
+            Access::Output(_) | Access::Slip(_) => "output",
+            Access::Field { .. } => "local",
+        }
+    }
+
+    /// FMI variability.
+    pub fn variability(&self) -> &'static str {
+        match self.access {
+            Access::Parameter(_) | Access::Number(_) | Access::Text(_) => "fixed",
+            Access::Input(_) | Access::Output(_) | Access::Field { .. } => "continuous",
+            Access::Slip(_) => "discrete",
+        }
+    }
+
+    /// FMI `initial`; none for inputs, for which the standard does not allow the attribute.
+    pub fn initial(&self) -> Option<&'static str> {
+        match self.access {
+            Access::Input(_) => None,
+            Access::Parameter(_) | Access::Number(_) | Access::Text(_) => Some("exact"),
+            Access::Output(_) | Access::Slip(_) | Access::Field { .. } => Some("calculated"),
+        }
+    }
+
+    /// The value after instantiation, where the model does not compute it.
+    pub fn start(&self) -> Option<Start> {
+        let (mut settings, mut inputs) = (Settings::default(), Inputs::default());
+        match self.access {
+            Access::Input(field) => Some(Start::Real(*field(&mut inputs))),
+            Access::Parameter(field) => Some(Start::Real(*field(&mut settings))),
+            Access::Number(field) => Some(Start::Integer(*field(&mut settings))),
+            Access::Text(field) => Some(Start::Text(field(&mut settings).to_string_lossy().into_owned())),
+            Access::Output(_) | Access::Slip(_) | Access::Field { .. } => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fmi2::resources::Resources;
+
+    /// The table refuses a value exactly where the engine would: both state the same physics.
+    #[test]
+    fn ranges_agree_with_the_engine() {
+        let accepted = |settings: &Settings| {
+            settings.parameters(&Resources::default()).is_ok_and(|parameters| parameters.validate().is_ok())
+        };
+        let mut checked = 0;
+        for variable in variables() {
+            let (Access::Parameter(field), DataType::Real { range, .. }) =
+                (variable.access, &variable.data_type)
+            else {
+                continue;
+            };
+            let probes =
+                [f64::NAN, f64::INFINITY, -1.0, 0.0, 0.5, 0.05, 0.1, 0.100001, 0.51, 1.6, 99.0, 101.0];
+            for value in probes {
+                // A dimension counts only for the profiles that use it: refused by one of them is refused.
+                let by_engine = (1..=6).all(|profile| {
+                    let mut settings = Settings { profile, ..Settings::default() };
+                    *field(&mut settings) = value;
+                    accepted(&settings)
+                });
+                assert_eq!(range.contains(value), by_engine, "{} = {value}", variable.name);
+                checked += 1;
+            }
+        }
+        assert_eq!(checked, 13 * 12);
+    }
+
+    #[test]
+    fn ranges_print_as_a_request() {
+        let ratio = Range { low: Bound::Excluded(-1.0), high: Bound::Included(0.5) };
+        assert_eq!(ratio.to_string(), "give a finite number > -1.0 and <= 0.5");
+        assert_eq!(Range::FINITE.to_string(), "give a finite number");
+        assert!(!ratio.contains(-1.0) && ratio.contains(0.5) && !ratio.contains(f64::NAN));
+        assert!(!Range::FINITE.contains(f64::INFINITY));
+    }
+}

@@ -1,0 +1,240 @@
+//! The rows.
+
+use super::{Access, DataType, PROBES, Range, UNITS, Unit, Variable};
+use crate::engine::{FrettingContact, SlipState};
+use crate::fmi2::enumerations::{Enumeration, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
+use crate::fmi2::settings::{Inputs, Settings};
+use crate::parameters::Parameters;
+use std::ffi::CString;
+use std::ops::Bound;
+
+/// What the normal contact at the start follows from.
+const NORMAL: &[&str] = &[
+    "normal_force",
+    "indentation",
+    "profile",
+    "radius",
+    "cone_slope",
+    "exponent",
+    "coefficient",
+    "flat_radius",
+    "profile_file",
+    "youngs_modulus_1",
+    "poisson_ratio_1",
+    "youngs_modulus_2",
+    "poisson_ratio_2",
+    "normal_control",
+    "resolution",
+];
+
+/// What the state of the springs at the start follows from: without friction nothing sticks.
+const FRICTION: &[&str] = &[
+    "normal_force",
+    "indentation",
+    "profile",
+    "radius",
+    "cone_slope",
+    "exponent",
+    "coefficient",
+    "flat_radius",
+    "profile_file",
+    "youngs_modulus_1",
+    "poisson_ratio_1",
+    "youngs_modulus_2",
+    "poisson_ratio_2",
+    "friction_coefficient",
+    "normal_control",
+    "resolution",
+];
+
+pub(super) fn rows() -> Vec<Variable> {
+    let mut rows = inputs();
+    rows.extend(outputs());
+    rows.extend(parameters());
+    rows.extend(fields());
+    rows
+}
+
+fn inputs() -> Vec<Variable> {
+    vec![
+        input("normal_force", "N", 100.0, Range::FINITE, |i| &mut i.normal_force).about(
+            "Normal force, used when normal_control = force; the bodies are apart where it is not positive",
+        ),
+        input("indentation", "m", 1e-6, Range::FINITE, |i| &mut i.indentation)
+            .about("Indentation depth of the unworn tip, used when normal_control = indentation"),
+        input("tangential_displacement", "m", 1e-6, Range::FINITE, |i| &mut i.tangential_displacement)
+            .about("Tangential displacement of body 1, used when loading = transient"),
+        input("displacement_amplitude", "m", 1e-6, Range::NOT_NEGATIVE, |i| &mut i.displacement_amplitude)
+            .about("Amplitude of the tangential displacement, used when loading = cyclic"),
+        input("frequency", "Hz", 1.0, Range::NOT_NEGATIVE, |i| &mut i.frequency)
+            .about("Cycles per unit of time, used when loading = cyclic; a step h makes frequency*h cycles"),
+    ]
+}
+
+fn outputs() -> Vec<Variable> {
+    vec![
+        output("tangential_force", "N", 10.0, Range::FINITE, &[], FrettingContact::tangential_force)
+            .about("Tangential force that body 1 exerts on body 2; in cyclic loading its amplitude"),
+        output("wear_volume", "m3", 1e-15, Range::NOT_NEGATIVE, &[], FrettingContact::wear_volume)
+            .about("Worn volume, accumulated"),
+        output("wear_depth", "m", 1e-6, Range::NOT_NEGATIVE, &[], FrettingContact::wear_depth)
+            .about("Deepest point of the wear, accumulated"),
+        output("dissipated_energy", "J", 1e-6, Range::NOT_NEGATIVE, &[], FrettingContact::dissipated_energy)
+            .about("Work of friction, accumulated"),
+        output("normal_reaction", "N", 100.0, Range::NOT_NEGATIVE, NORMAL, FrettingContact::normal_reaction)
+            .about("Normal force that the contact carries"),
+        output("indentation_depth", "m", 1e-6, Range::FINITE, NORMAL, FrettingContact::indentation_depth)
+            .about("Indentation depth of the unworn tip"),
+        output("contact_radius", "m", 1e-4, Range::NOT_NEGATIVE, NORMAL, FrettingContact::contact_radius)
+            .about("Radius of the contact"),
+        output("stick_radius", "m", 1e-4, Range::NOT_NEGATIVE, FRICTION, FrettingContact::stick_radius)
+            .about("Radius of the sticking part: 0 in gross slip, contact_radius in full stick"),
+        output("max_pressure", "Pa", 1e9, Range::NOT_NEGATIVE, NORMAL, FrettingContact::max_pressure)
+            .about("Highest contact pressure"),
+        output(
+            "tangential_stiffness",
+            "N/m",
+            1e7,
+            Range::FINITE,
+            FRICTION,
+            FrettingContact::tangential_stiffness,
+        )
+        .about(
+            "Change of tangential_force with the displacement, at the present state in the present direction",
+        ),
+        output("normal_stiffness", "N/m", 1e7, Range::FINITE, NORMAL, FrettingContact::normal_stiffness)
+            .about("Change of normal_reaction with the indentation depth"),
+        slip("slip_state", FRICTION, FrettingContact::slip_state).about("Which part of the contact slips"),
+    ]
+}
+
+fn parameters() -> Vec<Variable> {
+    let poisson = Range { low: Bound::Excluded(-1.0), high: Bound::Included(0.5) };
+    let slope = Range { low: Bound::Excluded(0.0), high: Bound::Excluded(std::f64::consts::FRAC_PI_2) };
+    let exponent = Range { low: Bound::Included(0.1), high: Bound::Included(100.0) };
+    let tolerance = Range { low: Bound::Excluded(0.0), high: Bound::Included(0.1) };
+    let resolution = Parameters::RESOLUTION_RANGE;
+    vec![
+        choice("profile", &PROFILE, |s| &mut s.profile).about("Shape of the unworn body 1"),
+        real("radius", "m", Range::POSITIVE, |s| &mut s.radius)
+            .about("Radius of curvature of parabola, blunted_sphere and rounded_punch"),
+        real("cone_slope", "rad", slope, |s| &mut s.cone_slope)
+            .about("Angle between the flank of the cone and the plane"),
+        real("exponent", "1", exponent, |s| &mut s.exponent).about("Exponent n of power_law, f = coefficient r^n"),
+        unitless("coefficient", Range::POSITIVE, |s| &mut s.coefficient)
+            .about("Coefficient of power_law, in m^(1-exponent); its unit depends on the exponent, so none is declared"),
+        real("flat_radius", "m", Range::POSITIVE, |s| &mut s.flat_radius)
+            .about("Radius of the flat tip of blunted_sphere, rounded_punch and flat_punch"),
+        text("profile_file", |s| &mut s.profile_file).about(
+            "File with the points of profile = table, two columns r and f in m; a relative name is looked for in the \
+             FMU's resources, then in the working directory",
+        ),
+        real("youngs_modulus_1", "Pa", Range::POSITIVE, |s| &mut s.youngs_modulus_1)
+            .about("Young's modulus of body 1, which moves and wears"),
+        real("poisson_ratio_1", "1", poisson, |s| &mut s.poisson_ratio_1).about("Poisson ratio of body 1"),
+        real("youngs_modulus_2", "Pa", Range::POSITIVE, |s| &mut s.youngs_modulus_2)
+            .about("Young's modulus of body 2, the counter body"),
+        real("poisson_ratio_2", "1", poisson, |s| &mut s.poisson_ratio_2).about("Poisson ratio of body 2"),
+        real("friction_coefficient", "1", Range::NOT_NEGATIVE, |s| &mut s.friction_coefficient)
+            .about("Coefficient of friction"),
+        real("wear_coefficient", "1", Range::NOT_NEGATIVE, |s| &mut s.wear_coefficient).about(
+            "Wear coefficient k: a friction work W wears the volume W*wear_coefficient/hardness; 0 computes no wear",
+        ),
+        real("hardness", "Pa", Range::POSITIVE, |s| &mut s.hardness).about("Hardness of body 1"),
+        choice("normal_control", &NORMAL_CONTROL, |s| &mut s.normal_control)
+            .about("Normal quantity that is prescribed"),
+        choice("loading", &LOADING, |s| &mut s.loading).about("What the tangential inputs mean"),
+        integer("resolution", resolution.0 as i32, resolution.1 as i32, |s| &mut s.resolution)
+            .about("Cells across the contact; the default suits most users"),
+        real("tolerance", "1", tolerance, |s| &mut s.tolerance)
+            .about("Relative tolerance of the wear integration"),
+    ]
+}
+
+/// The fields, each at all probe radii.
+fn fields() -> Vec<Variable> {
+    type Read = fn(&FrettingContact, f64) -> f64;
+    let fields: [(&str, &str, Read, &str); 4] = [
+        ("radius_probe", "m", |_, r| r, "Radius of the probe"),
+        ("worn_depth", "m", FrettingContact::worn_depth_at, "Depth of the wear at radius_probe"),
+        ("pressure", "Pa", FrettingContact::pressure_at, "Contact pressure at radius_probe"),
+        ("shear_traction", "Pa", FrettingContact::shear_traction_at, "Tangential traction at radius_probe"),
+    ];
+    let row = |(name, unit, read, about): (&str, _, Read, _), probe| Variable {
+        name: format!("{name}[{}]", probe + 1).into(),
+        description: format!("{about}[{}], computed when read", probe + 1).into(),
+        data_type: DataType::Real { unit: Some(unit_named(unit)), nominal: None, range: Range::FINITE },
+        access: Access::Field { probe, read },
+        initial_dependencies: &[],
+    };
+    fields.into_iter().flat_map(|field| (0..PROBES).map(move |probe| row(field, probe))).collect()
+}
+
+fn unit_named(name: &str) -> Unit {
+    *UNITS.iter().find(|unit| unit.name == name).expect("the unit is in UNITS")
+}
+
+fn variable(name: &'static str, data_type: DataType, access: Access) -> Variable {
+    Variable { name: name.into(), description: "".into(), data_type, access, initial_dependencies: &[] }
+}
+
+impl Variable {
+    fn about(self, description: &'static str) -> Self {
+        Self { description: description.into(), ..self }
+    }
+}
+
+fn input(
+    name: &'static str,
+    unit: &str,
+    nominal: f64,
+    range: Range,
+    field: fn(&mut Inputs) -> &mut f64,
+) -> Variable {
+    let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: Some(nominal), range };
+    variable(name, data_type, Access::Input(field))
+}
+
+fn output(
+    name: &'static str,
+    unit: &str,
+    nominal: f64,
+    range: Range,
+    initial_dependencies: &'static [&'static str],
+    read: fn(&FrettingContact) -> f64,
+) -> Variable {
+    let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: Some(nominal), range };
+    Variable { initial_dependencies, ..variable(name, data_type, Access::Output(read)) }
+}
+
+fn slip(
+    name: &'static str,
+    initial_dependencies: &'static [&'static str],
+    read: fn(&FrettingContact) -> SlipState,
+) -> Variable {
+    Variable {
+        initial_dependencies,
+        ..variable(name, DataType::Enumeration(&SLIP_STATE), Access::Slip(read))
+    }
+}
+
+fn real(name: &'static str, unit: &str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
+    let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: None, range };
+    variable(name, data_type, Access::Parameter(field))
+}
+
+fn unitless(name: &'static str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
+    variable(name, DataType::Real { unit: None, nominal: None, range }, Access::Parameter(field))
+}
+
+fn integer(name: &'static str, min: i32, max: i32, field: fn(&mut Settings) -> &mut i32) -> Variable {
+    variable(name, DataType::Integer { min, max }, Access::Number(field))
+}
+
+fn choice(name: &'static str, items: &'static Enumeration, field: fn(&mut Settings) -> &mut i32) -> Variable {
+    variable(name, DataType::Enumeration(items), Access::Number(field))
+}
+
+fn text(name: &'static str, field: fn(&mut Settings) -> &mut CString) -> Variable {
+    variable(name, DataType::String, Access::Text(field))
+}

@@ -1,0 +1,185 @@
+//! modelDescription.xml from the variable table.
+
+use fretting_contact::fmi2::enumerations::ENUMERATIONS;
+use fretting_contact::fmi2::variables::{DataType, Range, Start, UNITS, Variable, variables};
+use fretting_contact::fmi2::{CATEGORIES, MODEL_IDENTIFIER};
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, Event};
+use std::io;
+use std::ops::Bound;
+use uuid::Uuid;
+
+type Xml = Writer<Vec<u8>>;
+
+/// The whole file. Its GUID is the name-based UUID of what it says with an empty GUID.
+pub(crate) fn model_description() -> String {
+    let content = with_guid("");
+    with_guid(&Uuid::new_v5(&Uuid::NAMESPACE_OID, content.as_bytes()).to_string())
+}
+
+fn with_guid(guid: &str) -> String {
+    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))
+        .expect("memory takes everything");
+    xml.create_element("fmiModelDescription")
+        .with_attributes([
+            ("fmiVersion", "2.0"),
+            ("modelName", MODEL_IDENTIFIER),
+            ("guid", guid),
+            ("description", env!("CARGO_PKG_DESCRIPTION")),
+            ("version", env!("CARGO_PKG_VERSION")),
+            ("license", env!("CARGO_PKG_LICENSE")),
+            ("generationTool", concat!("fretting_contact ", env!("CARGO_PKG_VERSION"))),
+            ("variableNamingConvention", "structured"),
+        ])
+        .write_inner_content(content)
+        .expect("memory takes everything");
+    let mut text = String::from_utf8(xml.into_inner()).expect("the writer makes UTF-8");
+    text.push('\n');
+    text
+}
+
+fn content(xml: &mut Xml) -> io::Result<()> {
+    xml.create_element("CoSimulation")
+        .with_attributes([
+            ("modelIdentifier", MODEL_IDENTIFIER),
+            ("canHandleVariableCommunicationStepSize", "true"),
+            ("canInterpolateInputs", "true"),
+            ("maxOutputDerivativeOrder", "0"),
+            ("canRunAsynchronuously", "false"),
+            ("canBeInstantiatedOnlyOncePerProcess", "false"),
+            ("canNotUseMemoryManagementFunctions", "true"),
+            ("canGetAndSetFMUstate", "true"),
+            ("canSerializeFMUstate", "false"),
+            ("providesDirectionalDerivative", "false"),
+        ])
+        .write_empty()?;
+    xml.create_element("UnitDefinitions").write_inner_content(units)?;
+    xml.create_element("TypeDefinitions").write_inner_content(types)?;
+    xml.create_element("LogCategories").write_inner_content(categories)?;
+    xml.create_element("DefaultExperiment")
+        .with_attributes([("startTime", "0"), ("stopTime", "1"), ("stepSize", "0.01")])
+        .write_empty()?;
+    xml.create_element("ModelVariables")
+        .write_inner_content(|xml| variables().iter().try_for_each(|v| variable(xml, v)))?;
+    xml.create_element("ModelStructure").write_inner_content(structure)?;
+    Ok(())
+}
+
+fn units(xml: &mut Xml) -> io::Result<()> {
+    for unit in UNITS {
+        xml.create_element("Unit").with_attribute(("name", unit.name)).write_inner_content(|xml| {
+            let exponents: Vec<_> =
+                unit.base.iter().map(|(base, exponent)| (*base, exponent.to_string())).collect();
+            let attributes = exponents.iter().map(|(base, exponent)| (*base, exponent.as_str()));
+            xml.create_element("BaseUnit").with_attributes(attributes).write_empty().map(drop)
+        })?;
+    }
+    Ok(())
+}
+
+fn types(xml: &mut Xml) -> io::Result<()> {
+    for enumeration in ENUMERATIONS {
+        let attributes = [("name", enumeration.name), ("description", enumeration.description)];
+        xml.create_element("SimpleType").with_attributes(attributes).write_inner_content(|xml| {
+            xml.create_element("Enumeration").write_inner_content(|xml| {
+                for (index, (name, description)) in enumeration.items.iter().enumerate() {
+                    let value = (index + 1).to_string();
+                    let attributes = [("name", *name), ("value", &value), ("description", description)];
+                    xml.create_element("Item").with_attributes(attributes).write_empty()?;
+                }
+                Ok(())
+            })?;
+            Ok(())
+        })?;
+    }
+    Ok(())
+}
+
+fn categories(xml: &mut Xml) -> io::Result<()> {
+    for (name, description) in CATEGORIES {
+        let name = name.to_str().expect("the names are ASCII");
+        xml.create_element("Category")
+            .with_attributes([("name", name), ("description", description)])
+            .write_empty()?;
+    }
+    Ok(())
+}
+
+fn variable(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
+    let reference = (index(&variable.name) - 1).to_string();
+    let mut attributes = vec![
+        ("name", variable.name.as_ref()),
+        ("valueReference", &reference),
+        ("description", variable.description.as_ref()),
+        ("causality", variable.causality()),
+        ("variability", variable.variability()),
+    ];
+    attributes.extend(variable.initial().map(|initial| ("initial", initial)));
+    xml.create_element("ScalarVariable").with_attributes(attributes).write_inner_content(|xml| {
+        let attributes = type_attributes(variable);
+        let attributes = attributes.iter().map(|(name, value)| (*name, value.as_str()));
+        xml.create_element(variable.data_type.name()).with_attributes(attributes).write_empty().map(drop)
+    })?;
+    Ok(())
+}
+
+fn type_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
+    let mut attributes = Vec::new();
+    match &variable.data_type {
+        DataType::Real { unit, nominal, range: Range { low, high } } => {
+            attributes.extend(unit.map(|unit| ("unit", unit.name.to_owned())));
+            // The schema's bounds belong to the range; an open bound cannot be said.
+            if let Bound::Included(min) = low {
+                attributes.push(("min", format!("{min:?}")));
+            }
+            if let Bound::Included(max) = high {
+                attributes.push(("max", format!("{max:?}")));
+            }
+            attributes.extend(nominal.map(|nominal| ("nominal", format!("{nominal:?}"))));
+        }
+        DataType::Integer { min, max } => {
+            attributes.push(("min", min.to_string()));
+            attributes.push(("max", max.to_string()));
+        }
+        DataType::Enumeration(enumeration) => attributes.push(("declaredType", enumeration.name.to_owned())),
+        DataType::String => {}
+    }
+    attributes.extend(variable.start().map(|start| {
+        let text = match start {
+            Start::Real(value) => format!("{value:?}"),
+            Start::Integer(value) => value.to_string(),
+            Start::Text(text) => text,
+        };
+        ("start", text)
+    }));
+    attributes
+}
+
+/// Outputs follow the inputs through the steps; at the start they follow what the table says.
+fn structure(xml: &mut Xml) -> io::Result<()> {
+    let inputs: Vec<_> =
+        variables().iter().filter(|v| v.causality() == "input").map(|v| v.name.as_ref()).collect();
+    xml.create_element("Outputs").write_inner_content(|xml| unknowns(xml, |_| inputs.clone()))?;
+    xml.create_element("InitialUnknowns")
+        .write_inner_content(|xml| unknowns(xml, |output| output.initial_dependencies.to_vec()))?;
+    Ok(())
+}
+
+fn unknowns<'a>(xml: &mut Xml, dependencies: impl Fn(&Variable) -> Vec<&'a str>) -> io::Result<()> {
+    for output in variables().iter().filter(|v| v.causality() == "output") {
+        let mut indices: Vec<_> = dependencies(output).into_iter().map(index).collect();
+        indices.sort_unstable();
+        let list = indices.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+        let attributes = [("index", index(&output.name).to_string()), ("dependencies", list)];
+        let attributes = attributes.iter().map(|(name, value)| (*name, value.as_str()));
+        xml.create_element("Unknown").with_attributes(attributes).write_empty()?;
+    }
+    Ok(())
+}
+
+/// Position in ModelVariables, from 1.
+fn index(name: &str) -> usize {
+    let position = variables().iter().position(|variable| variable.name == name);
+    position.unwrap_or_else(|| panic!("{name} is in the table")) + 1
+}
