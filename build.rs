@@ -1,4 +1,4 @@
-//! Compiles the GUID of modelDescription.xml into the library, and keeps foreign symbols out of its interface.
+//! Compiles the GUID of modelDescription.xml into the library.
 
 use std::fs;
 
@@ -9,8 +9,4 @@ fn main() {
     let guid = description.split_once("guid=\"").and_then(|(_, rest)| rest.split_once('"'));
     let (guid, _) = guid.expect("modelDescription.xml has a guid");
     println!("cargo:rustc-env=FRETTING_CONTACT_GUID={guid}");
-    // Only the functions of `src/fmi2/exports` are the library's interface; fmi-sys brings a symbol of its own.
-    if std::env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "linux") {
-        println!("cargo:rustc-cdylib-link-arg=-Wl,--exclude-libs,ALL");
-    }
 }

@@ -48,6 +48,11 @@ pub mod variables;
 
 pub use logger::CATEGORIES;
 
+// fmi-sys exports a function of its own, and link-time optimisation leaves no archive whose symbols the linker
+// could be told to drop. The strictest visibility that any object asks for is the one that holds.
+#[cfg(target_os = "linux")]
+core::arch::global_asm!(".hidden callback_log");
+
 /// Identifier that links modelDescription.xml with this library; derived from the file's content.
 pub const GUID: &str = env!("FRETTING_CONTACT_GUID");
 
