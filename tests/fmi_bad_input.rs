@@ -198,6 +198,7 @@ fn derivatives_that_are_not_supported() {
     };
     fmu.refused(status, &["fmi2GetRealOutputDerivatives", "maxOutputDerivativeOrder = 0"]);
     assert_eq!(fmu.set_slope("frequency", 1, -2.0), OK);
+    fmu.refused(fmu.do_step(0.0, -1.0), &["communicationStepSize = -1.0"]);
     fmu.refused(fmu.do_step(0.0, 1.0), &["frequency = -1.0", ">= 0.0"]);
     assert_eq!(fmu.do_step(0.0, 0.5), OK);
 }

@@ -1,6 +1,6 @@
 //! Communication points.
 
-use super::refusal::Refusal;
+use super::refusal::{Checked, Refusal};
 
 /// Two times are the same when they differ by less than this, relative to the larger of the time and the step:
 /// masters add up step sizes, and their sums differ in the last digits.
@@ -21,17 +21,18 @@ impl Default for Clock {
 
 impl Clock {
     /// The clock of an experiment that starts at `time` and may not pass `stop`.
-    pub(super) fn new(time: f64, stop: Option<f64>) -> Result<Self, Refusal> {
+    pub(super) fn new(time: f64, stop: Option<f64>) -> Checked<Self> {
         if !time.is_finite() {
             return Err(Refusal::Argument {
                 argument: "startTime",
                 value: time,
                 requirement: "a time is finite",
-            });
+            }
+            .into());
         }
         if let Some(value) = stop.filter(|stop| !(stop.is_finite() && *stop >= time)) {
             let requirement = "a stop time is finite and not before the start time";
-            return Err(Refusal::Argument { argument: "stopTime", value, requirement });
+            return Err(Refusal::Argument { argument: "stopTime", value, requirement }.into());
         }
         Ok(Self { time, stop })
     }
@@ -42,19 +43,21 @@ impl Clock {
     }
 
     /// The clock after a step of `length` from `point`.
-    pub(super) fn after(&self, point: f64, length: f64) -> Result<Self, Refusal> {
+    pub(super) fn after(&self, point: f64, length: f64) -> Checked<Self> {
         if !(length >= 0.0 && length.is_finite()) {
             let requirement = "a step is finite and not negative";
-            return Err(Refusal::Argument { argument: "communicationStepSize", value: length, requirement });
+            return Err(
+                Refusal::Argument { argument: "communicationStepSize", value: length, requirement }.into()
+            );
         }
         // Also refuses a point that is not a number.
         let slack = SAME * point.abs().max(length);
         if !((point - self.time).abs() <= slack && point.is_finite()) {
-            return Err(Refusal::CommunicationPoint { given: point, expected: self.time });
+            return Err(Refusal::CommunicationPoint { given: point, expected: self.time }.into());
         }
         let time = point + length;
         if let Some(stop) = self.stop.filter(|stop| time > stop + SAME * stop.abs().max(length)) {
-            return Err(Refusal::BeyondStopTime { from: point, length, stop });
+            return Err(Refusal::BeyondStopTime { from: point, length, stop }.into());
         }
         Ok(Self { time, ..*self })
     }
@@ -72,17 +75,27 @@ mod tests {
             clock = clock.after(f64::from(i) * 0.1, 0.1).unwrap();
         }
         assert!(clock.after(10.0, 0.0).is_ok());
-        assert!(matches!(clock.after(10.0, 1e-6), Err(Refusal::BeyondStopTime { .. })));
+        assert!(
+            clock.after(10.0, 1e-6).is_err_and(|refusal| matches!(*refusal, Refusal::BeyondStopTime { .. }))
+        );
     }
 
     #[test]
     fn wrong_points_and_steps_are_refused() {
         let clock = Clock::new(1.0, None).unwrap();
         for point in [0.0, 1.001, -1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(clock.after(point, 0.1), Err(Refusal::CommunicationPoint { .. })), "{point}");
+            assert!(
+                clock
+                    .after(point, 0.1)
+                    .is_err_and(|refusal| matches!(*refusal, Refusal::CommunicationPoint { .. })),
+                "{point}"
+            );
         }
         for length in [-1e-3, f64::NAN, f64::INFINITY] {
-            assert!(matches!(clock.after(1.0, length), Err(Refusal::Argument { .. })), "{length}");
+            assert!(
+                clock.after(1.0, length).is_err_and(|refusal| matches!(*refusal, Refusal::Argument { .. })),
+                "{length}"
+            );
         }
         assert_eq!(clock.after(1.0, 0.0).unwrap(), clock);
     }

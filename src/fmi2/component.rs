@@ -4,7 +4,7 @@ use super::guard::Status;
 use super::lifecycle::{Call, State};
 use super::logger::Logger;
 use super::model::Model;
-use super::refusal::Refusal;
+use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::saved::{Saved, SavedStates};
 use super::{GUID, MODEL_IDENTIFIER};
@@ -86,16 +86,16 @@ impl Component {
     }
 
     /// Whether `call` is allowed now.
-    pub(super) fn admit(&mut self, call: &Call) -> Result<(), Refusal> {
+    pub(super) fn admit(&mut self, call: &Call) -> Checked {
         self.worst = Status::Ok;
         call.check(self.state).map_err(|out_of_order| match &self.failure {
-            Some(failure) => Refusal::Unusable(failure.clone()),
+            Some(failure) => Refusal::Unusable(failure.clone()).into(),
             None => out_of_order,
         })
     }
 
     /// The status of a call with this result; a refusal is told to the importer.
-    pub(super) fn conclude(&mut self, call: &Call, result: Result<(), Refusal>) -> Status {
+    pub(super) fn conclude(&mut self, call: &Call, result: Checked) -> Status {
         let Err(refusal) = result else { return self.worst };
         self.logger.log(refusal.status(), &format!("{}: {refusal}", call.name));
         self.worst.max(refusal.status())
@@ -123,11 +123,7 @@ impl Component {
         self.logger.log(Status::Ok, text);
     }
 
-    pub(super) fn set_debug_logging(
-        &mut self,
-        logging_on: bool,
-        categories: &[&CStr],
-    ) -> Result<(), Refusal> {
+    pub(super) fn set_debug_logging(&mut self, logging_on: bool, categories: &[&CStr]) -> Checked {
         self.logger.select(logging_on, categories)
     }
 
@@ -136,10 +132,10 @@ impl Component {
         tolerance: Option<f64>,
         start: f64,
         stop: Option<f64>,
-    ) -> Result<(), Refusal> {
+    ) -> Checked {
         if let Some(value) = tolerance.filter(|tolerance| !(tolerance.is_finite() && *tolerance > 0.0)) {
             let requirement = "a tolerance is finite and greater than 0";
-            return Err(Refusal::Argument { argument: "tolerance", value, requirement });
+            return Err(Refusal::Argument { argument: "tolerance", value, requirement }.into());
         }
         self.model.staged().clock = super::clock::Clock::new(start, stop)?;
         if let Some(tolerance) = tolerance {
@@ -150,12 +146,12 @@ impl Component {
         Ok(())
     }
 
-    pub(super) fn enter_initialization_mode(&mut self) -> Result<(), Refusal> {
+    pub(super) fn enter_initialization_mode(&mut self) -> Checked {
         self.state = State::InitializationMode;
         Ok(())
     }
 
-    pub(super) fn exit_initialization_mode(&mut self) -> Result<(), Refusal> {
+    pub(super) fn exit_initialization_mode(&mut self) -> Checked {
         let contact = self.model.begin(&self.resources)?;
         let materials = contact.parameters().materials;
         self.state = State::StepComplete;
@@ -175,10 +171,16 @@ impl Component {
         Ok(())
     }
 
-    pub(super) fn do_step(&mut self, point: f64, length: f64) -> Result<(), Refusal> {
-        let result = self.model.step(point, length);
+    pub(super) fn do_step(&mut self, point: f64, length: f64) -> Checked {
+        let result = self.step(point, length);
         self.last_step = if result.is_ok() { Outcome::Done } else { Outcome::Refused };
         result
+    }
+
+    fn step(&mut self, point: f64, length: f64) -> Checked {
+        let end = self.model.staged().clock.after(point, length)?;
+        self.check_targets(length)?;
+        self.model.step(end, length)
     }
 
     /// fmi2DoStepStatus.
@@ -189,7 +191,7 @@ impl Component {
         }
     }
 
-    pub(super) fn terminate(&mut self) -> Result<(), Refusal> {
+    pub(super) fn terminate(&mut self) -> Checked {
         self.state = State::Terminated;
         if let (Some(contact), _) = self.model.parts() {
             let counters = contact.counters().to_string();
@@ -199,7 +201,7 @@ impl Component {
     }
 
     /// Back to the state after fmi2Instantiate. Saved states remain.
-    pub(super) fn reset(&mut self) -> Result<(), Refusal> {
+    pub(super) fn reset(&mut self) -> Checked {
         self.model = Model::default();
         self.state = State::Instantiated;
         self.failure = None;
@@ -207,12 +209,12 @@ impl Component {
         Ok(())
     }
 
-    pub(super) fn save(&mut self, old: fmi2FMUstate) -> Result<fmi2FMUstate, Refusal> {
+    pub(super) fn save(&mut self, old: fmi2FMUstate) -> Checked<fmi2FMUstate> {
         let saved = Saved { state: self.state, last_step: self.last_step, model: self.model.save() };
         self.saved.keep(saved, old)
     }
 
-    pub(super) fn restore(&mut self, state: fmi2FMUstate) -> Result<(), Refusal> {
+    pub(super) fn restore(&mut self, state: fmi2FMUstate) -> Checked {
         let saved = self.saved.get(state)?;
         if self.failure.is_some() {
             self.model = saved.model.revive()?;
@@ -223,7 +225,7 @@ impl Component {
         Ok(())
     }
 
-    pub(super) fn free_saved(&mut self, state: fmi2FMUstate) -> Result<(), Refusal> {
+    pub(super) fn free_saved(&mut self, state: fmi2FMUstate) -> Checked {
         self.saved.free(state)
     }
 }

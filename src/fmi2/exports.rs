@@ -1,6 +1,6 @@
 //! The C functions of FMI 2.0 for co-simulation, and none of model exchange.
 //!
-//! Each takes its arguments over and hands them to the instance, inside [`super::guard::enter`]. Their meaning is
+//! Each takes its arguments over and hands them to the instance, inside one guard. Their meaning is
 //! that of the standard; where it leaves a choice, see [`crate::fmi2`].
 //!
 //! # What every function relies on

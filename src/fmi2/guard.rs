@@ -2,7 +2,7 @@
 
 use super::component::Component;
 use super::lifecycle::Call;
-use super::refusal::Refusal;
+use super::refusal::{Checked, Refusal};
 use core::ffi::{CStr, c_char, c_void};
 use core::mem::MaybeUninit;
 use fmi_sys::fmi2::{
@@ -40,7 +40,7 @@ impl Status {
 pub(super) unsafe fn enter(
     component: fmi2Component,
     call: &Call,
-    body: impl FnOnce(&mut Component) -> Result<(), Refusal>,
+    body: impl FnOnce(&mut Component) -> Checked,
 ) -> fmi2Status {
     // SAFETY: by this function's contract the pointer is null or that of a live `Component` in no other use.
     let Some(component) = (unsafe { component.cast::<Component>().as_mut() }) else {
@@ -95,7 +95,7 @@ pub(super) unsafe fn array<'a, T>(
     argument: &'static str,
     pointer: *const T,
     length: usize,
-) -> Result<&'a [T], Refusal> {
+) -> Checked<&'a [T]> {
     check_array(argument, pointer, length)?;
     // SAFETY: the length is possible and the pointer not null, the rest is this function's contract.
     Ok(if length == 0 { &[] } else { unsafe { core::slice::from_raw_parts(pointer, length) } })
@@ -109,18 +109,18 @@ pub(super) unsafe fn array_out<'a, T>(
     argument: &'static str,
     pointer: *mut T,
     length: usize,
-) -> Result<&'a mut [MaybeUninit<T>], Refusal> {
+) -> Checked<&'a mut [MaybeUninit<T>]> {
     check_array(argument, pointer, length)?;
     // SAFETY: the length is possible and the pointer not null, the rest is this function's contract.
     Ok(if length == 0 { &mut [] } else { unsafe { core::slice::from_raw_parts_mut(pointer.cast(), length) } })
 }
 
-fn check_array<T>(argument: &'static str, pointer: *const T, length: usize) -> Result<(), Refusal> {
+fn check_array<T>(argument: &'static str, pointer: *const T, length: usize) -> Checked {
     if length > isize::MAX as usize / size_of::<T>() {
-        return Err(Refusal::Length { argument, length });
+        return Err(Refusal::Length { argument, length }.into());
     }
     if length > 0 && pointer.is_null() {
-        return Err(Refusal::NullPointer(argument));
+        return Err(Refusal::NullPointer(argument).into());
     }
     Ok(())
 }
@@ -129,10 +129,7 @@ fn check_array<T>(argument: &'static str, pointer: *const T, length: usize) -> R
 ///
 /// # Safety
 /// As for [`array_out`] with length 1.
-pub(super) unsafe fn out<'a, T>(
-    argument: &'static str,
-    pointer: *mut T,
-) -> Result<&'a mut MaybeUninit<T>, Refusal> {
+pub(super) unsafe fn out<'a, T>(argument: &'static str, pointer: *mut T) -> Checked<&'a mut MaybeUninit<T>> {
     // SAFETY: this function's contract.
     unsafe { array_out(argument, pointer, 1) }.map(|array| &mut array[0])
 }
@@ -141,9 +138,9 @@ pub(super) unsafe fn out<'a, T>(
 ///
 /// # Safety
 /// `pointer` is null or a C string that nobody changes during the call.
-pub(super) unsafe fn string<'a>(argument: &'static str, pointer: *const c_char) -> Result<&'a CStr, Refusal> {
+pub(super) unsafe fn string<'a>(argument: &'static str, pointer: *const c_char) -> Checked<&'a CStr> {
     if pointer.is_null() {
-        return Err(Refusal::NullPointer(argument));
+        return Err(Refusal::NullPointer(argument).into());
     }
     // SAFETY: this function's contract.
     Ok(unsafe { CStr::from_ptr(pointer) })
@@ -160,7 +157,7 @@ mod tests {
     fn run(
         component: fmi2Component,
         call: &Call,
-        body: impl FnOnce(&mut Component) -> Result<(), Refusal>,
+        body: impl FnOnce(&mut Component) -> Checked,
     ) -> fmi2Status {
         // SAFETY: the tests pass null or an instance of their own that they free last.
         unsafe { enter(component, call, body) }
@@ -169,7 +166,7 @@ mod tests {
     #[test]
     fn a_panic_makes_the_instance_unusable_until_it_is_reset() {
         let component = new_component(Component::new(Logger::new(None, CString::default(), false), None));
-        let panics = |_: &mut Component| -> Result<(), Refusal> { panic!("deliberate, {}", 42) };
+        let panics = |_: &mut Component| -> Checked { panic!("deliberate, {}", 42) };
         assert_eq!(run(component, &lifecycle::SETUP_EXPERIMENT, panics), fmi2Status_fmi2Error);
 
         let mut reached = false;
@@ -208,7 +205,7 @@ mod tests {
         assert_eq!(run(component, &lifecycle::RESET, |_| Ok(())), fmi2Status_fmi2OK);
         let warns_and_refuses = |component: &mut Component| {
             component.warn("a warning");
-            Err(Refusal::NullPointer("x"))
+            Err(Refusal::NullPointer("x").into())
         };
         assert_eq!(run(component, &lifecycle::RESET, warns_and_refuses), fmi2Status_fmi2Error);
         // SAFETY: the last use of the instance.
@@ -221,9 +218,15 @@ mod tests {
         // SAFETY: null and impossible lengths are refused, and an empty array is never read.
         unsafe {
             assert!(array("x", null, 0).unwrap().is_empty());
-            assert!(matches!(array("x", null, 3), Err(Refusal::NullPointer("x"))));
-            assert!(matches!(array("x", &raw const NUMBER, usize::MAX), Err(Refusal::Length { .. })));
-            assert!(matches!(string("x", core::ptr::null()), Err(Refusal::NullPointer("x"))));
+            assert!(array("x", null, 3).is_err_and(|refusal| matches!(*refusal, Refusal::NullPointer("x"))));
+            assert!(
+                array("x", &raw const NUMBER, usize::MAX)
+                    .is_err_and(|refusal| matches!(*refusal, Refusal::Length { .. }))
+            );
+            assert!(
+                string("x", core::ptr::null())
+                    .is_err_and(|refusal| matches!(*refusal, Refusal::NullPointer("x")))
+            );
         }
     }
 

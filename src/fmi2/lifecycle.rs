@@ -3,7 +3,7 @@
 //! Steps are synchronous and a refused step changes nothing, so the standard's states "step in progress", "step
 //! failed" and "step canceled" do not occur; its state "error" is [`State::Failed`].
 
-use super::refusal::Refusal;
+use super::refusal::{Checked, Refusal};
 use State::{Failed, InitializationMode, Instantiated, StepComplete, Terminated};
 use std::fmt;
 
@@ -43,11 +43,11 @@ pub(super) struct Call {
 
 impl Call {
     /// The one gate.
-    pub(super) fn check(&self, state: State) -> Result<(), Refusal> {
+    pub(super) fn check(&self, state: State) -> Checked {
         if self.allowed.contains(&state) {
             return Ok(());
         }
-        Err(Refusal::OutOfOrder { state, allowed: self.allowed })
+        Err(Refusal::OutOfOrder { state, allowed: self.allowed }.into())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Messages to the importer's logger.
 
 use super::guard::Status;
-use super::refusal::Refusal;
+use super::refusal::{Checked, Refusal};
 use core::ffi::{CStr, c_void};
 use fmi_sys::fmi2::{fmi2CallbackFunctions, fmi2CallbackLogger};
 use std::ffi::CString;
@@ -45,7 +45,7 @@ impl Logger {
     }
 
     /// fmi2SetDebugLogging: an empty list means every category.
-    pub(super) fn select(&mut self, logging_on: bool, categories: &[&CStr]) -> Result<(), Refusal> {
+    pub(super) fn select(&mut self, logging_on: bool, categories: &[&CStr]) -> Checked {
         let mut selected = [categories.is_empty(); CATEGORIES.len()];
         for &category in categories {
             let known = CATEGORIES.iter().position(|(name, _)| *name == category);

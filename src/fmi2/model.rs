@@ -2,7 +2,7 @@
 
 use super::clock::Clock;
 use super::enumerations::Loading;
-use super::refusal::Refusal;
+use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::settings::{Inputs, Settings};
 use crate::engine::{FrettingContact, Snapshot};
@@ -77,7 +77,7 @@ impl Model {
 
     /// The contact in its present state. During initialization that is the start which follows from what has been
     /// set so far.
-    pub(super) fn contact(&mut self, resources: &Resources) -> Result<&FrettingContact, Refusal> {
+    pub(super) fn contact(&mut self, resources: &Resources) -> Checked<&FrettingContact> {
         let Self { staged: Staged { settings, inputs, started, .. }, contact } = self;
         if !*started {
             // Dropped where it cannot start, so that a profile file that has been corrected is read again.
@@ -105,16 +105,15 @@ impl Model {
     }
 
     /// Ends the initialization.
-    pub(super) fn begin(&mut self, resources: &Resources) -> Result<&FrettingContact, Refusal> {
+    pub(super) fn begin(&mut self, resources: &Resources) -> Checked<&FrettingContact> {
         self.contact(resources)?;
         self.staged.initialized = true;
         self.contact(resources)
     }
 
-    /// One step of `length` from the communication point `point`, s.
-    pub(super) fn step(&mut self, point: f64, length: f64) -> Result<(), Refusal> {
+    /// One step of `length`, s, at whose end the clock is `end`.
+    pub(super) fn step(&mut self, end: Clock, length: f64) -> Checked {
         let Self { staged, contact } = self;
-        let clock = staged.clock.after(point, length)?;
         let (settings, from) = (&staged.settings, staged.inputs);
         let to = if staged.slopes == Inputs::ZERO { from } else { from.after(&staged.slopes, length) };
         let contact =
@@ -128,12 +127,13 @@ impl Model {
             }
         }
         .map_err(|problem| {
+            let start = staged.clock.time();
             engine(
-                &format!("step from t = {point:?} s by {length:?} s to {}", to.describe(settings)),
+                &format!("step from t = {start:?} s by {length:?} s to {}", to.describe(settings)),
                 problem,
             )
         })?;
-        (staged.clock, staged.inputs, staged.slopes) = (clock, to, Inputs::ZERO);
+        (staged.clock, staged.inputs, staged.slopes) = (end, to, Inputs::ZERO);
         Ok(())
     }
 
@@ -144,7 +144,7 @@ impl Model {
     }
 
     /// Back to a saved state. Keeps the engine where only its state differs.
-    pub(super) fn restore(&mut self, saved: &SavedModel) -> Result<(), Refusal> {
+    pub(super) fn restore(&mut self, saved: &SavedModel) -> Checked {
         match (&saved.contact, &mut self.contact) {
             (None, contact) => *contact = None,
             (Some((parameters, snapshot)), Some(contact)) if contact.parameters() == parameters => {
@@ -159,11 +159,11 @@ impl Model {
 
 impl SavedModel {
     /// A model in this state that shares nothing with an earlier one.
-    pub(super) fn revive(&self) -> Result<Model, Refusal> {
+    pub(super) fn revive(&self) -> Checked<Model> {
         Ok(Model { staged: self.staged.clone(), contact: self.build()? })
     }
 
-    fn build(&self) -> Result<Option<FrettingContact>, Refusal> {
+    fn build(&self) -> Checked<Option<FrettingContact>> {
         let Some((parameters, snapshot)) = &self.contact else { return Ok(None) };
         let mut contact = FrettingContact::new(parameters.clone())
             .map_err(|problem| engine("saved parameters", problem))?;

@@ -5,6 +5,10 @@ use crate::error::Error;
 use std::path::PathBuf;
 use thiserror::Error as ThisError;
 
+/// What a call or a part of it returns. The reason is boxed, since almost every call succeeds and a step takes a few
+/// hundred nanoseconds.
+pub(super) type Checked<T = ()> = Result<T, Box<Refusal>>;
+
 /// Why a call was refused; its text goes to the FMI logger. Values print in their shortest exact form.
 #[derive(Debug, ThisError)]
 pub(super) enum Refusal {
@@ -21,7 +25,7 @@ pub(super) enum Refusal {
     #[error(
         "{name} (value reference {reference}) is of type {actual}, not {asked}: use the functions for {actual}"
     )]
-    WrongType { name: String, reference: u32, actual: &'static str, asked: &'static str },
+    WrongType { name: String, reference: u32, actual: &'static str, asked: String },
     #[error(
         "{name} = {value} is refused: it is computed by the model (causality {causality}) and cannot be set"
     )]

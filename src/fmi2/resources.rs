@@ -1,6 +1,6 @@
 //! The FMU's resources folder, and profile files.
 
-use super::refusal::Refusal;
+use super::refusal::{Checked, Refusal};
 use crate::profile::ProfileTable;
 use percent_encoding::percent_decode_str;
 use std::ffi::CStr;
@@ -41,18 +41,20 @@ impl Resources {
     }
 
     /// Reads the profile that the parameter `profile_file` names.
-    pub(super) fn profile_table(&self, file: &CStr) -> Result<ProfileTable, Refusal> {
+    pub(super) fn profile_table(&self, file: &CStr) -> Checked<ProfileTable> {
         let name = file.to_string_lossy().into_owned();
         if name.is_empty() {
-            return Err(Refusal::NoProfileFile);
+            return Err(Refusal::NoProfileFile.into());
         }
         let located = self.locate(Path::new(&name));
         let path = std::path::absolute(&located).unwrap_or(located);
         match std::fs::read_to_string(&path) {
-            Err(reason) => Err(Refusal::ProfileFile { name, path, reason }),
-            Ok(text) => {
-                ProfileTable::parse(&text).map_err(|problem| Refusal::ProfileContent { name, path, problem })
-            }
+            Err(reason) => Err(Refusal::ProfileFile { name, path, reason }.into()),
+            Ok(text) => Ok(ProfileTable::parse(&text).map_err(|problem| Refusal::ProfileContent {
+                name,
+                path,
+                problem,
+            })?),
         }
     }
 }

@@ -6,7 +6,7 @@
 use super::component::Outcome;
 use super::lifecycle::State;
 use super::model::SavedModel;
-use super::refusal::Refusal;
+use super::refusal::{Checked, Refusal};
 use fmi_sys::fmi2::fmi2FMUstate;
 
 /// What fmi2GetFMUstate copies.
@@ -30,7 +30,7 @@ fn handle(saved: &Saved) -> fmi2FMUstate {
 
 impl SavedStates {
     /// Keeps `saved`, in the place of the state `old` unless that is null.
-    pub(super) fn keep(&mut self, saved: Saved, old: fmi2FMUstate) -> Result<fmi2FMUstate, Refusal> {
+    pub(super) fn keep(&mut self, saved: Saved, old: fmi2FMUstate) -> Checked<fmi2FMUstate> {
         let place = if old.is_null() {
             self.states.push(Box::new(saved));
             self.states.len() - 1
@@ -43,12 +43,12 @@ impl SavedStates {
     }
 
     /// The state with this handle.
-    pub(super) fn get(&self, state: fmi2FMUstate) -> Result<&Saved, Refusal> {
+    pub(super) fn get(&self, state: fmi2FMUstate) -> Checked<&Saved> {
         self.find(state).map(|place| &*self.states[place])
     }
 
     /// Drops the state with this handle; null is ignored.
-    pub(super) fn free(&mut self, state: fmi2FMUstate) -> Result<(), Refusal> {
+    pub(super) fn free(&mut self, state: fmi2FMUstate) -> Checked {
         if !state.is_null() {
             let place = self.find(state)?;
             self.states.swap_remove(place);
@@ -56,11 +56,11 @@ impl SavedStates {
         Ok(())
     }
 
-    fn find(&self, state: fmi2FMUstate) -> Result<usize, Refusal> {
+    fn find(&self, state: fmi2FMUstate) -> Checked<usize> {
         if state.is_null() {
-            return Err(Refusal::NullPointer("FMUstate"));
+            return Err(Refusal::NullPointer("FMUstate").into());
         }
         let found = self.states.iter().position(|saved| handle(saved) == state);
-        found.ok_or(Refusal::UnknownState(state.addr()))
+        found.ok_or_else(|| Refusal::UnknownState(state.addr()).into())
     }
 }

@@ -1,7 +1,7 @@
 //! Parameters and inputs as the importer sets them, and the engine's parameters that follow.
 
 use super::enumerations::{Items, Loading, ProfileKind};
-use super::refusal::Refusal;
+use super::refusal::Checked;
 use super::resources::Resources;
 use crate::material::{Elastic, Pair};
 use crate::parameters::{NormalControl, Parameters};
@@ -69,7 +69,7 @@ impl Settings {
     }
 
     /// What the engine is built from. Reads the profile file if there is one.
-    pub(super) fn parameters(&self, resources: &Resources) -> Result<Parameters, Refusal> {
+    pub(super) fn parameters(&self, resources: &Resources) -> Checked<Parameters> {
         let elastic = |youngs_modulus, poisson_ratio| Elastic { youngs_modulus, poisson_ratio };
         Ok(Parameters {
             materials: Pair {
@@ -86,7 +86,7 @@ impl Settings {
         })
     }
 
-    fn profile(&self, resources: &Resources) -> Result<Profile, Refusal> {
+    fn profile(&self, resources: &Resources) -> Checked<Profile> {
         let Self { radius, flat_radius, exponent, coefficient, cone_slope: slope, .. } = *self;
         Ok(match ProfileKind::from_number(self.profile) {
             ProfileKind::Parabola => Profile::Parabola { radius },

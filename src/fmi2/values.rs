@@ -3,7 +3,7 @@
 use super::component::Component;
 use super::enumerations::Items;
 use super::model::Model;
-use super::refusal::Refusal;
+use super::refusal::{Checked, Refusal};
 use super::settings::Inputs;
 use super::variables::{Access, DataType, PROBES, Variable, variables};
 use core::ffi::{CStr, c_char};
@@ -11,7 +11,7 @@ use core::fmt::Debug;
 use core::mem::MaybeUninit;
 
 /// The type that a function of the C interface is for.
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub(super) enum Asked {
     Real,
     Integer,
@@ -19,58 +19,72 @@ pub(super) enum Asked {
     String,
 }
 
-/// The variable with this reference, if it is of the type asked for.
-fn find(reference: u32, asked: Asked) -> Result<&'static Variable, Refusal> {
-    let all = variables();
-    let variable =
-        all.get(reference as usize).ok_or(Refusal::UnknownReference { reference, last: all.len() - 1 })?;
-    let (fits, asked) = match asked {
-        Asked::Real => (matches!(variable.data_type, DataType::Real { .. }), "Real"),
-        Asked::Integer => {
-            (matches!(variable.data_type, DataType::Integer { .. } | DataType::Enumeration(_)), "Integer")
+impl Asked {
+    fn fits(self, data_type: &DataType) -> bool {
+        match self {
+            Self::Real => matches!(data_type, DataType::Real { .. }),
+            Self::Integer => matches!(data_type, DataType::Integer { .. } | DataType::Enumeration(_)),
+            Self::Boolean => false,
+            Self::String => matches!(data_type, DataType::String),
         }
-        Asked::Boolean => (false, "Boolean"),
-        Asked::String => (matches!(variable.data_type, DataType::String), "String"),
-    };
-    if fits {
-        return Ok(variable);
     }
+}
+
+/// The variable with this reference, if it is of the type asked for.
+fn find(reference: u32, asked: Asked) -> Checked<&'static Variable> {
+    let all = variables();
+    let Some(variable) = all.get(reference as usize) else {
+        return Err(Refusal::UnknownReference { reference, last: all.len() - 1 }.into());
+    };
+    if asked.fits(&variable.data_type) { Ok(variable) } else { Err(wrong_type(variable, reference, asked)) }
+}
+
+/// Access to a variable that [`find`] has found before.
+fn access(reference: u32) -> Access {
+    variables()[reference as usize].access
+}
+
+#[cold]
+fn wrong_type(variable: &Variable, reference: u32, asked: Asked) -> Box<Refusal> {
     let actual = match variable.data_type {
         DataType::Enumeration(_) => "Integer (Enumeration)",
         _ => variable.data_type.name(),
     };
-    Err(Refusal::WrongType { name: variable.name.to_string(), reference, actual, asked })
+    let asked = format!("{asked:?}");
+    Refusal::WrongType { name: variable.name.to_string(), reference, actual, asked }.into()
 }
 
 /// Refuses values that are not the importer's to set.
-fn check_writable(model: &Model, variable: &Variable, value: &dyn Debug) -> Result<(), Refusal> {
+fn check_writable(model: &Model, variable: &Variable, value: &dyn Debug) -> Checked {
     let name = || variable.name.to_string();
     match variable.access {
         Access::Input(_) => Ok(()),
         Access::Parameter(_) | Access::Number(_) | Access::Text(_) if !model.is_initialized() => Ok(()),
         Access::Parameter(_) | Access::Number(_) | Access::Text(_) => {
-            Err(Refusal::Fixed { name: name(), value: format!("{value:?}") })
+            Err(Refusal::Fixed { name: name(), value: format!("{value:?}") }.into())
         }
         Access::Output(_) | Access::Slip(_) | Access::Field { .. } => Err(Refusal::ReadOnly {
             name: name(),
             value: format!("{value:?}"),
             causality: variable.causality(),
-        }),
+        }
+        .into()),
     }
 }
 
-fn check_real(variable: &Variable, value: f64) -> Result<(), Refusal> {
+fn check_real(variable: &Variable, value: f64) -> Checked {
     match &variable.data_type {
         DataType::Real { range, .. } if !range.contains(value) => Err(Refusal::Value {
             name: variable.name.to_string(),
             value: format!("{value:?}"),
             requirement: range.to_string(),
-        }),
+        }
+        .into()),
         _ => Ok(()),
     }
 }
 
-fn check_integer(variable: &Variable, value: i32) -> Result<(), Refusal> {
+fn check_integer(variable: &Variable, value: i32) -> Checked {
     let (accepted, requirement) = match &variable.data_type {
         DataType::Integer { min, max } => ((*min..=*max).contains(&value), format!("give {min} to {max}")),
         DataType::Enumeration(enumeration) => {
@@ -83,27 +97,23 @@ fn check_integer(variable: &Variable, value: i32) -> Result<(), Refusal> {
     if accepted {
         return Ok(());
     }
-    Err(Refusal::Value { name: variable.name.to_string(), value: value.to_string(), requirement })
+    Err(Refusal::Value { name: variable.name.to_string(), value: value.to_string(), requirement }.into())
 }
 
 impl Component {
-    pub(super) fn get_real(
-        &mut self,
-        references: &[u32],
-        values: &mut [MaybeUninit<f64>],
-    ) -> Result<(), Refusal> {
-        let found = || references.iter().map(|&reference| find(reference, Asked::Real));
+    pub(super) fn get_real(&mut self, references: &[u32], values: &mut [MaybeUninit<f64>]) -> Checked {
         let mut computed = false;
-        for variable in found() {
-            computed |= matches!(variable?.access, Access::Output(_) | Access::Field { .. });
+        for &reference in references {
+            computed |=
+                matches!(find(reference, Asked::Real)?.access, Access::Output(_) | Access::Field { .. });
         }
         if computed {
             self.model.contact(&self.resources)?;
         }
         let (contact, staged) = self.model.parts();
         let mut radii: Option<[f64; PROBES]> = None;
-        for (variable, value) in found().zip(values) {
-            value.write(match (variable?.access, contact) {
+        for (&reference, value) in references.iter().zip(values) {
+            value.write(match (access(reference), contact) {
                 (Access::Input(field), _) => *field(&mut staged.inputs),
                 (Access::Parameter(field), _) => *field(&mut staged.settings),
                 (Access::Output(read), Some(contact)) => read(contact),
@@ -117,14 +127,14 @@ impl Component {
         Ok(())
     }
 
-    pub(super) fn set_real(&mut self, references: &[u32], values: &[f64]) -> Result<(), Refusal> {
+    pub(super) fn set_real(&mut self, references: &[u32], values: &[f64]) -> Checked {
         for (&reference, &value) in references.iter().zip(values) {
             let variable = find(reference, Asked::Real)?;
             check_writable(&self.model, variable, &value)?;
             check_real(variable, value)?;
         }
         for (&reference, &value) in references.iter().zip(values) {
-            match find(reference, Asked::Real)?.access {
+            match access(reference) {
                 Access::Input(field) => *field(self.model.change_inputs()) = value,
                 Access::Parameter(field) => *field(self.model.change_settings()) = value,
                 other => unreachable!("checked above: {other:?}"),
@@ -133,22 +143,17 @@ impl Component {
         Ok(())
     }
 
-    pub(super) fn get_integer(
-        &mut self,
-        references: &[u32],
-        values: &mut [MaybeUninit<i32>],
-    ) -> Result<(), Refusal> {
-        let found = || references.iter().map(|&reference| find(reference, Asked::Integer));
+    pub(super) fn get_integer(&mut self, references: &[u32], values: &mut [MaybeUninit<i32>]) -> Checked {
         let mut computed = false;
-        for variable in found() {
-            computed |= matches!(variable?.access, Access::Slip(_));
+        for &reference in references {
+            computed |= matches!(find(reference, Asked::Integer)?.access, Access::Slip(_));
         }
         if computed {
             self.model.contact(&self.resources)?;
         }
         let (contact, staged) = self.model.parts();
-        for (variable, value) in found().zip(values) {
-            value.write(match (variable?.access, contact) {
+        for (&reference, value) in references.iter().zip(values) {
+            value.write(match (access(reference), contact) {
                 (Access::Number(field), _) => *field(&mut staged.settings),
                 (Access::Slip(read), Some(contact)) => read(contact).number(),
                 other => unreachable!("not an integer variable, or not computed: {:?}", other.0),
@@ -157,14 +162,14 @@ impl Component {
         Ok(())
     }
 
-    pub(super) fn set_integer(&mut self, references: &[u32], values: &[i32]) -> Result<(), Refusal> {
+    pub(super) fn set_integer(&mut self, references: &[u32], values: &[i32]) -> Checked {
         for (&reference, &value) in references.iter().zip(values) {
             let variable = find(reference, Asked::Integer)?;
             check_writable(&self.model, variable, &value)?;
             check_integer(variable, value)?;
         }
         for (&reference, &value) in references.iter().zip(values) {
-            match find(reference, Asked::Integer)?.access {
+            match access(reference) {
                 Access::Number(field) => *field(self.model.change_settings()) = value,
                 other => unreachable!("checked above: {other:?}"),
             }
@@ -173,7 +178,7 @@ impl Component {
     }
 
     /// There are no Boolean variables, so that any reference is a mistake.
-    pub(super) fn no_boolean(&mut self, references: &[u32]) -> Result<(), Refusal> {
+    pub(super) fn no_boolean(&mut self, references: &[u32]) -> Checked {
         references.iter().try_for_each(|&reference| find(reference, Asked::Boolean).map(|_| ()))
     }
 
@@ -182,13 +187,13 @@ impl Component {
         &mut self,
         references: &[u32],
         values: &mut [MaybeUninit<*const c_char>],
-    ) -> Result<(), Refusal> {
+    ) -> Checked {
         for &reference in references {
             find(reference, Asked::String)?;
         }
         let settings = &mut self.model.staged().settings;
         for (&reference, value) in references.iter().zip(values) {
-            match find(reference, Asked::String)?.access {
+            match access(reference) {
                 Access::Text(field) => value.write(field(settings).as_ptr()),
                 other => unreachable!("not a string variable: {other:?}"),
             };
@@ -197,7 +202,7 @@ impl Component {
     }
 
     /// None stands for a null pointer.
-    pub(super) fn set_string(&mut self, references: &[u32], values: &[Option<&CStr>]) -> Result<(), Refusal> {
+    pub(super) fn set_string(&mut self, references: &[u32], values: &[Option<&CStr>]) -> Checked {
         for (&reference, value) in references.iter().zip(values) {
             let variable = find(reference, Asked::String)?;
             let refuse = |problem| Refusal::Text { name: variable.name.to_string(), problem };
@@ -206,7 +211,7 @@ impl Component {
             value.to_str().map_err(|_| refuse("the string is not UTF-8"))?;
         }
         for (&reference, value) in references.iter().zip(values) {
-            match (find(reference, Asked::String)?.access, value) {
+            match (access(reference), value) {
                 (Access::Text(field), Some(value)) => {
                     *field(self.model.change_settings()) = (*value).to_owned()
                 }
@@ -221,20 +226,24 @@ impl Component {
         references: &[u32],
         orders: &[i32],
         values: &[f64],
-    ) -> Result<(), Refusal> {
+    ) -> Checked {
         let given = || references.iter().zip(orders).zip(values);
         let mut slopes = self.model.staged().slopes;
         for ((&reference, &order), &value) in given() {
             let variable = find(reference, Asked::Real)?;
-            let name = variable.name.to_string();
+            let name = || variable.name.to_string();
             let Access::Input(field) = variable.access else {
-                return Err(Refusal::Derivative { name, value, requirement: "it is not an input" });
+                return Err(
+                    Refusal::Derivative { name: name(), value, requirement: "it is not an input" }.into()
+                );
             };
             if order != 1 {
-                return Err(Refusal::DerivativeOrder { name, order });
+                return Err(Refusal::DerivativeOrder { name: name(), order }.into());
             }
             if !value.is_finite() {
-                return Err(Refusal::Derivative { name, value, requirement: "give a finite number" });
+                return Err(
+                    Refusal::Derivative { name: name(), value, requirement: "give a finite number" }.into()
+                );
             }
             *field(&mut slopes) = value;
         }
@@ -242,10 +251,10 @@ impl Component {
         Ok(())
     }
 
-    /// fmi2DoStep, after a look at where derivatives take the inputs.
-    pub(super) fn step_with_derivatives(&mut self, point: f64, length: f64) -> Result<(), Refusal> {
+    /// Refuses a step of `length` at whose end a derivative takes an input out of its range.
+    pub(super) fn check_targets(&mut self, length: f64) -> Checked {
         let staged = self.model.staged();
-        if staged.slopes != Inputs::ZERO && length > 0.0 {
+        if staged.slopes != Inputs::ZERO {
             let mut end = staged.inputs.after(&staged.slopes, length);
             for variable in variables() {
                 if let Access::Input(field) = variable.access {
@@ -253,6 +262,6 @@ impl Component {
                 }
             }
         }
-        self.do_step(point, length)
+        Ok(())
     }
 }

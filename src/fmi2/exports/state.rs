@@ -130,5 +130,5 @@ const SERIALIZE: &str = "canSerializeFMUstate = false";
 /// As for [`enter`].
 unsafe fn unsupported(c: fmi2Component, call: &Call, flag: &'static str) -> fmi2Status {
     // SAFETY: this function's contract.
-    unsafe { enter(c, call, |_| Err(Refusal::Unsupported { flag })) }
+    unsafe { enter(c, call, |_| Err(Refusal::Unsupported { flag }.into())) }
 }

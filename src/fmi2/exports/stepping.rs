@@ -3,7 +3,7 @@
 use super::conforming;
 use crate::fmi2::guard::{array, array_out, enter, out};
 use crate::fmi2::lifecycle;
-use crate::fmi2::refusal::Refusal;
+use crate::fmi2::refusal::{Checked, Refusal};
 use fmi_sys::fmi2::{
     fmi2Boolean, fmi2Component, fmi2Integer, fmi2Real, fmi2Status, fmi2StatusKind,
     fmi2StatusKind_fmi2DoStepStatus, fmi2StatusKind_fmi2LastSuccessfulTime, fmi2StatusKind_fmi2PendingStatus,
@@ -63,7 +63,7 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
             if array("vr", vr, nvr)?.is_empty() {
                 return Ok(());
             }
-            Err(Refusal::Unsupported { flag: "maxOutputDerivativeOrder = 0" })
+            Err(Refusal::Unsupported { flag: "maxOutputDerivativeOrder = 0" }.into())
         })
     }
 }
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn fmi2DoStep(
     // SAFETY: by this function's contract.
     unsafe {
         enter(c, &lifecycle::DO_STEP, |component| {
-            component.step_with_derivatives(current_communication_point, communication_step_size)
+            component.do_step(current_communication_point, communication_step_size)
         })
     }
 }
@@ -151,7 +151,7 @@ pub unsafe extern "C" fn fmi2GetIntegerStatus(
     unsafe {
         enter(c, &lifecycle::GET_INTEGER_STATUS, |_| {
             out("value", value)?;
-            Err(Refusal::StatusKind { kind: s })
+            Err(Refusal::StatusKind { kind: s }.into())
         })
     }
 }
@@ -196,6 +196,6 @@ pub unsafe extern "C" fn fmi2GetStringStatus(
 }
 
 /// `value` if the kind asked for is the one that it belongs to.
-fn only<T>(asked: fmi2StatusKind, kind: fmi2StatusKind, value: T) -> Result<T, Refusal> {
-    if asked == kind { Ok(value) } else { Err(Refusal::StatusKind { kind: asked }) }
+fn only<T>(asked: fmi2StatusKind, kind: fmi2StatusKind, value: T) -> Checked<T> {
+    if asked == kind { Ok(value) } else { Err(Refusal::StatusKind { kind: asked }.into()) }
 }
