@@ -1,0 +1,201 @@
+//! One contact and its history: [`FrettingContact`].
+//!
+//! Data flows one way: load → normal contact ([`crate::surface`]) → springs ([`crate::friction`]) → work → wear
+//! ([`crate::wear`]) → surface. Fields are made only when something reads them.
+
+mod counters;
+mod cyclic;
+mod history;
+mod readout;
+mod snapshot;
+
+pub use counters::Counters;
+pub use snapshot::Snapshot;
+
+use crate::error::Error;
+use crate::friction::Springs;
+use crate::parameters::{NormalControl, Parameters};
+use crate::surface::{Contact, Nodes, Surface};
+use crate::wear::{Constants, Pending, Segment, TableCache};
+use serde::{Deserialize, Serialize};
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+/// What the contact does at the moment.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SlipState {
+    /// The bodies are apart.
+    Separated,
+    /// No spring is at its friction bound.
+    Stick,
+    /// An outer annulus slips.
+    PartialSlip,
+    /// The whole contact slips.
+    GrossSlip,
+}
+
+/// A fretting contact of a body of revolution on a half-space.
+///
+/// Built from [`Parameters`], apart at first; then driven by [`Self::advance_to`] (transient) or
+/// [`Self::advance_cycles`] (cyclic) and read through accessors. SI units throughout. A call that returns an error has
+/// changed nothing.
+///
+/// ```
+/// use fretting_contact::{FrettingContact, Parameters};
+///
+/// let mut contact = FrettingContact::new(Parameters::default())?;
+/// contact.start_at(100.0, 0.0)?; // press a 10 mm steel ball with 100 N
+/// contact.advance_to(100.0, 1e-6)?; // and push it by 1 µm
+/// assert!((contact.tangential_force() - 33.0).abs() < 0.5);
+/// assert!(contact.stick_radius() < contact.contact_radius());
+/// # Ok::<(), fretting_contact::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct FrettingContact {
+    parameters: Arc<Parameters>,
+    constants: Constants,
+    surface: Surface,
+    contact: Contact,
+    springs: Springs,
+    displacement: f64,
+    /// Sign of the last movement, 0 before the first.
+    direction: f64,
+    /// Work of friction, J.
+    work: f64,
+    /// Largest contact radius so far, m.
+    reach: f64,
+    /// Present only where wear is computed.
+    wear: Option<Box<WearState>>,
+    counters: Counters,
+    view: OnceCell<View>,
+}
+
+/// What wear needs besides the surface.
+#[derive(Debug, Clone, Default)]
+struct WearState {
+    pending: Pending,
+    segment: Segment,
+    tables: TableCache,
+    /// Σ |∫A − W| over the updates so far, J.
+    transform_defect: f64,
+}
+
+/// The worn profile up to this instant, made when read.
+#[derive(Debug, Clone)]
+struct View {
+    nodes: Nodes,
+    depth: Vec<f64>,
+}
+
+impl FrettingContact {
+    /// A contact whose bodies are apart, at displacement 0.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] or [`Error::ProfileTable`] for parameters outside their range.
+    pub fn new(parameters: Parameters) -> Result<Self, Error> {
+        parameters.validate()?;
+        let constants = Constants {
+            normal_modulus: parameters.materials.normal_modulus(),
+            tangential_modulus: parameters.materials.tangential_modulus(),
+            friction_coefficient: parameters.friction_coefficient,
+            wear_per_work: parameters.wear_per_work(),
+            force_control: parameters.normal_control == NormalControl::Force,
+        };
+        for (what, value) in [
+            ("the effective normal modulus", constants.normal_modulus),
+            ("the effective shear modulus", constants.tangential_modulus),
+            ("the slope of the friction bound", 1.0 + constants.bound_slope()),
+        ] {
+            if !(value.is_normal() && value > 0.0) {
+                return Err(Error::NotFinite { what, normal: 0.0, displacement: 0.0 });
+            }
+        }
+        let surface = Surface::new(parameters.profile.clone());
+        let touch = surface.image(0.0);
+        let control = if constants.force_control { 0.0 } else { touch };
+        let wear = (constants.wear_per_work > 0.0 && constants.friction_coefficient > 0.0)
+            .then(|| Box::new(WearState::default()));
+        Ok(Self {
+            parameters: Arc::new(parameters),
+            constants,
+            surface,
+            contact: Contact { control, depth: touch, radius: 0.0, load: 0.0 },
+            springs: Springs::default(),
+            displacement: 0.0,
+            direction: 0.0,
+            work: 0.0,
+            reach: 0.0,
+            wear,
+            counters: Counters::default(),
+            view: OnceCell::new(),
+        })
+    }
+
+    /// What the contact was built from.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// Work counted so far.
+    pub fn counters(&self) -> &Counters {
+        &self.counters
+    }
+
+    /// Lifts the body off, moves it to `displacement` (m) and presses it down there, so that T = 0. `normal` is the
+    /// force (N) or the indentation depth (m), by `normal_control`. Wear and work so far stay.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to`].
+    pub fn start_at(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
+        let (value, _) = self.checked(normal, displacement)?;
+        let contact = self.surface.contact(self.parameters.normal_control, value, self.force_scale())?;
+        self.view.take();
+        self.transaction(|this| {
+            this.settle()?;
+            this.displacement = displacement;
+            this.direction = 0.0;
+            this.springs = Springs::default();
+            this.contact = Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
+            this.walk(contact.control, displacement, 1)
+        })
+    }
+
+    /// 2E*, the ratio of force to load integral, Pa.
+    fn force_scale(&self) -> f64 {
+        2.0 * self.constants.normal_modulus
+    }
+
+    /// Value of the controlled quantity at which the bodies touch.
+    fn touch_control(&self) -> f64 {
+        match self.parameters.normal_control {
+            NormalControl::Force => 0.0,
+            NormalControl::Indentation => self.surface.image(0.0),
+        }
+    }
+
+    /// Checks two inputs of a step; returns the controlled quantity (m² of load or m) and the displacement.
+    fn checked(&self, normal: f64, displacement: f64) -> Result<(f64, f64), Error> {
+        let (name, value) = match self.parameters.normal_control {
+            NormalControl::Force => ("normal_force", normal / self.force_scale()),
+            NormalControl::Indentation => ("indentation", normal),
+        };
+        let requirement = "an input has to be a finite number";
+        if !normal.is_finite() {
+            return Err(Error::Input { name, value: normal, requirement });
+        }
+        if !displacement.is_finite() {
+            return Err(Error::Input { name: "tangential_displacement", value: displacement, requirement });
+        }
+        if !value.is_finite() {
+            return Err(Error::NotFinite { what: "the load integral", normal, displacement });
+        }
+        Ok((value, displacement))
+    }
+
+    /// Runs a change; where it fails, the state is as before.
+    fn transaction(&mut self, change: impl FnOnce(&mut Self) -> Result<(), Error>) -> Result<(), Error> {
+        let before = self.clone();
+        change(self).inspect_err(|_| *self = before)
+    }
+}

@@ -1,0 +1,47 @@
+//! Counted work: what a run has cost, independent of the machine.
+
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// Numbers of the costly operations since the contact was built.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[non_exhaustive]
+pub struct Counters {
+    /// Calls of `advance_to`, `advance_cycles` and `start_at` that succeeded.
+    pub steps: u64,
+    /// Straight pieces walked by the springs.
+    pub spring_walks: u64,
+    /// Solutions of the normal contact.
+    pub contact_solutions: u64,
+    /// Descent transforms (spring slip to surface slip, image to profile, and back).
+    pub descent_transforms: u64,
+    /// Pressure transforms.
+    pub pressure_transforms: u64,
+    /// Tabulations of the transforms for a new set of nodes.
+    pub transform_tables: u64,
+    /// Factorisations of the linearly implicit update.
+    pub factorisations: u64,
+    /// Updates of the worn profile.
+    pub profile_updates: u64,
+    /// Cyclic steps that were rejected by the error control.
+    pub rejected_steps: u64,
+}
+
+impl fmt::Display for Counters {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} steps, {} spring walks, {} contact solutions, {} descent and {} pressure transforms, {} transform \
+             tables, {} factorisations, {} profile updates, {} rejected steps",
+            self.steps,
+            self.spring_walks,
+            self.contact_solutions,
+            self.descent_transforms,
+            self.pressure_transforms,
+            self.transform_tables,
+            self.factorisations,
+            self.profile_updates,
+            self.rejected_steps
+        )
+    }
+}

@@ -1,0 +1,366 @@
+//! Transient histories: straight lines in (load, displacement), and the wear that they bring.
+
+use super::FrettingContact;
+use crate::error::Error;
+use crate::friction::Path;
+use crate::surface::{Contact, Nodes};
+use crate::transform::Tables;
+use crate::wear::{self, Edge, Segment};
+use std::sync::Arc;
+
+/// Largest change of load, relative to the larger one, over which the friction work of a spring takes the mean of its
+/// bound and one pair of transforms serves; the error is of second order in it.
+const LOAD_SHARE: f64 = 0.05;
+
+/// Most pieces into which wear may split a line.
+const MOST_PIECES: f64 = 4096.0;
+
+impl FrettingContact {
+    /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or indentation depth
+    /// in m, by `normal_control`, and displacement in m.
+    ///
+    /// How the caller splits a line does not matter: without wear to rounding, with wear to the set tolerance.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for numbers that are not finite; [`Error::NonMonotoneImage`], [`Error::BeyondTable`] where the
+    /// profile cannot carry the load; [`Error::NotFinite`] where double precision ends.
+    pub fn advance_to(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
+        let (value, displacement) = self.checked(normal, displacement)?;
+        if value == self.contact.control && displacement == self.displacement {
+            self.counters.steps += 1;
+            return Ok(());
+        }
+        let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
+        if self.wear.is_none() && self.pieces(&line) == 1 {
+            self.walk(value, displacement, 1)?;
+        } else {
+            // the larger load decides whether the line can be walked at all
+            self.surface.contact(self.parameters.normal_control, value, self.force_scale())?;
+            self.transaction(|this| this.walk_line(&line))?;
+        }
+        self.counters.steps += 1;
+        Ok(())
+    }
+
+    /// Walks a line in pieces, cut where the bodies touch or part.
+    fn walk_line(&mut self, line: &Line) -> Result<(), Error> {
+        let touch = self.touch_control();
+        let parts = line.split_at(touch);
+        for part in parts.iter().flatten() {
+            let pieces = self.pieces(part);
+            for k in 1..=pieces {
+                let (value, displacement) = part.at(k, pieces);
+                self.walk(value, displacement, 1)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Pieces that the change of load along a line asks for.
+    fn pieces(&self, line: &Line) -> u32 {
+        let touch = self.touch_control();
+        let (low, high) = ((line.from.0 - touch).max(0.0), (line.to.0 - touch).max(0.0));
+        let rising_in_place = line.from.1 == line.to.1 && high >= low;
+        if low == high || rising_in_place {
+            return 1;
+        }
+        ((high - low).abs() / (LOAD_SHARE * high.max(low))).ceil().max(1.0) as u32
+    }
+
+    /// Walks one piece. `splits` > 0 allows wear to split it further.
+    pub(super) fn walk(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
+        let control = self.parameters.normal_control;
+        let direction = (displacement - self.displacement).signum();
+        let moves = displacement != self.displacement;
+        if moves && direction != self.direction || value <= self.touch_control() {
+            self.turn()?;
+        }
+        let to = if value == self.contact.control { self.contact } else { self.contact_at(value)? };
+        let path = Path {
+            surface: &self.surface,
+            control,
+            bound_slope: self.constants.bound_slope(),
+            from: self.contact,
+            to,
+            start: self.displacement,
+            end: displacement,
+            sampling: 1.0 / self.parameters.resolution as f64,
+        };
+        let (springs, half_work) = self.springs.walk(&path);
+        self.counters.spring_walks += 1;
+        let work = 2.0 * self.constants.tangential_modulus * half_work;
+        if !(work.is_finite() && to.depth.is_finite() && to.radius.is_finite()) {
+            let normal = if self.constants.force_control { value * self.force_scale() } else { value };
+            return Err(Error::NotFinite { what: "the state of the contact", normal, displacement });
+        }
+        if let Some(wear) = &mut self.wear {
+            let inner = springs.stick_radius(&to, path.bound_slope, displacement);
+            let limit = wear::update_limit(self.parameters.tolerance, &self.surface, &to, inner);
+            let pieces = (self.constants.wear_per_work * work / limit).ceil().min(MOST_PIECES);
+            if splits > 0 && pieces > 1.0 && limit > 0.0 {
+                let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
+                for k in 1..=pieces as u32 {
+                    let (value, displacement) = line.at(k, pieces as u32);
+                    self.walk(value, displacement, splits - 1)?;
+                }
+                return Ok(());
+            }
+            if to.radius != self.contact.radius {
+                wear.segment.unslipped = wear.segment.unslipped.touched(&path);
+            }
+            wear.segment.contact.get_or_insert(if self.contact.is_open() { to } else { self.contact });
+            if to.is_open() {
+                wear.pending.work += work;
+            } else {
+                wear.segment.work += work;
+            }
+        }
+        self.view.take();
+        self.springs = springs;
+        self.contact = to;
+        self.displacement = displacement;
+        self.reach = self.reach.max(to.radius);
+        self.work += work;
+        if moves {
+            self.direction = direction;
+        }
+        self.wear_down()
+    }
+
+    /// At a reversal: closes the segment and updates the profile if the next segment, taken to be like this one, would
+    /// wear too much. Here all slipping springs are at their bound on one side; an update between two reversals would
+    /// let the inner ones, which still hold the last direction, slip against the outer ones.
+    fn turn(&mut self) -> Result<(), Error> {
+        let limit = self.update_limit();
+        let last = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
+        self.close_segment()?;
+        let pending = self.wear.as_ref().map_or(0.0, |wear| wear.pending.work);
+        if self.constants.wear_per_work * (pending + last) > limit {
+            self.update_profile()?;
+        }
+        Ok(())
+    }
+
+    /// Closes the segment when the load has changed enough; updates the profile when the segment has worn too much.
+    fn wear_down(&mut self) -> Result<(), Error> {
+        let Some(wear) = &self.wear else { return Ok(()) };
+        let volume = self.constants.wear_per_work * wear.segment.work;
+        let start = wear.segment.contact;
+        if volume > self.update_limit() && !self.contact.is_open() {
+            return self.settle();
+        }
+        if let Some(start) = start
+            && (self.contact.load - start.load).abs() > LOAD_SHARE * self.contact.load.max(start.load)
+        {
+            self.close_segment()?;
+        }
+        Ok(())
+    }
+
+    /// Volume that may wear before the profile is updated, m³.
+    fn update_limit(&self) -> f64 {
+        let mut inner =
+            self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
+        if let (Some(wear), Some(nodes)) = (&self.wear, self.surface.worn())
+            && let Some(first) = wear.pending.slip_path.iter().position(|s| *s > 0.0)
+        {
+            inner = inner.min(nodes.x()[first]);
+        }
+        wear::update_limit(self.parameters.tolerance, &self.surface, &self.contact, inner)
+    }
+
+    /// Closes the segment and brings the profile up to date.
+    pub(super) fn settle(&mut self) -> Result<(), Error> {
+        self.close_segment()?;
+        self.update_profile()
+    }
+
+    /// Turns the slip since the segment's start into work per area and slip path at the nodes.
+    pub(super) fn close_segment(&mut self) -> Result<(), Error> {
+        let Some(wear) = &self.wear else { return Ok(()) };
+        if wear.segment.work > 0.0 {
+            self.prepare_nodes()?;
+            let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(()) };
+            let mut edge = Edge::new(nodes, &self.contact, self.surface.profile().outer_radius());
+            let start = wear.segment.contact.unwrap_or(self.contact);
+            if start.radius > self.contact.radius {
+                edge = Edge::new(nodes, &start, self.surface.profile().outer_radius());
+            }
+            let (deflection, slip) = wear::segment_fields(
+                &self.surface,
+                nodes,
+                &wear.segment,
+                (&self.springs, &self.contact, self.displacement),
+                &self.constants,
+            );
+            if slip.iter().any(|s| *s != 0.0) {
+                let (tables, made) = wear.tables.get(nodes);
+                let mut traction = wear::pressure_nodes(&tables, nodes.x(), &deflection, &edge);
+                traction.iter_mut().for_each(|t| *t *= self.constants.tangential_modulus);
+                let surface_slip = tables.descend(&slip, slip.len());
+                wear.pending.add(nodes, &traction, &surface_slip, wear.segment.work);
+                self.counters.transform_tables += u64::from(made);
+                self.counters.pressure_transforms += 1;
+                self.counters.descent_transforms += 1;
+            } else {
+                wear.pending.work += wear.segment.work;
+            }
+        }
+        self.start_segment();
+        Ok(())
+    }
+
+    fn start_segment(&mut self) {
+        if let Some(wear) = &mut self.wear {
+            let contact = (!self.contact.is_open()).then_some(self.contact);
+            wear.segment = Segment { unslipped: self.springs.clone(), contact, work: 0.0 };
+        }
+    }
+
+    /// Makes the nodes at the first slip; later adapts them to the contact and the front, after what is pending has
+    /// been worn off on the old ones.
+    fn prepare_nodes(&mut self) -> Result<(), Error> {
+        let front = self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
+        let profile = self.surface.profile();
+        let adapted = match self.surface.worn() {
+            None => Nodes::around(profile, self.parameters.resolution, self.contact.radius.max(self.reach), front),
+            Some(nodes) => {
+                let mut adapted = nodes.clone();
+                adapted.adapt(profile, self.contact.radius, front);
+                if adapted.version() == nodes.version() {
+                    return Ok(());
+                }
+                adapted
+            }
+        };
+        let segment = self.wear.as_mut().map(|wear| std::mem::take(&mut wear.segment));
+        self.update_profile()?;
+        // the update may have changed the image values, not the nodes
+        let adapted = match self.surface.worn() {
+            None => adapted,
+            Some(nodes) => {
+                let mut again = nodes.clone();
+                again.adapt(self.surface.profile(), self.contact.radius, front);
+                again
+            }
+        };
+        let old = self.surface.clone();
+        self.surface.set_worn(Some(adapted));
+        self.springs = self.springs.moved_to(&old, &self.surface);
+        if let (Some(wear), Some(segment)) = (&mut self.wear, segment) {
+            let unslipped = segment.unslipped.moved_to(&old, &self.surface);
+            wear.segment = Segment { unslipped, work: segment.work + wear.segment.work, ..segment };
+        }
+        Ok(())
+    }
+
+    /// Takes what is pending off the profile and lets the contact settle at the present load and displacement.
+    pub(super) fn update_profile(&mut self) -> Result<(), Error> {
+        let Some((worn_image, defect)) = self.pending_image()? else { return Ok(()) };
+        let old = self.surface.clone();
+        let Some(mut nodes) = old.worn().cloned() else { return Ok(()) };
+        nodes.set_worn_image(worn_image, old.profile());
+        self.surface.set_worn(Some(nodes));
+        self.counters.descent_transforms += 1;
+        self.counters.profile_updates += 1;
+        let from = self.contact;
+        let moved = self.springs.moved_to(&old, &self.surface);
+        let to = self.surface.contact(self.parameters.normal_control, from.control, self.force_scale())?;
+        self.counters.contact_solutions += 1;
+        let path = Path {
+            surface: &self.surface,
+            control: self.parameters.normal_control,
+            bound_slope: self.constants.bound_slope(),
+            from,
+            to,
+            start: self.displacement,
+            end: self.displacement,
+            sampling: 1.0 / self.parameters.resolution as f64,
+        };
+        let (springs, half_work) = moved.walk(&path);
+        let work = 2.0 * self.constants.tangential_modulus * half_work;
+        self.springs = springs;
+        self.contact = to;
+        self.reach = self.reach.max(to.radius);
+        self.work += work;
+        if let Some(wear) = &mut self.wear {
+            wear.transform_defect += defect;
+            // settling is part of the history that has just been worn off: its work goes to the next update's volume,
+            // its slip, a jump where in truth it was gradual, makes no field of its own
+            wear.pending = wear::Pending { clipped: wear.pending.clipped, work, ..Default::default() };
+        }
+        self.start_segment();
+        Ok(())
+    }
+
+    /// Image of the wear with what is pending taken off, and |∫A dA − W| of it (J); `None` if nothing is.
+    pub(super) fn pending_image(&mut self) -> Result<Option<(Vec<f64>, f64)>, Error> {
+        let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(None) };
+        if wear.pending.is_empty() || wear.pending.slip_path.is_empty() {
+            return Ok(None);
+        }
+        let (tables, made) = wear.tables.get(nodes);
+        self.counters.transform_tables += u64::from(made);
+        let update = wear::worn_depth(
+            &self.surface,
+            &tables,
+            &wear.pending,
+            &self.contact,
+            self.parameters.normal_control,
+            &self.constants,
+            self.parameters.tolerance,
+        )?;
+        self.counters.factorisations += update.factorisations;
+        let mut depth = update.depth;
+        // what the springs dissipated is exact for the frozen profile: the update keeps its shape and takes that volume
+        let volume = nodes.volume(&depth);
+        let target = self.constants.wear_per_work * wear.pending.work;
+        if volume > 0.0 {
+            let scale = target / volume;
+            depth.iter_mut().for_each(|w| *w *= scale);
+        }
+        let defect = (nodes.volume(&wear.pending.work_per_area) - wear.pending.work).abs();
+        Ok(Some((add_depth(nodes, &tables, &depth), defect)))
+    }
+
+    /// Contact of the present surface at another value of the control.
+    pub(super) fn contact_at(&mut self, value: f64) -> Result<Contact, Error> {
+        self.counters.contact_solutions += 1;
+        self.surface.contact(self.parameters.normal_control, value, self.force_scale())
+    }
+}
+
+/// Image after `depth` (m, at the nodes) has been worn off.
+pub(super) fn add_depth(nodes: &Nodes, tables: &Arc<Tables>, depth: &[f64]) -> Vec<f64> {
+    let change = tables.ascend(depth);
+    nodes.worn_image().iter().zip(change).map(|(h, dh)| h + dh).collect()
+}
+
+/// A straight line in (control, displacement).
+struct Line {
+    from: (f64, f64),
+    to: (f64, f64),
+}
+
+impl Line {
+    /// Point k of n; the last is the end to the bit.
+    fn at(&self, k: u32, n: u32) -> (f64, f64) {
+        if k == n {
+            return self.to;
+        }
+        let share = f64::from(k) / f64::from(n);
+        let mix = |a: f64, b: f64| if a == b { a } else { a + share * (b - a) };
+        (mix(self.from.0, self.to.0), mix(self.from.1, self.to.1))
+    }
+
+    /// The line in two where the control crosses `level`, else whole.
+    fn split_at(&self, level: f64) -> [Option<Line>; 2] {
+        let (c0, c1) = (self.from.0 - level, self.to.0 - level);
+        if c0 * c1 >= 0.0 {
+            return [Some(Line { from: self.from, to: self.to }), None];
+        }
+        let share = c0 / (c0 - c1);
+        let middle = (level, self.from.1 + share * (self.to.1 - self.from.1));
+        [Some(Line { from: self.from, to: middle }), Some(Line { from: middle, to: self.to })]
+    }
+}

@@ -1,0 +1,219 @@
+//! What can be read from a contact. Scalars come from the knots; fields are computed when asked for.
+
+use super::{FrettingContact, SlipState, View};
+use crate::parameters::NormalControl;
+use crate::transform;
+use std::f64::consts::PI;
+
+/// Number of probe radii.
+const PROBES: usize = 64;
+
+impl FrettingContact {
+    /// Tangential displacement U, m.
+    pub fn displacement(&self) -> f64 {
+        self.displacement
+    }
+
+    /// Tangential force T = 2G* ∫ u dx that the moving body exerts on the substrate, N; |T| ≤ μF_N.
+    pub fn tangential_force(&self) -> f64 {
+        let force = 2.0 * self.constants.tangential_modulus * self.springs.deflection_integral(self.displacement);
+        let limit = self.constants.friction_coefficient * self.normal_reaction();
+        force.clamp(-limit, limit)
+    }
+
+    /// Normal force F_N, N; 0 where the bodies are apart.
+    pub fn normal_reaction(&self) -> f64 {
+        self.force_scale() * self.contact.load
+    }
+
+    /// Indentation depth d, m; under force control of separated bodies, that of first touch.
+    pub fn indentation_depth(&self) -> f64 {
+        self.contact.depth
+    }
+
+    /// Contact radius a, m.
+    pub fn contact_radius(&self) -> f64 {
+        self.contact.radius
+    }
+
+    /// Stick radius c, m: inner edge of the outer annulus in which all springs are at their friction bound on one
+    /// side; 0 in gross slip, a in full stick.
+    pub fn stick_radius(&self) -> f64 {
+        self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement)
+    }
+
+    /// Work of friction so far, J.
+    pub fn dissipated_energy(&self) -> f64 {
+        self.work
+    }
+
+    /// Worn volume (k/σ₀) W so far, m³: the exact integral of the wear law, at every instant.
+    pub fn wear_volume(&self) -> f64 {
+        self.constants.wear_per_work * self.work
+    }
+
+    /// ∂F_N/∂d = 2E*a, N/m.
+    pub fn normal_stiffness(&self) -> f64 {
+        self.force_scale() * self.contact.radius
+    }
+
+    /// ∂T/∂U for going on in the direction of the last movement, N/m: 2G* times the length of springs that stick.
+    pub fn tangential_stiffness(&self) -> f64 {
+        let (stick, side) =
+            self.springs.slip_zone(&self.contact, self.constants.bound_slope(), self.displacement);
+        let sticking = if side * self.direction < 0.0 { self.contact.radius } else { stick };
+        2.0 * self.constants.tangential_modulus * sticking
+    }
+
+    /// Stick, partial slip, gross slip or separated.
+    pub fn slip_state(&self) -> SlipState {
+        let stick = self.stick_radius();
+        if self.contact.is_open() {
+            SlipState::Separated
+        } else if stick <= 0.0 {
+            SlipState::GrossSlip
+        } else if stick < self.contact.radius {
+            SlipState::PartialSlip
+        } else {
+            SlipState::Stick
+        }
+    }
+
+    /// 64 radii from the axis to the outermost radius that has ever been in contact, m.
+    pub fn probe_radii(&self) -> [f64; PROBES] {
+        std::array::from_fn(|i| self.reach * i as f64 / (PROBES - 1) as f64)
+    }
+
+    /// Height f of the unworn profile at radius r, m.
+    pub fn unworn_height_at(&self, r: f64) -> f64 {
+        self.surface.profile().height(r)
+    }
+
+    /// 1-D image g of the profile at x, m, as the contact sees it now.
+    pub fn image_at(&self, x: f64) -> f64 {
+        self.surface.image(x)
+    }
+
+    /// Worn depth w at radius r, m.
+    pub fn worn_depth_at(&self, r: f64) -> f64 {
+        match self.view() {
+            Some(view) if r < view.nodes.x()[view.nodes.last()] => {
+                transform::descent_at(view.nodes.x(), view.nodes.worn_image(), r).max(0.0)
+            }
+            _ => 0.0,
+        }
+    }
+
+    /// Deepest worn point, m.
+    pub fn wear_depth(&self) -> f64 {
+        self.view().map_or(0.0, |view| view.depth.iter().fold(0.0, |most, w| most.max(*w)))
+    }
+
+    /// Volume ∫ 2πr w dr of the worn profile, m³: the same as [`Self::wear_volume`] by another route, the transforms.
+    pub fn profile_volume(&self) -> f64 {
+        self.view().map_or(0.0, |view| view.nodes.volume(&view.depth))
+    }
+
+    /// Σ |∫A dA − W| over all profile updates, J: what the transforms of slip and traction miss of the springs' work.
+    pub fn transform_defect(&self) -> f64 {
+        self.wear.as_ref().map_or(0.0, |wear| wear.transform_defect)
+    }
+
+    /// Work that eq. (18) would have given back where two zones slip in opposite directions at once, and that was
+    /// clipped, J.
+    pub fn clipped_work(&self) -> f64 {
+        self.wear.as_ref().map_or(0.0, |wear| wear.pending.clipped)
+    }
+
+    /// The profile with what is pending taken off, as the next update would leave it.
+    fn view(&self) -> Option<&View> {
+        self.wear.as_ref()?;
+        if self.view.get().is_none() {
+            let mut copy = self.clone();
+            let mut nodes = None;
+            if copy.close_segment().is_ok() {
+                nodes = copy.surface.worn().cloned();
+                if let (Some(nodes), Ok(Some((image, _)))) = (&mut nodes, copy.pending_image()) {
+                    nodes.set_worn_image(image, copy.surface.profile());
+                }
+            }
+            let nodes = nodes?;
+            let (tables, _) = copy.wear.as_mut()?.tables.get(&nodes);
+            let depth = tables.descend(nodes.worn_image(), nodes.x().len());
+            // a race is impossible: the cell belongs to this thread
+            let _ = self.view.set(View { nodes, depth });
+        }
+        self.view.get()
+    }
+
+    /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn cone or flat.
+    pub fn pressure_at(&self, r: f64) -> f64 {
+        let a = self.contact.radius;
+        if r >= a {
+            return 0.0;
+        }
+        let jump = (self.contact.depth - self.surface.image(a)).max(0.0);
+        let edge = if a >= self.surface.profile().outer_radius() { jump / transform::leg(a, r) } else { 0.0 };
+        self.constants.normal_modulus / PI * (self.slope_integral(r, a) + edge)
+    }
+
+    /// Tangential traction τ at radius r, Pa, in the direction of U (eq. (17)).
+    pub fn shear_traction_at(&self, r: f64) -> f64 {
+        let a = self.contact.radius;
+        if r >= a {
+            return 0.0;
+        }
+        // u is linear in g between the knots: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²)
+        let mut sum = 0.0;
+        for pair in self.springs.knots().windows(2) {
+            let (inner, outer) = (&pair[0], &pair[1]);
+            let rise = outer.place.image - inner.place.image;
+            if outer.place.x <= r || rise <= 0.0 || inner.origin == outer.origin {
+                continue;
+            }
+            let from = inner.place.x.max(r);
+            let integral = self.slope_integral(r, outer.place.x) - self.slope_integral(r, from);
+            sum += (outer.origin - inner.origin) / rise * integral;
+        }
+        if let Some(edge) = self.springs.knots().last()
+            && a >= self.surface.profile().outer_radius()
+        {
+            sum += (self.displacement - edge.origin) / transform::leg(a, r);
+        }
+        self.constants.tangential_modulus / PI * sum
+    }
+
+    /// ∫ from r to a of g' dx/√(x² − r²) of the present image.
+    fn slope_integral(&self, r: f64, a: f64) -> f64 {
+        if a <= r {
+            return 0.0;
+        }
+        let unworn = self.surface.profile().pressure_integral(r, a);
+        let Some(nodes) = self.surface.worn() else { return unworn };
+        let inside = nodes.x().partition_point(|&x| x < a);
+        let mut x = nodes.x()[..inside].to_vec();
+        let mut falling: Vec<f64> = nodes.worn_image()[..inside].iter().map(|h| -h).collect();
+        x.push(a);
+        falling.push(-nodes.worn_part(a).0);
+        unworn + PI * transform::pressure_at(&x, &falling, r)
+    }
+
+    /// Largest pressure, Pa, among the axis, the middles of even cells across the contact and the nodes of the wear;
+    /// singular points are passed over, so that the value stays finite.
+    pub fn max_pressure(&self) -> f64 {
+        let a = self.contact.radius;
+        if a == 0.0 {
+            return 0.0;
+        }
+        let n = self.parameters.resolution;
+        let even = (0..n).map(|i| a * (i as f64 + 0.5) / n as f64);
+        let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
+        let radii = std::iter::once(0.0).chain(even).chain(nodes.iter().copied());
+        radii.map(|r| self.pressure_at(r)).filter(|p| p.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// Which normal quantity is prescribed.
+    pub fn normal_control(&self) -> NormalControl {
+        self.parameters.normal_control
+    }
+}

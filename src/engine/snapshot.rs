@@ -1,0 +1,95 @@
+//! Saved states.
+
+use super::{Counters, FrettingContact, WearState};
+use crate::error::Error;
+use crate::friction::Springs;
+use crate::surface::{Contact, Nodes};
+use crate::wear::{Pending, Segment};
+use serde::{Deserialize, Serialize};
+
+/// Everything that a [`FrettingContact`] needs to go on from where it was, without its parameters.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Snapshot {
+    contact: Contact,
+    origins: Vec<(f64, f64)>,
+    displacement: f64,
+    direction: f64,
+    work: f64,
+    reach: f64,
+    nodes: Option<Nodes>,
+    wear: Option<WearSnapshot>,
+    counters: Counters,
+}
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct WearSnapshot {
+    pending: Pending,
+    segment_origins: Vec<(f64, f64)>,
+    segment_contact: Option<Contact>,
+    segment_work: f64,
+    transform_defect: f64,
+}
+
+fn origins(springs: &Springs) -> Vec<(f64, f64)> {
+    springs.knots().iter().map(|knot| (knot.place.x, knot.origin)).collect()
+}
+
+impl FrettingContact {
+    /// The present state.
+    pub fn snapshot(&self) -> Snapshot {
+        let wear = self.wear.as_ref().map(|wear| WearSnapshot {
+            pending: wear.pending.clone(),
+            segment_origins: origins(&wear.segment.unslipped),
+            segment_contact: wear.segment.contact,
+            segment_work: wear.segment.work,
+            transform_defect: wear.transform_defect,
+        });
+        Snapshot {
+            contact: self.contact,
+            origins: origins(&self.springs),
+            displacement: self.displacement,
+            direction: self.direction,
+            work: self.work,
+            reach: self.reach,
+            nodes: self.surface.worn().cloned(),
+            wear,
+            counters: self.counters,
+        }
+    }
+
+    /// Goes back to a state saved by a contact with the same parameters; what follows is the same to the bit.
+    ///
+    /// # Errors
+    /// [`Error::Snapshot`] if the state does not fit this contact.
+    pub fn restore(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
+        if snapshot.wear.is_some() != self.wear.is_some() {
+            let problem = "it was saved with wear switched the other way; restore into equal parameters";
+            return Err(Error::Snapshot(problem.into()));
+        }
+        self.surface.set_worn(snapshot.nodes.clone());
+        self.springs = Springs::from_origins(&self.surface, &snapshot.origins);
+        self.contact = snapshot.contact;
+        self.displacement = snapshot.displacement;
+        self.direction = snapshot.direction;
+        self.work = snapshot.work;
+        self.reach = snapshot.reach;
+        self.counters = snapshot.counters;
+        self.wear = snapshot.wear.as_ref().map(|saved| {
+            let segment = Segment {
+                unslipped: Springs::from_origins(&self.surface, &saved.segment_origins),
+                contact: saved.segment_contact,
+                work: saved.segment_work,
+            };
+            let mut tables = self.wear.take().map(|wear| wear.tables).unwrap_or_default();
+            tables.clear();
+            Box::new(WearState {
+                pending: saved.pending.clone(),
+                segment,
+                tables,
+                transform_defect: saved.transform_defect,
+            })
+        });
+        self.view.take();
+        Ok(())
+    }
+}

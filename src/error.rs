@@ -1,0 +1,75 @@
+//! The one error type of the engine. Every variant carries the numbers that were wrong.
+
+use thiserror::Error;
+
+/// What the engine refuses, and why. Nothing that returns an error has changed the contact's state.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A parameter is outside the range in which the model is defined.
+    #[error("parameter {name} = {value:?} is not allowed: {requirement}")]
+    Parameter {
+        /// Name as in [`crate::Parameters`] and in the FMU's variable list.
+        name: &'static str,
+        /// The offending value (SI units).
+        value: f64,
+        /// What the value has to satisfy.
+        requirement: &'static str,
+    },
+    /// An input of a step is not a usable number.
+    #[error("input {name} = {value:?} is not allowed: {requirement}")]
+    Input {
+        /// Name as in the FMU's variable list.
+        name: &'static str,
+        /// The offending value (SI units).
+        value: f64,
+        /// What the value has to satisfy.
+        requirement: &'static str,
+    },
+    /// A point table that is not a profile.
+    #[error("profile table, {place}: {problem}")]
+    ProfileTable {
+        /// Where in the table, e.g. `line 12` or `point 3`.
+        place: String,
+        /// What is wrong there and what to do about it.
+        problem: String,
+    },
+    /// The contact would reach a radius where the one-dimensional image of the profile falls, so that the
+    /// contact region would not be one disc.
+    #[error(
+        "the contact edge reaches r = {contact_radius:.6e} m, but the 1-D image of the profile is not monotone at \
+         r = {radius:.6e} m, so the contact would not be one disc: smooth the profile there or lower the load"
+    )]
+    NonMonotoneImage {
+        /// First radius at which the image decreases, m.
+        radius: f64,
+        /// Contact radius that the load asks for, m.
+        contact_radius: f64,
+    },
+    /// The load needs a contact larger than the tabulated profile.
+    #[error(
+        "{quantity} = {value:.6e} needs a contact radius beyond the last point of the profile table, \
+         r = {radius:.6e} m: extend the table or lower the load"
+    )]
+    BeyondTable {
+        /// The controlled quantity, `normal_force` or `indentation`.
+        quantity: &'static str,
+        /// Its value, N or m.
+        value: f64,
+        /// Last tabulated radius, m.
+        radius: f64,
+    },
+    /// A computation overflowed or produced something that is not a number.
+    #[error("{what} is not finite for normal = {normal:e}, displacement = {displacement:e}: the scene is outside the range of double precision")]
+    NotFinite {
+        /// The quantity that overflowed.
+        what: &'static str,
+        /// Controlled normal quantity, N or m.
+        normal: f64,
+        /// Tangential displacement or its amplitude, m.
+        displacement: f64,
+    },
+    /// A snapshot that does not belong to this contact or is damaged.
+    #[error("the saved state cannot be used: {0}")]
+    Snapshot(String),
+}

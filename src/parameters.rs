@@ -1,0 +1,95 @@
+//! Everything that defines a contact: materials, profile, friction, wear and how finely to compute.
+
+use crate::error::Error;
+use crate::material::{Elastic, Pair};
+use crate::profile::Profile;
+use serde::{Deserialize, Serialize};
+
+/// Which normal quantity the caller prescribes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum NormalControl {
+    /// The normal force F_N, N.
+    Force,
+    /// The indentation depth d, m.
+    Indentation,
+}
+
+/// The definition of one contact. Fixed for the life of a [`crate::FrettingContact`].
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Parameters {
+    /// Elastic constants; body 1 moves and wears.
+    pub materials: Pair,
+    /// Shape of the unworn body 1.
+    pub profile: Profile,
+    /// Coefficient of friction μ ≥ 0.
+    pub friction_coefficient: f64,
+    /// Wear coefficient k ≥ 0 of eq. (18); 0 computes no wear.
+    pub wear_coefficient: f64,
+    /// Hardness σ₀ > 0 of the worn body, Pa.
+    pub hardness: f64,
+    /// What [`crate::FrettingContact::advance_to`] takes as its first argument.
+    pub normal_control: NormalControl,
+    /// Cells across the contact, 8 to 8192.
+    pub resolution: usize,
+    /// Relative tolerance of the wear integration, in (0, 0.1].
+    pub tolerance: f64,
+}
+
+impl Default for Parameters {
+    /// A steel ball of 10 mm radius on a steel flat, μ = 0.6, k/σ₀ = 4e-14 m³/J (52100 steel).
+    fn default() -> Self {
+        Self {
+            materials: Pair { body_1: Elastic::STEEL, body_2: Elastic::STEEL },
+            profile: Profile::Parabola { radius: 0.01 },
+            friction_coefficient: 0.6,
+            wear_coefficient: 3.2e-4,
+            hardness: 8e9,
+            normal_control: NormalControl::Force,
+            resolution: 128,
+            tolerance: 1e-3,
+        }
+    }
+}
+
+impl Parameters {
+    /// Smallest and largest accepted [`Self::resolution`].
+    pub const RESOLUTION_RANGE: (usize, usize) = (8, 8192);
+
+    /// k/σ₀, the worn volume per unit of friction work, m³/J.
+    pub fn wear_per_work(&self) -> f64 {
+        self.wear_coefficient / self.hardness
+    }
+
+    /// Checks every field.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] with the first offending name and value; [`Error::ProfileTable`] for a bad table.
+    pub fn validate(&self) -> Result<(), Error> {
+        self.materials.validate()?;
+        self.profile.validate()?;
+        let non_negative = [
+            ("friction_coefficient", self.friction_coefficient, "a coefficient of friction is finite and not negative"),
+            ("wear_coefficient", self.wear_coefficient, "a wear coefficient is finite and not negative"),
+        ];
+        for (name, value, requirement) in non_negative {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(Error::Parameter { name, value, requirement });
+            }
+        }
+        if !(self.hardness > 0.0 && self.hardness.is_finite()) {
+            let requirement = "a hardness is finite and greater than 0 Pa";
+            return Err(Error::Parameter { name: "hardness", value: self.hardness, requirement });
+        }
+        let (least, most) = Self::RESOLUTION_RANGE;
+        if !(least..=most).contains(&self.resolution) {
+            let requirement = "the number of cells across the contact lies in 8 to 8192";
+            return Err(Error::Parameter { name: "resolution", value: self.resolution as f64, requirement });
+        }
+        if !(self.tolerance > 0.0 && self.tolerance <= 0.1) {
+            let requirement = "the relative tolerance lies in (0, 0.1]";
+            return Err(Error::Parameter { name: "tolerance", value: self.tolerance, requirement });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,306 @@
+//! Unworn profiles f(r) and their one-dimensional MDR images g(x).
+//!
+//! Every analytic profile offers, in closed form, what the contact needs (paper, eqs. (1), (9)–(12)):
+//!
+//! | method | quantity | unit |
+//! | --- | --- | --- |
+//! | [`Profile::height`] | f(r) | m |
+//! | [`Profile::image`] | g(x) = f(0) + x ∫₀ˣ f'(r) dr/√(x² − r²) | m |
+//! | [`Profile::image_slope`] | g'(x) | 1 |
+//! | [`Profile::load_integral`] | φ(x) = ∫₀ˣ ξ g'(ξ) dξ, so that F_N = 2E* φ(a) | m² |
+//! | [`Profile::square_integral`] | Q(x) = ∫₀ˣ g² dξ, for the work of friction | m³ |
+//! | [`Profile::pressure_integral`] | J(r, a) = ∫ᵣᵃ g'(x) dx/√(x² − r²), so that p = E* J/π | 1 |
+//!
+//! Sources: Hertz (parabola), Love (cone), Galin/Sneddon and Popov & Heß, *Method of Dimensionality Reduction in
+//! Contact Mechanics and Friction* (power law, truncated shapes).
+
+mod rounded;
+mod table;
+
+pub use table::ProfileTable;
+
+use crate::error::Error;
+use crate::quadrature;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
+
+/// Shape of the unworn body 1, a body of revolution, as height above its tip.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Profile {
+    /// f = r²/(2R): a sphere.
+    Parabola {
+        /// Radius of curvature R, m.
+        radius: f64,
+    },
+    /// f = r tan θ.
+    Cone {
+        /// Slope angle θ between the flank and the plane, rad, in (0, π/2).
+        slope: f64,
+    },
+    /// f = A rⁿ.
+    PowerLaw {
+        /// Exponent n, from 0.1 to 100.
+        exponent: f64,
+        /// Coefficient A, m^(1−n).
+        coefficient: f64,
+    },
+    /// A sphere whose tip has been cut off flat: f = 0 for r < b, (r² − b²)/(2R) beyond.
+    BluntedSphere {
+        /// Radius of curvature R, m.
+        radius: f64,
+        /// Radius b of the flat tip, m.
+        flat_radius: f64,
+    },
+    /// A flat tip with a rounded edge: f = 0 for r < b, (r − b)²/(2R) beyond.
+    RoundedPunch {
+        /// Radius of curvature R of the edge, m.
+        radius: f64,
+        /// Radius b of the flat tip, m.
+        flat_radius: f64,
+    },
+    /// A flat-ended cylinder: f = 0 for r < b, nothing beyond.
+    FlatPunch {
+        /// Radius b, m.
+        flat_radius: f64,
+    },
+    /// Tabulated heights.
+    Table(ProfileTable),
+}
+
+/// κₙ = √π Γ(n/2 + 1)/Γ((n + 1)/2), the factor between A rⁿ and its image.
+fn power_factor(n: f64) -> f64 {
+    PI.sqrt() * (libm::lgamma(n / 2.0 + 1.0) - libm::lgamma((n + 1.0) / 2.0)).exp()
+}
+
+/// √(x² − b²) for x ≥ b ≥ 0 without loss of digits.
+fn leg(x: f64, b: f64) -> f64 {
+    ((x - b).max(0.0) * (x + b)).sqrt()
+}
+
+impl Profile {
+    /// Checks the dimensions.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] with the name and value of the first dimension outside its range.
+    pub fn validate(&self) -> Result<(), Error> {
+        let positive = |name, value: f64| {
+            if value > 0.0 && value.is_finite() {
+                Ok(())
+            } else {
+                Err(Error::Parameter { name, value, requirement: "it is finite and greater than 0 for this profile" })
+            }
+        };
+        match *self {
+            Self::Parabola { radius } => positive("radius", radius),
+            Self::Cone { slope } if slope > 0.0 && slope < PI / 2.0 => Ok(()),
+            Self::Cone { slope } => Err(Error::Parameter {
+                name: "cone_slope",
+                value: slope,
+                requirement: "the slope angle lies in (0, pi/2) rad",
+            }),
+            Self::PowerLaw { exponent, .. } if !(0.1..=100.0).contains(&exponent) => Err(Error::Parameter {
+                name: "exponent",
+                value: exponent,
+                requirement: "the exponent of a power law lies in 0.1 to 100",
+            }),
+            Self::PowerLaw { coefficient, .. } => positive("coefficient", coefficient),
+            Self::BluntedSphere { radius, flat_radius } | Self::RoundedPunch { radius, flat_radius } => {
+                positive("radius", radius)?;
+                positive("flat_radius", flat_radius)
+            }
+            Self::FlatPunch { flat_radius } => positive("flat_radius", flat_radius),
+            Self::Table(_) => Ok(()),
+        }
+    }
+
+    /// Radius b of the flat tip, m; 0 where there is none.
+    pub fn flat_radius(&self) -> f64 {
+        match *self {
+            Self::BluntedSphere { flat_radius, .. }
+            | Self::RoundedPunch { flat_radius, .. }
+            | Self::FlatPunch { flat_radius } => flat_radius,
+            _ => 0.0,
+        }
+    }
+
+    /// Radius at which the body ends or is no longer known, m; infinite for the others.
+    pub fn outer_radius(&self) -> f64 {
+        match self {
+            Self::FlatPunch { flat_radius } => *flat_radius,
+            Self::Table(table) => table.outer_radius(),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Height f(r), m, at r ≥ 0.
+    pub fn height(&self, r: f64) -> f64 {
+        match self {
+            Self::Parabola { radius } => r * r / (2.0 * radius),
+            Self::Cone { slope } => r * slope.tan(),
+            Self::PowerLaw { exponent, coefficient } => coefficient * r.powf(*exponent),
+            Self::BluntedSphere { radius, flat_radius } => {
+                let s = leg(r, *flat_radius);
+                s * s / (2.0 * radius)
+            }
+            Self::RoundedPunch { radius, flat_radius } => (r - flat_radius).max(0.0).powi(2) / (2.0 * radius),
+            Self::FlatPunch { flat_radius } => {
+                if r <= *flat_radius {
+                    0.0
+                } else {
+                    f64::INFINITY
+                }
+            }
+            Self::Table(table) => table.height(r),
+        }
+    }
+
+    /// Image g(x), m, at x ≥ 0.
+    pub fn image(&self, x: f64) -> f64 {
+        match self {
+            Self::Parabola { radius } => x * x / radius,
+            Self::Cone { slope } => PI / 2.0 * slope.tan() * x,
+            Self::PowerLaw { exponent, coefficient } => power_factor(*exponent) * coefficient * x.powf(*exponent),
+            Self::BluntedSphere { radius, flat_radius } => x / radius * leg(x, *flat_radius),
+            Self::RoundedPunch { radius, flat_radius } => rounded::image(x, *radius, *flat_radius),
+            Self::FlatPunch { flat_radius } => {
+                if x <= *flat_radius {
+                    0.0
+                } else {
+                    f64::INFINITY
+                }
+            }
+            Self::Table(table) => table.image(x),
+        }
+    }
+
+    /// Slope g'(x) of the image at x ≥ 0.
+    pub fn image_slope(&self, x: f64) -> f64 {
+        match self {
+            Self::Parabola { radius } => 2.0 * x / radius,
+            Self::Cone { slope } => PI / 2.0 * slope.tan(),
+            Self::PowerLaw { exponent: n, coefficient } => n * power_factor(*n) * coefficient * x.powf(n - 1.0),
+            Self::BluntedSphere { radius, flat_radius: b } => {
+                if x > *b {
+                    (2.0 * x * x - b * b) / (radius * leg(x, *b))
+                } else {
+                    0.0
+                }
+            }
+            Self::RoundedPunch { radius, flat_radius } => rounded::image_slope(x, *radius, *flat_radius),
+            Self::FlatPunch { .. } => 0.0,
+            Self::Table(table) => table.image_slope(x),
+        }
+    }
+
+    /// Load integral φ(x) = ∫₀ˣ ξ g'(ξ) dξ = x g(x) − ∫₀ˣ g dξ, m².
+    pub fn load_integral(&self, x: f64) -> f64 {
+        match self {
+            Self::Parabola { radius } => 2.0 / 3.0 * x * x * x / radius,
+            Self::Cone { slope } => PI / 4.0 * slope.tan() * x * x,
+            Self::PowerLaw { exponent: n, .. } => n / (n + 1.0) * x * self.image(x),
+            Self::BluntedSphere { radius, flat_radius: b } => {
+                (2.0 * x * x + b * b) * leg(x, *b) / (3.0 * radius)
+            }
+            Self::RoundedPunch { radius, flat_radius } => rounded::load_integral(x, *radius, *flat_radius),
+            Self::FlatPunch { .. } => 0.0,
+            Self::Table(table) => table.load_integral(x),
+        }
+    }
+
+    /// Square integral Q(x) = ∫₀ˣ g² dξ, m³.
+    pub fn square_integral(&self, x: f64) -> f64 {
+        match self {
+            Self::Parabola { radius } => x.powi(5) / (5.0 * radius * radius),
+            Self::Cone { .. } => self.image(x).powi(2) * x / 3.0,
+            Self::PowerLaw { exponent: n, .. } => self.image(x).powi(2) * x / (2.0 * n + 1.0),
+            Self::BluntedSphere { radius, flat_radius: b } => {
+                // ∫ξ²(ξ² − b²) from b to x, written in s = √(x² − b²) and δ = x − b so that nothing cancels near b
+                let delta = (x - b).max(0.0);
+                let polynomial =
+                    b.powi(3) + delta * (5.0 / 3.0 * b * b + delta * (b + delta / 5.0));
+                delta * delta * polynomial / (radius * radius)
+            }
+            Self::RoundedPunch { radius, flat_radius } => rounded::square_integral(x, *radius, *flat_radius),
+            Self::FlatPunch { .. } => 0.0,
+            Self::Table(table) => table.square_integral(x),
+        }
+    }
+
+    /// Pressure integral J(r, a) = ∫ᵣᵃ g'(x) dx/√(x² − r²) for 0 ≤ r ≤ a; the pressure under the smooth part of
+    /// the unworn profile is p = E* J/π. Infinite at the apex of a cone and at the rim of a blunted sphere's flat.
+    pub fn pressure_integral(&self, r: f64, a: f64) -> f64 {
+        if r >= a {
+            return 0.0;
+        }
+        match self {
+            Self::Parabola { radius } => 2.0 / radius * leg(a, r),
+            Self::Cone { slope } => PI / 2.0 * slope.tan() * (leg(a, r) / r).asinh(),
+            Self::PowerLaw { exponent: n, .. } => {
+                if r == 0.0 {
+                    return if *n > 1.0 { n / (n - 1.0) * self.image(a) / a } else { f64::INFINITY };
+                }
+                // x = r cosh u turns dx/√(x² − r²) into du
+                quadrature::composite(0.0, (leg(a, r) / r).asinh(), |u| self.image_slope(r * u.cosh()))
+            }
+            Self::BluntedSphere { flat_radius: b, .. } | Self::RoundedPunch { flat_radius: b, .. } => {
+                let inner = r.max(*b);
+                if inner >= a {
+                    return 0.0;
+                }
+                if r == *b && matches!(self, Self::BluntedSphere { .. }) {
+                    return f64::INFINITY;
+                }
+                // x² = inner² + (δ sinh u)² with δ² = |r² − b²|: both square roots of the integrand become smooth
+                let delta = ((r - b).abs() * (r + b)).sqrt().max(1e-12 * b);
+                quadrature::composite(0.0, (leg(a, inner) / delta).asinh(), |u| {
+                    let x = inner.hypot(delta * u.sinh());
+                    if x > *b { self.image_slope(x) * leg(x, *b) / x } else { self.rim_limit() }
+                })
+            }
+            Self::FlatPunch { .. } => 0.0,
+            Self::Table(table) => table.pressure_integral(r, a),
+        }
+    }
+
+    /// Limit of g'(x) √(x² − b²)/x as x falls to the rim b of the flat.
+    fn rim_limit(&self) -> f64 {
+        match self {
+            Self::BluntedSphere { radius, flat_radius } => flat_radius / radius,
+            _ => 0.0,
+        }
+    }
+
+    /// Contact radius at which the image of a smooth unworn profile reaches the indentation depth `depth`, m, or
+    /// `None` where only iteration finds it.
+    pub(crate) fn radius_at_depth(&self, depth: f64) -> Option<f64> {
+        match self {
+            Self::Parabola { radius } => Some((radius * depth).sqrt()),
+            Self::Cone { slope } => Some(depth / (PI / 2.0 * slope.tan())),
+            Self::PowerLaw { exponent, coefficient } => {
+                Some((depth / (power_factor(*exponent) * coefficient)).powf(1.0 / exponent))
+            }
+            Self::BluntedSphere { radius, flat_radius: b } => {
+                // x²(x² − b²) = (R d)²
+                let half = b * b / 2.0;
+                Some((half + half.hypot(radius * depth)).sqrt())
+            }
+            _ => None,
+        }
+    }
+
+    /// Contact radius at which the load integral of a smooth unworn profile is `load`, m, or `None`.
+    pub(crate) fn radius_at_load(&self, load: f64) -> Option<f64> {
+        match self {
+            Self::Parabola { radius } => Some((1.5 * radius * load).cbrt()),
+            Self::Cone { slope } => Some((load / (PI / 4.0 * slope.tan())).sqrt()),
+            Self::PowerLaw { exponent: n, coefficient } => {
+                Some((load * (n + 1.0) / (n * power_factor(*n) * coefficient)).powf(1.0 / (n + 1.0)))
+            }
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

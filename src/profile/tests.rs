@@ -1,0 +1,198 @@
+use super::*;
+use crate::quadrature::composite;
+
+fn analytic() -> Vec<(Profile, f64)> {
+    vec![
+        (Profile::Parabola { radius: 0.01 }, 2e-4),
+        (Profile::Cone { slope: 0.02 }, 3e-4),
+        (Profile::PowerLaw { exponent: 3.5, coefficient: 1e6 }, 3e-4),
+        (Profile::PowerLaw { exponent: 1.4, coefficient: 1.0 }, 3e-4),
+        (Profile::BluntedSphere { radius: 0.01, flat_radius: 1e-4 }, 1.887e-4),
+        (Profile::RoundedPunch { radius: 0.01, flat_radius: 1e-4 }, 2.5e-4),
+    ]
+}
+
+/// g from f by its definition: with r = x sin t, g = x ∫ f'(x sin t) dt.
+fn image_by_definition(profile: &Profile, x: f64) -> f64 {
+    let slope = |r: f64| {
+        let step = 1e-6 * r;
+        (profile.height(r + step) - profile.height(r - step)) / (2.0 * step)
+    };
+    let rim = (profile.flat_radius() / x).min(1.0).asin();
+    // t = rim + span s³ smooths the start, where f' may go like a root of r
+    let span = PI / 2.0 - rim;
+    x * composite(0.0, 1.0, |s| 3.0 * span * s * s * slope(x * (rim + span * s.powi(3)).sin()))
+}
+
+#[test]
+fn images_follow_from_heights_by_equation_1() {
+    for (profile, a) in analytic() {
+        for share in [0.6, 0.9, 1.0, 1.7] {
+            let x = a * share;
+            let (closed, defined) = (profile.image(x), image_by_definition(&profile, x));
+            assert!((closed - defined).abs() < 1e-5 * profile.image(a), "{profile:?} at {x}: {closed} {defined}");
+        }
+    }
+}
+
+#[test]
+fn integrals_and_slopes_agree_with_quadrature_of_the_image() {
+    for (profile, a) in analytic() {
+        let b = profile.flat_radius();
+        for share in [1.02, 1.3, 2.0] {
+            let x = if b > 0.0 { b * share } else { a * share };
+            // x = b + t² removes the square root at the rim
+            let end = (x - b).sqrt();
+            let over = |f: &dyn Fn(f64) -> f64| {
+                (0..40).map(|k| {
+                    let edge = |k: i32| end * f64::from(k) / 40.0;
+                    composite(edge(k), edge(k + 1), |t| 2.0 * t * f(b + t * t))
+                }).sum::<f64>()
+            };
+            let close = |p: f64, q: f64, what: &str| {
+                assert!((p / q - 1.0).abs() < 1e-9, "{profile:?} {what} at {x}: {p:e} {q:e}");
+            };
+            close(profile.load_integral(x), over(&|x| x * profile.image_slope(x)), "load integral");
+            close(profile.square_integral(x), over(&|x| profile.image(x).powi(2)), "square integral");
+            close(profile.image(x), over(&|x| profile.image_slope(x)), "image");
+        }
+    }
+}
+
+#[test]
+fn pressures_carry_the_load() {
+    // 2π ∫ p r dr = F_N = 2 E* φ(a), with p = E* J/π: ∫ J r dr = φ(a)
+    for (profile, a) in analytic() {
+        let b = profile.flat_radius();
+        // r = b ∓ s² smooths the singular rim, r = a sin-like end is smoothed by the second substitution
+        let inner = if b > 0.0 {
+            (0..60).map(|k| {
+                let edge = |k: i32| b.sqrt() * f64::from(k) / 60.0;
+                composite(edge(k), edge(k + 1), |s| {
+                    let r = b - s * s;
+                    2.0 * s * r * profile.pressure_integral(r.max(0.0), a)
+                })
+            }).sum::<f64>()
+        } else {
+            0.0
+        };
+        let outer: f64 = (0..60).map(|k| {
+            let edge = |k: i32| f64::from(k) / 60.0;
+            composite(edge(k), edge(k + 1), |s| {
+                // r from b to a with clustering at both ends
+                let w = s * s * (3.0 - 2.0 * s);
+                let r = b + (a - b) * w;
+                (a - b) * 6.0 * s * (1.0 - s) * r * profile.pressure_integral(r, a)
+            })
+        }).sum();
+        let total = inner + outer;
+        assert!((total / profile.load_integral(a) - 1.0).abs() < 2e-6, "{profile:?}: {total:e}");
+    }
+}
+
+#[test]
+fn central_pressures_match_their_closed_forms() {
+    let (a, b, radius) = (1.887e-4, 1e-4, 0.01);
+    let blunted = Profile::BluntedSphere { radius, flat_radius: b };
+    let expected = (2.0 * leg(a, b) - b * (b / a).acos()) / radius;
+    assert!((blunted.pressure_integral(0.0, a) / expected - 1.0).abs() < 1e-12);
+    let sphere = Profile::Parabola { radius };
+    assert!((sphere.pressure_integral(0.0, a) / (2.0 * a / radius) - 1.0).abs() < 1e-15);
+    assert!(Profile::Cone { slope: 0.1 }.pressure_integral(0.0, a).is_infinite());
+    assert!(blunted.pressure_integral(b, a).is_infinite());
+    assert!(Profile::RoundedPunch { radius, flat_radius: b }.pressure_integral(b, a).is_finite());
+}
+
+#[test]
+fn the_rounded_punch_is_smooth_where_series_and_closed_form_meet() {
+    let (radius, b) = (0.01, 1e-4);
+    for eps in [1e-7, 1e-6] {
+        let at = |alpha: f64| b / alpha.cos();
+        let (below, above) = (at(0.03 * (1.0 - eps)), at(0.03 * (1.0 + eps)));
+        let profile = Profile::RoundedPunch { radius, flat_radius: b };
+        let rise = profile.load_integral(above) - profile.load_integral(below);
+        let slope = 0.5 * (above + below) * profile.image_slope(0.5 * (above + below));
+        assert!((rise / (slope * (above - below)) - 1.0).abs() < 1e-4, "{eps}: {rise:e}");
+    }
+}
+
+#[test]
+fn inverses_invert() {
+    for (profile, a) in analytic() {
+        if let Some(x) = profile.radius_at_depth(profile.image(a)) {
+            assert!((x / a - 1.0).abs() < 1e-14, "{profile:?}");
+        }
+        if let Some(x) = profile.radius_at_load(profile.load_integral(a)) {
+            assert!((x / a - 1.0).abs() < 1e-14, "{profile:?}");
+        }
+    }
+}
+
+#[test]
+fn a_sampled_sphere_is_the_sphere() {
+    let radius = 0.01;
+    let points = (0..40).map(|i| 1e-5 * f64::from(i)).map(|r| (r, r * r / (2.0 * radius))).collect();
+    let table = Profile::Table(ProfileTable::new(points).unwrap());
+    let sphere = Profile::Parabola { radius };
+    for x in [3e-6, 1e-5, 1.234e-4, 3.9e-4] {
+        for (t, s) in [
+            (table.image(x), sphere.image(x)),
+            (table.height(x), sphere.height(x)),
+            (table.image_slope(x), sphere.image_slope(x)),
+            (table.load_integral(x), sphere.load_integral(x)),
+            (table.square_integral(x), sphere.square_integral(x)),
+            (table.pressure_integral(0.4 * x, x), sphere.pressure_integral(0.4 * x, x)),
+        ] {
+            assert!((t / s - 1.0).abs() < 1e-10, "x = {x}: {t:e} {s:e}");
+        }
+    }
+}
+
+#[test]
+fn a_sampled_cone_converges_with_second_order() {
+    let cone = Profile::Cone { slope: 0.02 };
+    let error = |n: u32| {
+        let points =
+            (0..=n).map(|i| 3e-4 * f64::from(i) / f64::from(n)).map(|r| (r, cone.height(r))).collect();
+        let table = Profile::Table(ProfileTable::new(points).unwrap());
+        (table.image(3e-4) / cone.image(3e-4) - 1.0).abs()
+    };
+    let order = (error(50) / error(200)).log2() / 2.0;
+    assert!(order > 1.9, "order {order}, errors {:e} {:e}", error(50), error(200));
+}
+
+#[test]
+fn bad_tables_are_refused_with_their_place() {
+    let message = |text: &str| ProfileTable::parse(text).unwrap_err().to_string();
+    for (text, line, part) in [
+        ("0 0\n1e-4 1e-7\n0.5e-4 2e-7", "line 3", "sort"),
+        ("0 0\n1e-4 1e-7\n1e-4 2e-7", "line 3", "twice"),
+        ("0 0\n1e-4\n2e-4 1e-6", "line 2", "1 column(s)"),
+        ("0 0 0\n1e-4 0 0", "line 1", "3 column(s)"),
+        ("0 0\n1e-4 abc\n2e-4 1", "line 2", "`abc` is not a number"),
+        ("# r f\n0 0\nx 1", "line 3", "`x` is not a number"),
+        ("0 0\n1e-4 nan\n2e-4 1", "line 2", "finite"),
+        ("1e-5 0\n1e-4 1e-6\n2e-4 1", "line 1", "axis"),
+        ("", "whole table", "0 point(s)"),
+        ("0 0\n1e-4 1e-7", "whole table", "2 point(s)"),
+    ] {
+        let m = message(text);
+        assert!(m.contains(line) && m.contains(part), "{text:?}: {m}");
+    }
+    let fine = ProfileTable::parse("# head\n0, 0\n1e-5;\t1e-9 # note\n\n2e-5 4e-9\n").unwrap();
+    assert_eq!(fine.points(), [(0.0, 0.0), (1e-5, 1e-9), (2e-5, 4e-9)]);
+}
+
+#[test]
+fn a_dip_in_the_image_is_located() {
+    let points = vec![(0.0, 0.0), (1e-5, 1e-9), (2e-5, 4e-9), (3e-5, 1e-9), (4e-5, 16e-9)];
+    assert_eq!(ProfileTable::new(points).unwrap().monotone_up_to(), 2e-5);
+}
+
+#[test]
+fn tables_survive_serde_and_refuse_bad_points() {
+    let table = ProfileTable::new(vec![(0.0, 0.0), (1e-5, 1e-9), (2e-5, 4e-9)]).unwrap();
+    let json = serde_json::to_string(&table).unwrap();
+    assert_eq!(serde_json::from_str::<ProfileTable>(&json).unwrap(), table);
+    assert!(serde_json::from_str::<ProfileTable>("[[0.0,0.0],[1.0,0.0],[0.5,0.0]]").is_err());
+}

@@ -1,0 +1,34 @@
+//! Gauss–Legendre quadrature of smooth functions on panels of bounded length.
+
+use gauss_quad::GaussLegendre;
+use std::num::NonZeroUsize;
+use std::sync::LazyLock;
+
+static RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
+    let degree = NonZeroUsize::new(16).unwrap_or(NonZeroUsize::MIN);
+    GaussLegendre::new(degree).iter().map(|(node, weight)| (*node, *weight)).collect()
+});
+
+/// ∫ from `start` to `end` of `f`, by a 16-point rule on panels no longer than ½: relative error near rounding for
+/// integrands that are analytic within a distance of order 1 of the interval.
+pub(crate) fn composite(start: f64, end: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let panels = ((end - start).abs() / 0.5).ceil().clamp(1.0, 4096.0);
+    let half = (end - start) / panels / 2.0;
+    let panel = |k: usize| {
+        let centre = start + (2 * k + 1) as f64 * half;
+        RULE.iter().map(|(node, weight)| weight * f(centre + half * node)).sum::<f64>() * half
+    };
+    (0..panels as usize).map(panel).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::composite;
+
+    #[test]
+    fn smooth_integrals_are_exact_to_rounding() {
+        assert!((composite(0.0, 3.0, f64::exp) - (3f64.exp() - 1.0)).abs() < 1e-13);
+        assert!((composite(-1.0, 1.0, |x| x.powi(30)) - 2.0 / 31.0).abs() < 1e-15);
+        assert_eq!(composite(2.0, 2.0, f64::exp), 0.0);
+    }
+}

@@ -1,0 +1,262 @@
+//! The worn profile: the analytic unworn one plus the image of the wear on a set of nodes.
+//!
+//! The 1-D image is g = g₀ + h. g₀ is the unworn profile's closed form; h, the image of the worn depth w, is piecewise
+//! linear in X = x² between the nodes, so w = descent(h) has the square-root cusps of worn profiles built in and g can
+//! take the steep fronts that wear leaves. Without wear there are no nodes at all.
+
+mod nodes;
+
+pub(crate) use nodes::{Nodes, outer_weight};
+
+use crate::error::Error;
+use crate::parameters::NormalControl;
+use crate::profile::Profile;
+use std::sync::Arc;
+
+/// Image values at one radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Place {
+    /// Radius x, m.
+    pub(crate) x: f64,
+    /// Image g(x), m.
+    pub(crate) image: f64,
+    /// Load integral φ(x) = ∫₀ˣ ξ g' dξ, m².
+    pub(crate) load: f64,
+    /// Square integral Q(x) = ∫₀ˣ g² dξ, m³.
+    pub(crate) square: f64,
+}
+
+/// Shape of the moving body as it is now.
+#[derive(Debug, Clone)]
+pub(crate) struct Surface {
+    profile: Arc<Profile>,
+    worn: Option<Nodes>,
+}
+
+/// The normal contact at one load.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub(crate) struct Contact {
+    /// Controlled quantity: load F_N/(2E*) in m² or indentation depth in m.
+    pub(crate) control: f64,
+    /// Indentation depth d, m; where the bodies are apart, that of first touch.
+    pub(crate) depth: f64,
+    /// Contact radius a, m; 0 where the bodies are apart.
+    pub(crate) radius: f64,
+    /// Load F_N/(2E*), m²; 0 where the bodies are apart.
+    pub(crate) load: f64,
+}
+
+impl Contact {
+    pub(crate) fn is_open(&self) -> bool {
+        self.radius == 0.0
+    }
+}
+
+impl Surface {
+    pub(crate) fn new(profile: Profile) -> Self {
+        Self { profile: Arc::new(profile), worn: None }
+    }
+
+    pub(crate) fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    pub(crate) fn worn(&self) -> Option<&Nodes> {
+        self.worn.as_ref()
+    }
+
+    pub(crate) fn set_worn(&mut self, nodes: Option<Nodes>) {
+        self.worn = nodes;
+    }
+
+    /// All image values at radius x.
+    pub(crate) fn place(&self, x: f64) -> Place {
+        let mut place = Place {
+            x,
+            image: self.profile.image(x),
+            load: self.profile.load_integral(x),
+            square: 0.0,
+        };
+        match &self.worn {
+            None => place.square = self.profile.square_integral(x),
+            Some(nodes) => {
+                let (image, load) = nodes.worn_part(x);
+                place.image += image;
+                place.load += load;
+                place.square = nodes.square_integral(&self.profile, x);
+            }
+        }
+        place
+    }
+
+    /// Image g(x), m.
+    pub(crate) fn image(&self, x: f64) -> f64 {
+        self.profile.image(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).0)
+    }
+
+    /// Slope g'(x) of the image.
+    pub(crate) fn image_slope(&self, x: f64) -> f64 {
+        self.profile.image_slope(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_slope(x))
+    }
+
+    /// Load integral φ(x), m².
+    fn load(&self, x: f64) -> f64 {
+        self.profile.load_integral(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).1)
+    }
+
+    /// Radius in [low, high] where the image takes the value `image`; the image rises there.
+    pub(crate) fn radius_of_image(&self, image: f64, low: f64, high: f64) -> f64 {
+        if self.worn.is_none()
+            && let Some(x) = self.profile.radius_at_depth(image)
+        {
+            return x.clamp(low, high);
+        }
+        find_root(low, high, |x| (self.image(x) - image, self.image_slope(x)))
+    }
+
+    /// The contact under a given load F_N/(2E*), m², or indentation depth, m.
+    ///
+    /// # Errors
+    /// [`Error::BeyondTable`], [`Error::NonMonotoneImage`] where the profile cannot carry it; `force_scale` = 2E*
+    /// turns loads into forces for the message.
+    pub(crate) fn contact(&self, control: NormalControl, value: f64, force_scale: f64) -> Result<Contact, Error> {
+        let touch = self.image(0.0);
+        let open = Contact { control: value, depth: touch, radius: 0.0, load: 0.0 };
+        let contact = match control {
+            NormalControl::Force if value > 0.0 => {
+                let radius = self.radius_at_load(value, force_scale)?;
+                let edge = self.image(radius);
+                // under a body that ends at b the depth exceeds the image there: F_N/(2E*) = φ(b) + b (d − g(b))
+                let excess = (value - self.load(radius)) / radius;
+                let depth = if radius >= self.profile.outer_radius() { edge + excess.max(0.0) } else { edge };
+                Contact { control: value, depth, radius, load: value }
+            }
+            NormalControl::Indentation if value > touch => {
+                let radius = self.radius_at_depth(value)?;
+                let load = self.load(radius) + radius * (value - self.image(radius)).max(0.0);
+                Contact { control: value, depth: value, radius, load }
+            }
+            NormalControl::Force => open,
+            NormalControl::Indentation => Contact { depth: value, ..open },
+        };
+        if let Profile::Table(table) = &*self.profile
+            && contact.radius > table.monotone_up_to()
+            && self.falls_before(table.monotone_up_to(), contact.radius)
+        {
+            return Err(Error::NonMonotoneImage { radius: table.monotone_up_to(), contact_radius: contact.radius });
+        }
+        Ok(contact)
+    }
+
+    /// Whether the present image still falls right behind the radius at which the unworn one does.
+    fn falls_before(&self, radius: f64, contact_radius: f64) -> bool {
+        let next = radius + 1e-3 * (contact_radius - radius);
+        self.image(next) < self.image(radius)
+    }
+
+    /// Outermost radius at which the load integral is `load`.
+    fn radius_at_load(&self, load: f64, force_scale: f64) -> Result<f64, Error> {
+        if self.worn.is_none()
+            && let Some(x) = self.profile.radius_at_load(load)
+        {
+            return Ok(x);
+        }
+        let outer = self.profile.outer_radius();
+        if outer.is_finite() && load >= self.load(outer) {
+            return self.outer_edge(outer, "normal_force", load * force_scale);
+        }
+        let (low, high) = self.bracket(outer, |x| self.load(x), load);
+        Ok(find_root(low, high, |x| (self.load(x) - load, x * self.image_slope(x))))
+    }
+
+    /// Outermost radius at which the image is `depth`.
+    fn radius_at_depth(&self, depth: f64) -> Result<f64, Error> {
+        if self.worn.is_none()
+            && let Some(x) = self.profile.radius_at_depth(depth)
+        {
+            return Ok(x);
+        }
+        let outer = self.profile.outer_radius();
+        if outer.is_finite() && depth >= self.image(outer) {
+            return self.outer_edge(outer, "indentation", depth);
+        }
+        let (low, high) = self.bracket(outer, |x| self.image(x), depth);
+        Ok(find_root(low, high, |x| (self.image(x) - depth, self.image_slope(x))))
+    }
+
+    /// The contact has reached the end of the body: an edge for the punch, an error for a table.
+    fn outer_edge(&self, outer: f64, quantity: &'static str, value: f64) -> Result<f64, Error> {
+        match *self.profile {
+            Profile::Table(_) => Err(Error::BeyondTable { quantity, value, radius: outer }),
+            _ => Ok(outer),
+        }
+    }
+
+    /// Interval that holds the outermost crossing of `f` with `value`, where f ≤ value at its lower end.
+    fn bracket(&self, outer: f64, f: impl Fn(f64) -> f64, value: f64) -> (f64, f64) {
+        let knots: &[f64] = match (&self.worn, &*self.profile) {
+            (Some(nodes), _) => nodes.x(),
+            (None, Profile::Table(table)) => table.radii(),
+            (None, _) => &[],
+        };
+        let knots = &knots[..knots.partition_point(|&knot| knot <= outer)];
+        let mut low = 0.0;
+        let mut high = f64::NAN;
+        // from outside inward: the first knot below the value starts the interval
+        for &knot in knots.iter().rev() {
+            if f(knot) <= value {
+                low = knot;
+                break;
+            }
+            high = knot;
+        }
+        if high.is_nan() {
+            // beyond all knots the unworn profile rises without end: double until it is above
+            high = if low > 0.0 { low * 1.01 } else { self.first_guess() };
+            while f(high) < value && high < outer && high < 1e300 {
+                low = high;
+                high *= 2.0;
+            }
+            high = high.min(outer);
+        }
+        (low, high)
+    }
+
+    /// Some radius of the size of the body, m.
+    fn first_guess(&self) -> f64 {
+        match *self.profile {
+            Profile::Parabola { radius } => 1e-3 * radius,
+            Profile::BluntedSphere { flat_radius, .. } | Profile::RoundedPunch { flat_radius, .. } => {
+                1.001 * flat_radius
+            }
+            _ => 1e-6,
+        }
+    }
+}
+
+/// Root of a rising function in [low, high] by Newton's method, kept inside the interval by bisection.
+/// `f` returns value and slope.
+fn find_root(mut low: f64, mut high: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
+    let mut x = 0.5 * (low + high);
+    for _ in 0..200 {
+        let (value, slope) = f(x);
+        if value == 0.0 {
+            return x;
+        }
+        if value > 0.0 {
+            high = x;
+        } else {
+            low = x;
+        }
+        let newton = x - value / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - x).abs() <= 2.0 * f64::EPSILON * x.abs() || high - low <= 2.0 * f64::EPSILON * high {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,231 @@
+//! Nodes that carry the image of the wear.
+
+use crate::profile::Profile;
+use crate::transform;
+use serde::{Deserialize, Serialize};
+
+/// Nodes 0 = x₀ < x₁ < … with the image h of the wear at each, linear in X = x² between them; behind the last node,
+/// where nothing has worn yet, h falls as 1/x² (the far field of a worn volume).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Nodes {
+    x: Vec<f64>,
+    worn_image: Vec<f64>,
+    /// ∫₀ ξ h' dξ up to each node, m².
+    worn_load: Vec<f64>,
+    /// ∫₀ g² dξ up to each node, m³.
+    square: Vec<f64>,
+    /// Cells across the contact that the nodes are meant to give.
+    resolution: usize,
+    /// Rises whenever the nodes move, so that tables made for them can be told apart.
+    version: u64,
+}
+
+/// Nodes kept ready outside the contact, into which it may grow within one update.
+const SPARE: usize = 6;
+
+/// Weight of the outer end in ∫ over a cell [x0, x1] of a function linear in X: Δx ((1 − ω) f₀ + ω f₁).
+pub(crate) fn outer_weight(x0: f64, x1: f64) -> f64 {
+    (x1 + 2.0 * x0) / (3.0 * (x1 + x0))
+}
+
+impl Nodes {
+    /// Unworn nodes for a contact of radius `a` whose slip reaches inward to `front`. All cells go to the slipping
+    /// annulus (where nothing slips there is no wear to resolve), with nodes at the rim of a flat tip and at the
+    /// front, and cells that shrink towards the front from outside.
+    pub(crate) fn around(profile: &Profile, resolution: usize, a: f64, front: f64) -> Self {
+        let mut nodes = Self {
+            x: vec![0.0, a],
+            worn_image: vec![0.0; 2],
+            worn_load: vec![0.0; 2],
+            square: Vec::new(),
+            resolution,
+            version: 0,
+        };
+        let flat = profile.flat_radius();
+        let start = if front < a { front } else { 0.0 };
+        for k in 0..resolution {
+            nodes.insert(start + (a - start) * k as f64 / resolution as f64);
+        }
+        nodes.insert(flat);
+        nodes.refine_at(front);
+        nodes.extend_beyond(a, profile.outer_radius());
+        nodes.update_integrals(profile);
+        nodes
+    }
+
+    pub(crate) fn x(&self) -> &[f64] {
+        &self.x
+    }
+
+    pub(crate) fn worn_image(&self) -> &[f64] {
+        &self.worn_image
+    }
+
+    pub(crate) fn version(&self) -> u64 {
+        self.version
+    }
+
+    pub(crate) fn last(&self) -> usize {
+        self.x.len() - 1
+    }
+
+    /// Cell that holds x, or `None` behind the last node.
+    fn cell(&self, x: f64) -> Option<usize> {
+        let above = self.x.partition_point(|&node| node <= x);
+        (above < self.x.len()).then(|| above - 1)
+    }
+
+    /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
+    pub(crate) fn worn_part(&self, x: f64) -> (f64, f64) {
+        match self.cell(x) {
+            Some(j) => {
+                let (x0, slope) = (self.x[j], self.slope(j));
+                let image = self.worn_image[j] + slope * (x - x0) * (x + x0);
+                let load = self.worn_load[j] + 2.0 / 3.0 * slope * (x - x0) * (x * x + x * x0 + x0 * x0);
+                (image, load)
+            }
+            None => {
+                let (end, ratio) = (self.last(), self.x[self.last()] / x);
+                let h = self.worn_image[end];
+                (h * ratio * ratio, self.worn_load[end] - 2.0 * h * self.x[end] * (1.0 - ratio))
+            }
+        }
+    }
+
+    /// Slope h'(x).
+    pub(crate) fn worn_slope(&self, x: f64) -> f64 {
+        match self.cell(x) {
+            Some(j) => 2.0 * x * self.slope(j),
+            None => -2.0 * self.worn_image[self.last()] * (self.x[self.last()] / x).powi(2) / x,
+        }
+    }
+
+    /// dh/dX in cell j.
+    fn slope(&self, j: usize) -> f64 {
+        let (x0, x1) = (self.x[j], self.x[j + 1]);
+        (self.worn_image[j + 1] - self.worn_image[j]) / ((x1 - x0) * (x1 + x0))
+    }
+
+    /// ∫₀ˣ g² dξ of the worn image, m³.
+    pub(crate) fn square_integral(&self, profile: &Profile, x: f64) -> f64 {
+        let j = self.cell(x).unwrap_or(self.last());
+        self.square[j] + self.square_between(profile, self.x[j], x)
+    }
+
+    /// ∫ g² between two radii of one cell, by three-point Gauss.
+    fn square_between(&self, profile: &Profile, x0: f64, x1: f64) -> f64 {
+        let (middle, half) = (0.5 * (x0 + x1), 0.5 * (x1 - x0));
+        let g2 = |x: f64| (profile.image(x) + self.worn_part(x).0).powi(2);
+        let node = half * 0.6f64.sqrt();
+        half * (5.0 / 9.0 * (g2(middle - node) + g2(middle + node)) + 8.0 / 9.0 * g2(middle))
+    }
+
+    /// Takes new image values and brings the integrals up to date.
+    pub(crate) fn set_worn_image(&mut self, worn_image: Vec<f64>, profile: &Profile) {
+        self.worn_image = worn_image;
+        self.update_integrals(profile);
+    }
+
+    fn update_integrals(&mut self, profile: &Profile) {
+        self.worn_load.clear();
+        self.square.clear();
+        let (mut load, mut square) = (0.0, 0.0);
+        for j in 0..self.x.len() {
+            self.worn_load.push(load);
+            self.square.push(square);
+            if j < self.last() {
+                let (x0, x1) = (self.x[j], self.x[j + 1]);
+                load += 2.0 / 3.0 * self.slope(j) * (x1 - x0) * (x1 * x1 + x1 * x0 + x0 * x0);
+                square += self.square_between(profile, x0, x1);
+            }
+        }
+    }
+
+    /// Adapts the nodes to a contact of radius `a` whose slip has reached inward to `front`: extends them beyond a,
+    /// halves cells of the slipping annulus that are too wide, puts a node at the front. h does not change by that.
+    pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, front: f64) {
+        let before = self.version;
+        self.extend_beyond(a, profile.outer_radius());
+        let start = if front < a { front } else { 0.0 };
+        self.refine_between(start, a, 1.5 * a / self.resolution as f64);
+        if self.wants_node_at(front, a) {
+            self.refine_at(front);
+        }
+        if self.version != before {
+            self.update_integrals(profile);
+        }
+    }
+
+    /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each, up to 1/resolution of
+    /// their radius.
+    fn extend_beyond(&mut self, a: f64, outer: f64) {
+        while self.x[self.last().saturating_sub(SPARE)] <= a && self.x[self.last()] < outer {
+            let end = self.x[self.last()];
+            let width = (1.02 * (end - self.x[self.last() - 1])).min(end / self.resolution as f64);
+            self.x.push((end + width).min(outer));
+            self.worn_image.push(0.0);
+            self.worn_load.push(f64::NAN);
+            if self.worn_image.iter().any(|h| *h != 0.0) {
+                let last = self.last();
+                self.worn_image[last] = transform::ascend_last(&self.x, &self.worn_image, 0.0);
+            }
+            self.version += 1;
+        }
+    }
+
+    /// Halves the cells between two radii until none is wider than `widest`.
+    fn refine_between(&mut self, start: f64, end: f64, widest: f64) {
+        let mut j = self.cell(start).unwrap_or(self.last());
+        while j < self.last() && self.x[j] < end {
+            if self.x[j + 1] - self.x[j] > widest {
+                self.insert(0.5 * (self.x[j] + self.x[j + 1]));
+            } else {
+                j += 1;
+            }
+        }
+    }
+
+    /// A front wants a node of its own unless the cell around it is already finer than half an even cell.
+    fn wants_node_at(&self, front: f64, a: f64) -> bool {
+        let Some(j) = self.cell(front) else { return false };
+        let width = self.x[j + 1] - self.x[j];
+        let off = (front - self.x[j]).min(self.x[j + 1] - front);
+        front > 0.0 && off > 1e-9 * a && width > 0.5 * a / self.resolution as f64
+    }
+
+    /// Puts a node at `front` and a fan of nodes outside it whose distances fall by four to 4⁻⁸ of a cell.
+    fn refine_at(&mut self, front: f64) {
+        let Some(j) = self.cell(front) else { return };
+        let width = self.x[j + 1] - front;
+        if front <= 0.0 || width <= 0.0 {
+            return;
+        }
+        self.insert(front);
+        for level in 1..=8 {
+            self.insert(front + width * 0.25f64.powi(level));
+        }
+    }
+
+    /// Inserts a node where the image keeps its value.
+    fn insert(&mut self, x: f64) {
+        let Some(j) = self.cell(x) else { return };
+        if x <= self.x[j] {
+            return;
+        }
+        let h = self.worn_part(x).0;
+        self.x.insert(j + 1, x);
+        self.worn_image.insert(j + 1, h);
+        // keeps worn_part usable for the next insertion; update_integrals follows
+        self.worn_load.insert(j + 1, f64::NAN);
+        self.version += 1;
+    }
+
+    /// ∫ 2πr w dr of a field given at the nodes, linear in r² between them (m³ for a depth in m).
+    pub(crate) fn volume(&self, depth_at_nodes: &[f64]) -> f64 {
+        let mut volume = 0.0;
+        for (x, w) in self.x.windows(2).zip(depth_at_nodes.windows(2)) {
+            volume += (w[0] + w[1]) * (x[1] - x[0]) * (x[1] + x[0]);
+        }
+        volume * std::f64::consts::PI / 2.0
+    }
+}

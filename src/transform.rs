@@ -1,0 +1,203 @@
+//! The two Abel transforms of the method, exact for data that are piecewise linear in the square of the radius.
+//!
+//! With X = x² and Z = r² (unit m²), nodes x₀ = 0 < x₁ < …, and v linear in X between nodes:
+//!
+//! * **descent** (paper, eqs. (2), (16)): s(r) = (2/π) ∫₀ʳ v dx/√(r² − x²) = v₀ + Σⱼ Cⱼ(r) (vⱼ₊₁ − vⱼ), where Cⱼ is the
+//!   mean over cell j (in X) of (2/π) acos(x/r). It turns an image into a profile and spring slip into surface slip;
+//! * **pressure** (eqs. (12), (17)): p(r) = −(1/π) ∫ᵣ q'(x) dx/√(x² − r²) = Σⱼ Kⱼ(r) (qⱼ − qⱼ₊₁) with
+//!   Kⱼ = (2/π)/(√(Xⱼ₊₁ − Z) + √(Xⱼ − Z)), in 1/m.
+//!
+//! Both are causal node by node: s at node i uses v at nodes ≤ i only, p at node i uses q at nodes ≥ i only. So a
+//! spring row that has not slipped up to a node gives a slip of exactly zero there, and a sticking region never wears.
+
+use std::f64::consts::{FRAC_2_PI, PI};
+
+/// √(x² − r²) for x ≥ r ≥ 0 without loss of digits; 0 below.
+pub(crate) fn leg(x: f64, r: f64) -> f64 {
+    ((x - r).max(0.0) * (x + r)).sqrt()
+}
+
+/// ψ = 2 acos(x/r) and M(ψ) = sin ψ − ψ cos ψ, whose difference over a cell is ∝ ∫ acos(x/r) dX.
+fn angle_and_moment(x: f64, r: f64) -> (f64, f64) {
+    let s = leg(r, x);
+    let psi = 2.0 * s.atan2(x);
+    if psi < 0.05 {
+        // the closed form cancels to third order
+        let p2 = psi * psi;
+        (psi, psi * p2 * (1.0 / 3.0 - p2 * (1.0 / 30.0 - p2 * (1.0 / 840.0 - p2 / 45360.0))))
+    } else {
+        let (c, s) = (x / r, s / r);
+        (psi, 2.0 * s * c - psi * (c * c - s * s))
+    }
+}
+
+/// Mean over the cell [x0, x1] (in X) of (2/π) acos(x/r), for x1 ≤ r, from the ends' [`angle_and_moment`].
+fn cell_mean(x0: f64, x1: f64, r: f64, end0: (f64, f64), end1: (f64, f64)) -> f64 {
+    let (psi0, psi1) = (end0.0, end1.0);
+    if psi0 - psi1 < 2e-3 * psi1 {
+        // a cell that is short against its distance from r: Simpson's rule loses less than the difference
+        let middle = ((x0 * x0 + x1 * x1) / 2.0).sqrt();
+        let psi_middle = 2.0 * leg(r, middle).atan2(middle);
+        (psi0 + 4.0 * psi_middle + psi1) / (6.0 * PI)
+    } else {
+        r * r * (end0.1 - end1.1) / (2.0 * PI * (x1 - x0) * (x1 + x0))
+    }
+}
+
+/// Row of descent weights for radius r: calls `sink(j, C)` for the cells that begin below r. The last of them may be
+/// cut by r; its weight then is that of the whole linear piece, ∫ up to r only.
+pub(crate) fn descent_row(x: &[f64], r: f64, mut sink: impl FnMut(usize, f64)) {
+    if r <= 0.0 {
+        return;
+    }
+    let mut start = angle_and_moment(x[0], r);
+    for j in 0..x.len().saturating_sub(1) {
+        if x[j] >= r {
+            break;
+        }
+        let end_x = x[j + 1].min(r);
+        let end = angle_and_moment(end_x, r);
+        let mean = cell_mean(x[j], end_x, r, start, end);
+        let share = if end_x < x[j + 1] {
+            (end_x - x[j]) * (end_x + x[j]) / ((x[j + 1] - x[j]) * (x[j + 1] + x[j]))
+        } else {
+            1.0
+        };
+        sink(j, mean * share);
+        start = end;
+    }
+}
+
+/// Descent transform at one radius: s(r) for v given at the nodes x. Constant beyond the last node's value is *not*
+/// assumed: cells end at the last node, beyond it v is taken as constant.
+pub(crate) fn descent_at(x: &[f64], v: &[f64], r: f64) -> f64 {
+    let mut s = v[0];
+    descent_row(x, r, |j, c| s += c * (v[j + 1] - v[j]));
+    s
+}
+
+/// Solves the descent transform for its last value: v at the last node of `x` such that s there equals `target`,
+/// given v at all nodes before.
+pub(crate) fn ascend_last(x: &[f64], v: &[f64], target: f64) -> f64 {
+    let last = x.len() - 1;
+    let (mut rest, mut diagonal) = (target - v[0], 1.0);
+    descent_row(x, x[last], |j, c| {
+        if j + 1 < last {
+            rest -= c * (v[j + 1] - v[j]);
+        } else {
+            diagonal = c;
+        }
+    });
+    v[last - 1] + rest / diagonal
+}
+
+/// Weight K of the pressure transform for a cell [x0, x1] with x0 ≥ r, 1/m.
+pub(crate) fn pressure_weight(x0: f64, x1: f64, r: f64) -> f64 {
+    FRAC_2_PI / (leg(x1, r) + leg(x0, r))
+}
+
+/// Pressure transform at one radius: Σ K (qⱼ − qⱼ₊₁) over the cells beyond r, the cell that holds r cut there.
+pub(crate) fn pressure_at(x: &[f64], q: &[f64], r: f64) -> f64 {
+    let mut p = 0.0;
+    for j in (0..x.len() - 1).rev() {
+        if x[j + 1] <= r {
+            break;
+        }
+        let drop = q[j] - q[j + 1];
+        if x[j] >= r {
+            p += drop * pressure_weight(x[j], x[j + 1], r);
+        } else {
+            // ∫ from r only, with the slope of the whole cell
+            p += drop * FRAC_2_PI * leg(x[j + 1], r) / ((x[j + 1] - x[j]) * (x[j + 1] + x[j]));
+        }
+    }
+    p
+}
+
+/// Both transforms tabulated on one set of nodes: n(n−1)/2 numbers each.
+#[derive(Debug, Clone)]
+pub(crate) struct Tables {
+    /// Row i (of length i): C over cells 0..i for r = xᵢ.
+    descent: Vec<f64>,
+    /// Row i (of length n−1−i): K over cells i..n−1 for r = xᵢ.
+    pressure: Vec<f64>,
+    nodes: usize,
+}
+
+impl Tables {
+    /// Tabulates the weights for the given nodes.
+    pub(crate) fn new(x: &[f64]) -> Self {
+        let n = x.len();
+        let mut descent = Vec::with_capacity(n * n.saturating_sub(1) / 2);
+        let mut pressure = Vec::with_capacity(n * n.saturating_sub(1) / 2);
+        for i in 0..n {
+            descent_row(&x[..=i], x[i], |_, c| descent.push(c));
+            let mut near = 0.0;
+            for j in i + 1..n {
+                let far = leg(x[j], x[i]);
+                pressure.push(FRAC_2_PI / (far + near));
+                near = far;
+            }
+        }
+        Self { descent, pressure, nodes: n }
+    }
+
+    /// Weights C over cells 0..i for r = xᵢ.
+    pub(crate) fn descent_weights(&self, i: usize) -> &[f64] {
+        let start = i * i.saturating_sub(1) / 2;
+        &self.descent[start..start + i]
+    }
+
+    /// Weights K over cells i..n−1 for r = xᵢ.
+    pub(crate) fn pressure_weights(&self, i: usize) -> &[f64] {
+        let start = i * (self.nodes - 1) - i * i.saturating_sub(1) / 2;
+        &self.pressure[start..start + self.nodes - 1 - i]
+    }
+
+    /// Descent transform at the first `count` nodes.
+    pub(crate) fn descend(&self, v: &[f64], count: usize) -> Vec<f64> {
+        let first = v.iter().take(count).position(|&value| value != v[0]).unwrap_or(count);
+        let steps: Vec<f64> = v.windows(2).take(count.saturating_sub(1)).map(|w| w[1] - w[0]).collect();
+        (0..count)
+            .map(|i| {
+                if i < first {
+                    return v[0];
+                }
+                let from = first - 1;
+                v[0] + dot(&self.descent_weights(i)[from..], &steps[from..i])
+            })
+            .collect()
+    }
+
+    /// Inverse of [`Self::descend`]: the image whose profile has the values `s` at the nodes.
+    pub(crate) fn ascend(&self, s: &[f64]) -> Vec<f64> {
+        let mut steps = Vec::with_capacity(s.len());
+        let mut image = Vec::with_capacity(s.len());
+        let Some(&start) = s.first() else { return image };
+        image.push(start);
+        for i in 1..s.len() {
+            let weights = self.descent_weights(i);
+            let step = (s[i] - start - dot(&weights[..i - 1], &steps)) / weights[i - 1];
+            steps.push(step);
+            image.push(image[i - 1] + step);
+        }
+        image
+    }
+}
+
+/// Σ aᵢ bᵢ in four independent sums, which the compiler turns into vector instructions.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (a4, a_rest) = a.as_chunks::<4>();
+    let (b4, b_rest) = b.as_chunks::<4>();
+    let mut sums = [0.0; 4];
+    for (p, q) in a4.iter().zip(b4) {
+        for lane in 0..4 {
+            sums[lane] += p[lane] * q[lane];
+        }
+    }
+    let rest: f64 = a_rest.iter().zip(b_rest).map(|(p, q)| p * q).sum();
+    (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,99 @@
+use super::*;
+
+fn nodes(n: usize, a: f64) -> Vec<f64> {
+    (0..=n).map(|i| a * i as f64 / n as f64).collect()
+}
+
+#[test]
+fn a_paraboloid_descends_exactly() {
+    // image x² belongs to profile r²/2
+    let x = nodes(7, 2.0);
+    let v: Vec<f64> = x.iter().map(|x| x * x).collect();
+    for r in [0.0, 0.1, 0.9, 2.0 / 7.0, 2.0] {
+        assert!((descent_at(&x, &v, r) - r * r / 2.0).abs() < 1e-14, "{r}");
+    }
+    let table = Tables::new(&x);
+    for (r, s) in x.iter().zip(table.descend(&v, x.len())) {
+        assert!((s - r * r / 2.0).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn constants_descend_to_themselves() {
+    let x = [0.0, 1e-9, 0.3, 0.3 + 1e-9, 1.0];
+    let table = Tables::new(&x);
+    assert!(table.descend(&[4.0; 5], 5).iter().all(|s| *s == 4.0));
+}
+
+#[test]
+fn the_transforms_converge_with_their_orders() {
+    // image x⁴ ↔ profile (3/8) r⁴; q = (1 − x²)² ↔ p = (2/π)(4/3)(1 − r²)^{3/2}
+    let errors = |n: usize| {
+        let x = nodes(n, 1.0);
+        let table = Tables::new(&x);
+        let v: Vec<f64> = x.iter().map(|x| x.powi(4)).collect();
+        let q: Vec<f64> = x.iter().map(|x| (1.0 - x * x).powi(2)).collect();
+        let s = table.descend(&v, n + 1);
+        let descent = x.iter().zip(s).map(|(r, s)| (s - 0.375 * r.powi(4)).abs()).fold(0.0, f64::max);
+        let p = |r: f64| 8.0 / (3.0 * PI) * (1.0 - r * r).powf(1.5);
+        let pressure = (0..n / 2).map(|i| (pressure_at(&x, &q, x[i]) - p(x[i])).abs()).fold(0.0, f64::max);
+        (descent, pressure)
+    };
+    let (coarse, fine) = (errors(40), errors(160));
+    let order = |e: f64, f: f64| (e / f).log2() / 2.0;
+    assert!(order(coarse.0, fine.0) > 1.9, "{coarse:?} {fine:?}");
+    // the cell next to the singular kernel limits the pressure to order 3/2
+    assert!(order(coarse.1, fine.1) > 1.45, "{coarse:?} {fine:?}");
+}
+
+#[test]
+fn tables_agree_with_the_single_radius_forms() {
+    let x: Vec<f64> = nodes(23, 1.0).iter().map(|x| x * x * x + 0.2 * x).collect();
+    let v: Vec<f64> = x.iter().map(|x| (3.0 * x).cos()).collect();
+    let table = Tables::new(&x);
+    let s = table.descend(&v, x.len());
+    for i in 0..x.len() {
+        assert!((s[i] - descent_at(&x, &v, x[i])).abs() < 1e-13);
+        let steps: Vec<f64> = v[i..].windows(2).map(|w| w[0] - w[1]).collect();
+        let p = dot(table.pressure_weights(i), &steps);
+        assert!((p - pressure_at(&x, &v, x[i])).abs() < 1e-11 * (1.0 + p.abs()));
+    }
+}
+
+#[test]
+fn ascending_undoes_descending_even_on_a_strongly_graded_grid() {
+    let mut x = nodes(20, 1.0);
+    x.extend((1..30).map(|k| 0.5 + 0.01 * 0.5f64.powi(k)));
+    x.sort_by(f64::total_cmp);
+    x.dedup();
+    let v: Vec<f64> = x.iter().map(|x| if *x > 0.5 { 1.0 - x } else { 0.2 * x }).collect();
+    let table = Tables::new(&x);
+    let back = table.ascend(&table.descend(&v, x.len()));
+    for (a, b) in v.iter().zip(&back) {
+        assert!((a - b).abs() < 1e-9, "{a} {b}");
+    }
+    let last = x.len() - 1;
+    let s = table.descend(&v, x.len());
+    let mut cut = v.clone();
+    cut[last] = f64::NAN;
+    assert!((ascend_last(&x, &cut, s[last]) - v[last]).abs() < 1e-12);
+}
+
+#[test]
+fn a_row_that_has_not_slipped_gives_exactly_nothing() {
+    let x = nodes(16, 1.0);
+    let table = Tables::new(&x);
+    let v: Vec<f64> = x.iter().map(|x| if *x > 0.5 { x - 0.5 } else { 0.0 }).collect();
+    let s = table.descend(&v, x.len());
+    assert!(s[..=8].iter().all(|s| *s == 0.0));
+    assert!(s[9..].iter().all(|s| *s > 0.0));
+}
+
+#[test]
+fn a_step_in_the_image_is_a_square_root_cusp() {
+    // g = 1 for x > c: f = (2/π) acos(c/r)
+    let c = 0.4;
+    let x = [0.0, c, c * (1.0 + 1e-12), 0.7, 1.0];
+    let s = descent_at(&x, &[0.0, 0.0, 1.0, 1.0, 1.0], 0.7);
+    assert!((s - FRAC_2_PI * (c / 0.7).acos()).abs() < 1e-6);
+}

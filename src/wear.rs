@@ -1,0 +1,164 @@
+//! Wear by the Reye–Archard–Khrushchov law (paper, eq. (18)): dw = (k/σ₀) τ ds at each radius.
+//!
+//! While nothing but time passes the profile stays frozen and only two fields per node are gathered, one monotone
+//! stretch of the history (a *segment*) at a time: the dissipated work per area A = ∫ τ ds and the slip path B = ∫ |ds|.
+//! Within a segment slip goes one way, so s telescopes and one pair of transforms serves however many steps it had.
+//!
+//! Then the profile is brought up to date, linearly implicitly: pressure falls where material goes, so with the
+//! pressure of the *new* profile, p + ∂p/∂h Δh, the worn depth Δw = descent(Δh) obeys
+//!
+//! (S + κ E* B P) Δh = (k/σ₀) A, κ = kμ/σ₀,
+//!
+//! with S the descent transform, P = −∂p/∂(E* h) the pressure transform. An explicit update would have to remove less
+//! than about (4/π)(p/E*) Δr at a time, which the fine cells at a stick front make hopeless. S is lower triangular:
+//! nodes that have not slipped get Δh = 0 exactly, whatever happens outside.
+
+mod update;
+
+pub(crate) use update::{Edge, pressure_nodes, worn_depth};
+
+use crate::friction::Springs;
+use crate::surface::{Contact, Nodes, Surface};
+use crate::transform::Tables;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// Constants that the update needs.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Constants {
+    /// E*, Pa.
+    pub(crate) normal_modulus: f64,
+    /// G*, Pa.
+    pub(crate) tangential_modulus: f64,
+    /// μ.
+    pub(crate) friction_coefficient: f64,
+    /// k/σ₀, m³/J.
+    pub(crate) wear_per_work: f64,
+    /// Whether the load, not the depth, is held while the profile changes.
+    pub(crate) force_control: bool,
+}
+
+impl Constants {
+    /// m = μE*/G*, slope of the friction bound.
+    pub(crate) fn bound_slope(&self) -> f64 {
+        self.friction_coefficient * self.normal_modulus / self.tangential_modulus
+    }
+}
+
+/// What slip has done to the surface since the profile was last updated.
+#[derive(Debug, Clone, Default, PartialEq, serde::Serialize, serde::Deserialize)]
+pub(crate) struct Pending {
+    /// Work of friction per area at each node, J/m².
+    pub(crate) work_per_area: Vec<f64>,
+    /// Length of the slip path at each node, m.
+    pub(crate) slip_path: Vec<f64>,
+    /// Work of friction of the same history, from the springs, J.
+    pub(crate) work: f64,
+    /// Work per area whose sign would have healed the surface, integrated, J.
+    pub(crate) clipped: f64,
+}
+
+impl Pending {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.work == 0.0
+    }
+
+    /// Adds one stretch of slip: slip at the nodes, traction at those in contact.
+    pub(crate) fn add(&mut self, nodes: &Nodes, traction: &[f64], slip: &[f64], work: f64) {
+        self.work_per_area.resize(nodes.x().len(), 0.0);
+        self.slip_path.resize(nodes.x().len(), 0.0);
+        let mut healing = vec![0.0; nodes.x().len()];
+        for (i, slip) in slip.iter().enumerate() {
+            let product = traction.get(i).map_or(0.0, |traction| traction * slip);
+            self.work_per_area[i] += product.max(0.0);
+            healing[i] = (-product).max(0.0);
+            self.slip_path[i] += slip.abs();
+        }
+        self.clipped += nodes.volume(&healing);
+        self.work += work;
+    }
+}
+
+/// Start of a segment: the spring row without the slip that happens in it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Segment {
+    /// Row at the start, extended by the springs that touched since.
+    pub(crate) unslipped: Springs,
+    /// Contact at the start.
+    pub(crate) contact: Option<Contact>,
+    /// Work of friction in the segment, J.
+    pub(crate) work: f64,
+}
+
+/// Mean traction of the springs over a segment (as spring deflection, m) and their slip (m), at all nodes. Springs out
+/// of contact move with the body: there the slip is that of the free surfaces.
+pub(crate) fn segment_fields(
+    surface: &Surface,
+    nodes: &Nodes,
+    segment: &Segment,
+    (springs, contact, displacement): (&Springs, &Contact, f64),
+    constants: &Constants,
+) -> (Vec<f64>, Vec<f64>) {
+    let radii = nodes.x();
+    let count = radii.len();
+    let before = segment.unslipped.origins_at(surface, radii);
+    let after = springs.origins_at(surface, radii);
+    let start = segment.contact.unwrap_or(*contact);
+    let bound_slope = constants.bound_slope();
+    let rounding = 16.0 * f64::EPSILON * (displacement.abs() + bound_slope * contact.depth.abs());
+    let mut deflection = Vec::with_capacity(count);
+    let mut slip = Vec::with_capacity(count);
+    for (i, &x) in radii.iter().enumerate() {
+        let moved = after[i] - before[i];
+        if moved.abs() <= rounding {
+            slip.push(0.0);
+            deflection.push(if x < contact.radius { displacement - after[i] } else { 0.0 });
+        } else {
+            let image = surface.image(x);
+            let bound = |c: &Contact| if c.is_open() { 0.0 } else { bound_slope * (c.depth - image).max(0.0) };
+            slip.push(moved);
+            deflection.push(moved.signum() * 0.5 * (bound(&start) + bound(contact)));
+        }
+    }
+    (deflection, slip)
+}
+
+/// The transforms of one set of nodes, shared by clones of a contact.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct TableCache {
+    tables: Option<(u64, Arc<Tables>)>,
+}
+
+impl TableCache {
+    /// Tables for the present nodes; the flag says whether they had to be made.
+    pub(crate) fn get(&mut self, nodes: &Nodes) -> (Arc<Tables>, bool) {
+        match &self.tables {
+            Some((version, tables)) if *version == nodes.version() => (tables.clone(), false),
+            _ => {
+                let tables = Arc::new(Tables::new(nodes.x()));
+                self.tables = Some((nodes.version(), tables.clone()));
+                (tables, true)
+            }
+        }
+    }
+
+    pub(crate) fn clear(&mut self) {
+        self.tables = None;
+    }
+}
+
+/// Largest worn volume between two profile updates, m³: a share of what the slipping annulus still has to lose. The
+/// scale is twice its mean approach d − g, but at least a tenth of the depth, as the contact nears its final state.
+pub(crate) fn update_limit(tolerance: f64, surface: &Surface, contact: &Contact, stick_radius: f64) -> f64 {
+    let width = (contact.radius - stick_radius).max(0.0);
+    if width == 0.0 {
+        return 0.0;
+    }
+    let inner = surface.place(stick_radius);
+    let approach = (contact.load - inner.load - stick_radius * (contact.depth - inner.image)) / width;
+    let scale = (2.0 * approach).max(0.1 * contact.depth.abs());
+    tolerance * PI * width * (contact.radius + stick_radius) * scale
+}
+
+#[cfg(test)]
+mod tests;
