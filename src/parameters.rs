@@ -30,7 +30,7 @@ pub struct Parameters {
     pub hardness: f64,
     /// What [`crate::FrettingContact::advance_to`] takes as its first argument.
     pub normal_control: NormalControl,
-    /// Cells across the contact, 8 to 8192.
+    /// Cells across the slipping annulus, 8 to 8192. Only wear uses them: forces are exact at any resolution.
     pub resolution: usize,
     /// Relative tolerance of the wear integration, in (0, 0.1].
     pub tolerance: f64,
@@ -46,7 +46,7 @@ impl Default for Parameters {
             wear_coefficient: 3.2e-4,
             hardness: 8e9,
             normal_control: NormalControl::Force,
-            resolution: 128,
+            resolution: 64,
             tolerance: 1e-3,
         }
     }

@@ -319,7 +319,7 @@ impl FrettingContact {
             let scale = target / volume;
             depth.iter_mut().for_each(|w| *w *= scale);
         }
-        let defect = (nodes.volume(&wear.pending.work_per_area) - wear.pending.work).abs();
+        let defect = (nodes.integral_to_edge(&wear.pending.work_per_area, self.contact.radius) - wear.pending.work).abs();
         Ok(Some((add_depth(nodes, &tables, &depth), defect)))
     }
 

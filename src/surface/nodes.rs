@@ -149,7 +149,7 @@ impl Nodes {
         let start = if front < a { front } else { 0.0 };
         self.refine_between(start, a, 1.5 * a / self.resolution as f64);
         if self.wants_node_at(front, a) {
-            self.refine_at(front);
+            self.insert(front);
         }
         if self.version != before {
             self.update_integrals(profile);
@@ -227,5 +227,17 @@ impl Nodes {
             volume += (w[0] + w[1]) * (x[1] - x[0]) * (x[1] + x[0]);
         }
         volume * std::f64::consts::PI / 2.0
+    }
+
+    /// The same for a field that ends at radius `a` like √(a² − r²), as pressure and traction do.
+    pub(crate) fn integral_to_edge(&self, field: &[f64], a: f64) -> f64 {
+        let end = self.x.partition_point(|&x| x < a).max(1);
+        let mut sum = 0.0;
+        for j in 1..end {
+            sum += (field[j - 1] + field[j]) * (self.x[j] - self.x[j - 1]) * (self.x[j] + self.x[j - 1]);
+        }
+        let last = self.x[end - 1];
+        sum += field[end - 1] * 4.0 / 3.0 * (a - last) * (a + last);
+        sum * std::f64::consts::PI / 2.0
     }
 }

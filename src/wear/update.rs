@@ -71,7 +71,8 @@ pub(crate) struct Update {
     pub(crate) factorisations: u64,
 }
 
-/// Most Newton iterations of an update: the pressure is linear in the wear, so that only the contact edge iterates.
+/// Most Newton iterations of an update. The pressure is linear in the wear, so that one suffices as long as the
+/// contact edge stays in its cell.
 const MOST_ITERATIONS: u64 = 4;
 
 /// Worn depth that a pending history brings, with the pressure and the contact edge taken at the end of the update.
@@ -136,7 +137,8 @@ pub(crate) fn worn_depth(
         moved.set_worn_image(nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect(), profile);
         trial.set_worn(Some(moved));
         contact = trial.contact(control, present.control, 2.0 * constants.normal_modulus)?;
-        if correction.amax() <= 0.1 * tolerance * present.depth.abs() {
+        let next = Edge::new(nodes, &contact, profile.outer_radius());
+        if next.last == edge.last || correction.amax() <= 0.1 * tolerance * present.depth.abs() {
             break;
         }
     }
