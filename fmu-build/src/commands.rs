@@ -8,7 +8,7 @@ use crate::python::Venv;
 use crate::totals::Totals;
 use crate::workspace::Workspace;
 use crate::{library, package, progress};
-use anyhow::{Result, bail};
+use anyhow::{Result, bail, ensure};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
@@ -86,21 +86,20 @@ impl Setup<'_> {
         let started = Instant::now();
         let mut cargo = self.cargo("test");
         cargo.args(["--workspace", "--locked", "--no-fail-fast"]);
-        let rust = progress::shown("Rust tests", || run_tests(cargo, Totals::add_rust_line));
+        let mut rust = Totals::default();
+        let rust_result =
+            progress::shown("Rust tests", || run_tests(cargo, &mut rust, Totals::add_rust_line));
 
         let mut pytest = self.venv.python();
         let cache = self.workspace.product("pytest");
         pytest.args(["-m", "pytest", "tests/python", "-o"]).arg(format!("cache_dir={}", cache.display()));
         pytest.env("FRETTING_FMU", fmu).env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
-        let python = progress::shown("Python tests", || run_tests(pytest, Totals::add_pytest_line));
+        let mut python = Totals::default();
+        let python_result =
+            progress::shown("Python tests", || run_tests(pytest, &mut python, Totals::add_pytest_line));
 
-        let (rust, python) = (rust?, python?);
-        let time = progress::seconds(started.elapsed());
-        println!("Rust: {rust}. Python: {python}. Time: {time}.");
-        if !(rust.passed() && python.passed()) {
-            bail!("some tests failed: see above");
-        }
-        Ok(())
+        println!("Rust: {rust}. Python: {python}. Time: {}.", progress::seconds(started.elapsed()));
+        rust_result.and(python_result)
     }
 
     /// rustfmt and clippy, any warning being an error.
@@ -125,13 +124,13 @@ impl Setup<'_> {
     }
 }
 
-/// Runs tests with their output shown and counted.
-fn run_tests(command: Command, count: fn(&mut Totals, &str)) -> Result<Totals> {
-    let mut totals = Totals::default();
+/// Runs tests with their output shown and counted; an error if any fails, or if there is none.
+fn run_tests(command: Command, totals: &mut Totals, count: fn(&mut Totals, &str)) -> Result<()> {
     let status = run_lines(command, |line| {
         println!("{line}");
-        count(&mut totals, line);
+        count(totals, line);
     })?;
     totals.finish(status.success());
-    Ok(totals)
+    ensure!(totals.passed(), "tests failed: see above");
+    Ok(())
 }
