@@ -71,12 +71,8 @@ impl Surface {
 
     /// All image values at radius x.
     pub(crate) fn place(&self, x: f64) -> Place {
-        let mut place = Place {
-            x,
-            image: self.profile.image(x),
-            load: self.profile.load_integral(x),
-            square: 0.0,
-        };
+        let mut place =
+            Place { x, image: self.profile.image(x), load: self.profile.load_integral(x), square: 0.0 };
         match &self.worn {
             None => place.square = self.profile.square_integral(x),
             Some(nodes) => {
@@ -119,21 +115,25 @@ impl Surface {
     /// # Errors
     /// [`Error::BeyondTable`], [`Error::NonMonotoneImage`] where the profile cannot carry it; `force_scale` = 2E*
     /// turns loads into forces for the message.
-    pub(crate) fn contact(&self, control: NormalControl, value: f64, force_scale: f64) -> Result<Contact, Error> {
+    pub(crate) fn contact(
+        &self,
+        control: NormalControl,
+        value: f64,
+        force_scale: f64,
+    ) -> Result<Contact, Error> {
         let touch = self.image(0.0);
         let open = Contact { control: value, depth: touch, radius: 0.0, load: 0.0 };
         let contact = match control {
             NormalControl::Force if value > 0.0 => {
                 let radius = self.radius_at_load(value, force_scale)?;
-                let edge = self.image(radius);
-                // under a body that ends at b the depth exceeds the image there: F_N/(2E*) = φ(b) + b (d − g(b))
-                let excess = (value - self.load(radius)) / radius;
-                let depth = if radius >= self.profile.outer_radius() { edge + excess.max(0.0) } else { edge };
+                // F_N/(2E*) = φ(a) + a (d − g(a)): the difference is what a body that ends at a carries beyond its image,
+                // elsewhere it makes good the rounding of a, which next to the rim of a flat would lose all digits of g
+                let depth = self.image(radius) + (value - self.load(radius)) / radius;
                 Contact { control: value, depth, radius, load: value }
             }
             NormalControl::Indentation if value > touch => {
                 let radius = self.radius_at_depth(value)?;
-                let load = self.load(radius) + radius * (value - self.image(radius)).max(0.0);
+                let load = self.load(radius) + radius * (value - self.image(radius));
                 Contact { control: value, depth: value, radius, load }
             }
             NormalControl::Force => open,
@@ -143,7 +143,10 @@ impl Surface {
             && contact.radius > table.monotone_up_to()
             && self.falls_before(table.monotone_up_to(), contact.radius)
         {
-            return Err(Error::NonMonotoneImage { radius: table.monotone_up_to(), contact_radius: contact.radius });
+            return Err(Error::NonMonotoneImage {
+                radius: table.monotone_up_to(),
+                contact_radius: contact.radius,
+            });
         }
         Ok(contact)
     }
