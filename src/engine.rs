@@ -1,7 +1,7 @@
 //! One contact and its history: [`FrettingContact`].
 //!
-//! Data flows one way: load → normal contact ([`crate::surface`]) → springs ([`crate::friction`]) → work → wear
-//! ([`crate::wear`]) → surface. Fields are made only when something reads them.
+//! Data flows one way: load → normal contact (`surface`) → springs (`friction`) → work → wear
+//! (`wear`) → surface. Fields are made only when something reads them.
 
 mod counters;
 mod cyclic;
@@ -58,6 +58,8 @@ pub struct FrettingContact {
     surface: Surface,
     contact: Contact,
     springs: Springs,
+    /// A former row, kept for its memory.
+    spare: Springs,
     displacement: f64,
     /// Sign of the last movement, 0 before the first.
     direction: f64,
@@ -122,6 +124,7 @@ impl FrettingContact {
             surface,
             contact: Contact { control, depth: touch, radius: 0.0, load: 0.0 },
             springs: Springs::default(),
+            spare: Springs::default(),
             displacement: 0.0,
             direction: 0.0,
             work: 0.0,
@@ -155,6 +158,9 @@ impl FrettingContact {
             this.settle()?;
             this.displacement = displacement;
             this.direction = 0.0;
+            if this.work == 0.0 {
+                this.reach = 0.0;
+            }
             this.springs = Springs::default();
             this.contact = Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
             this.walk(contact.control, displacement, 1)

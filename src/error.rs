@@ -60,7 +60,9 @@ pub enum Error {
         radius: f64,
     },
     /// A computation overflowed or produced something that is not a number.
-    #[error("{what} is not finite for normal = {normal:e}, displacement = {displacement:e}: the scene is outside the range of double precision")]
+    #[error(
+        "{what} is not finite for normal = {normal:e}, displacement = {displacement:e}: the scene is outside the range of double precision"
+    )]
     NotFinite {
         /// The quantity that overflowed.
         what: &'static str,

@@ -15,6 +15,7 @@
 
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, Place, Surface};
+use std::borrow::Cow;
 
 /// One knot of the spring row.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -166,14 +167,17 @@ impl Springs {
     }
 
     /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³ (half the row).
-    pub(crate) fn walk(&self, path: &Path) -> (Self, f64) {
+    /// `spare` is a row no longer needed whose memory is used again.
+    pub(crate) fn walk(&self, path: &Path, spare: Self) -> (Self, f64) {
         let reached = self.candidates(path);
-        let mut next = Self { knots: Vec::with_capacity(reached.len() + 2) };
+        let mut next = spare;
+        next.knots.clear();
+        next.knots.reserve(reached.len() + 2);
         let mut work = 0.0;
         let scale = path.bound_slope * path.to.depth.abs() + path.end.abs();
         let mut before: Option<Trial> = None;
-        for knot in reached {
-            let trial = Trial::new(path, knot);
+        for knot in reached.iter() {
+            let trial = Trial::new(path, *knot);
             if let Some(inner) = before {
                 work += next.cross(path, inner, trial, scale);
             }
@@ -188,14 +192,17 @@ impl Springs {
 
     /// The row at the end of a path had it not slipped: extended by springs that touched, cut at the new edge.
     pub(crate) fn touched(&self, path: &Path) -> Self {
-        let mut knots = self.candidates(path);
+        let mut knots = self.candidates(path).into_owned();
         knots.retain(|knot| knot.place.x <= path.to.radius && !path.to.is_open());
         Self { knots }
     }
 
     /// Knots of the old row, extended by those that touch along the path, or with one at the new, smaller edge.
-    fn candidates(&self, path: &Path) -> Vec<Knot> {
+    fn candidates(&self, path: &Path) -> Cow<'_, [Knot]> {
         let (old, new) = (path.from.radius, path.to.radius);
+        if new == old {
+            return Cow::Borrowed(&self.knots);
+        }
         let mut knots = Vec::with_capacity(self.knots.len() + 4);
         knots.extend_from_slice(&self.knots);
         if new > old {
@@ -227,7 +234,7 @@ impl Springs {
             let origin = interpolate(&knots[j - 1], &knots[j], place.image);
             knots.insert(j, Knot { place, origin });
         }
-        knots
+        Cow::Owned(knots)
     }
 
     /// Whether the origin goes on in the same direction, so that the old edge is no kink worth keeping.
@@ -270,7 +277,8 @@ impl Springs {
         }
         let knot = trial.clipped();
         if let [.., first, second] = self.knots[..]
-            && (interpolate(&first, &knot, second.place.image) - second.origin).abs() <= 4.0 * f64::EPSILON * scale
+            && (interpolate(&first, &knot, second.place.image) - second.origin).abs()
+                <= 4.0 * f64::EPSILON * scale
         {
             self.knots.pop();
         }

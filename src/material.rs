@@ -111,7 +111,8 @@ mod tests {
 
     #[test]
     fn constants_outside_their_range_are_named() {
-        let with = |e, nu| Pair { body_1: Elastic { youngs_modulus: e, poisson_ratio: nu }, body_2: Elastic::STEEL };
+        let with =
+            |e, nu| Pair { body_1: Elastic { youngs_modulus: e, poisson_ratio: nu }, body_2: Elastic::STEEL };
         for (e, nu, name) in [
             (0.0, 0.3, "youngs_modulus_1"),
             (-1.0, 0.3, "youngs_modulus_1"),

@@ -69,7 +69,11 @@ impl Parameters {
         self.materials.validate()?;
         self.profile.validate()?;
         let non_negative = [
-            ("friction_coefficient", self.friction_coefficient, "a coefficient of friction is finite and not negative"),
+            (
+                "friction_coefficient",
+                self.friction_coefficient,
+                "a coefficient of friction is finite and not negative",
+            ),
             ("wear_coefficient", self.wear_coefficient, "a wear coefficient is finite and not negative"),
         ];
         for (name, value, requirement) in non_negative {

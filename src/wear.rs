@@ -115,7 +115,8 @@ pub(crate) fn segment_fields(
             deflection.push(if x < contact.radius { displacement - after[i] } else { 0.0 });
         } else {
             let image = surface.image(x);
-            let bound = |c: &Contact| if c.is_open() { 0.0 } else { bound_slope * (c.depth - image).max(0.0) };
+            let bound =
+                |c: &Contact| if c.is_open() { 0.0 } else { bound_slope * (c.depth - image).max(0.0) };
             slip.push(moved);
             deflection.push(moved.signum() * 0.5 * (bound(&start) + bound(contact)));
         }
@@ -156,8 +157,28 @@ pub(crate) fn update_limit(tolerance: f64, surface: &Surface, contact: &Contact,
     }
     let inner = surface.place(stick_radius);
     let approach = (contact.load - inner.load - stick_radius * (contact.depth - inner.image)) / width;
-    let scale = (2.0 * approach).max(0.1 * contact.depth.abs());
-    tolerance * PI * width * (contact.radius + stick_radius) * scale
+    tolerance * annulus(contact, stick_radius) * (2.0 * approach).max(0.1 * contact.depth.abs())
+}
+
+/// Ratio of a worn volume to [`update_limit`] where it exceeds that.
+pub(crate) fn exceeds_limit(
+    volume: f64,
+    tolerance: f64,
+    surface: &Surface,
+    contact: &Contact,
+    stick_radius: f64,
+) -> Option<f64> {
+    // most steps wear far less than the least value of the limit, which costs nothing to compute
+    if volume <= 0.1 * tolerance * annulus(contact, stick_radius) * contact.depth.abs() {
+        return None;
+    }
+    let limit = update_limit(tolerance, surface, contact, stick_radius);
+    (volume > limit && limit > 0.0).then(|| volume / limit)
+}
+
+/// Area of the slipping annulus, m².
+fn annulus(contact: &Contact, stick_radius: f64) -> f64 {
+    PI * (contact.radius - stick_radius).max(0.0) * (contact.radius + stick_radius)
 }
 
 #[cfg(test)]

@@ -81,8 +81,9 @@ impl FrettingContact {
             end: 0.0,
             sampling: 1.0 / self.parameters.resolution as f64,
         };
-        let (rest, _) = Springs::default().walk(&path);
-        let (springs, half_work) = rest.walk(&Path { from: *contact, end: amplitude, ..path });
+        let (rest, _) = Springs::default().walk(&path, Springs::default());
+        let (springs, half_work) =
+            rest.walk(&Path { from: *contact, end: amplitude, ..path }, Springs::default());
         self.counters.spring_walks += 2;
         (springs, 2.0 * self.constants.tangential_modulus * half_work)
     }
@@ -111,7 +112,8 @@ impl FrettingContact {
                 step *= factor.min(0.8);
                 continue;
             }
-            let depth: Vec<f64> = halves.iter().zip(&whole.depth).map(|(h, w)| (2.0 * h - w).max(0.0)).collect();
+            let depth: Vec<f64> =
+                halves.iter().zip(&whole.depth).map(|(h, w)| (2.0 * h - w).max(0.0)).collect();
             // the same extrapolation for the work, W' = W(h): twice the two halves less the whole
             let work = 2.0 * (half.work + second.work) - whole.work;
             self.work += work;
@@ -142,7 +144,9 @@ impl FrettingContact {
         let front = rate.springs.stick_radius(&rate.contact, self.constants.bound_slope(), amplitude);
         let profile = self.surface.profile();
         let nodes = match self.surface.worn() {
-            None => Nodes::around(profile, self.parameters.resolution, rate.contact.radius.max(self.reach), front),
+            None => {
+                Nodes::around(profile, self.parameters.resolution, rate.contact.radius.max(self.reach), front)
+            }
             Some(nodes) => {
                 let mut nodes = nodes.clone();
                 nodes.adapt(profile, rate.contact.radius, front);

@@ -2,7 +2,7 @@
 
 use super::FrettingContact;
 use crate::error::Error;
-use crate::friction::Path;
+use crate::friction::{Path, Springs};
 use crate::surface::{Contact, Nodes};
 use crate::transform::Tables;
 use crate::wear::{self, Edge, Segment};
@@ -31,11 +31,9 @@ impl FrettingContact {
             return Ok(());
         }
         let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
-        if self.wear.is_none() && self.pieces(&line) == 1 {
+        if self.pieces(&line) == 1 {
             self.walk(value, displacement, 1)?;
         } else {
-            // the larger load decides whether the line can be walked at all
-            self.surface.contact(self.parameters.normal_control, value, self.force_scale())?;
             self.transaction(|this| this.walk_line(&line))?;
         }
         self.counters.steps += 1;
@@ -67,64 +65,112 @@ impl FrettingContact {
         ((high - low).abs() / (LOAD_SHARE * high.max(low))).ceil().max(1.0) as u32
     }
 
-    /// Walks one piece. `splits` > 0 allows wear to split it further.
+    /// Walks one piece, after closing the segment where the motion turns. `splits` > 0 allows wear to split it further.
     pub(super) fn walk(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
-        let control = self.parameters.normal_control;
-        let direction = (displacement - self.displacement).signum();
-        let moves = displacement != self.displacement;
-        if moves && direction != self.direction || value <= self.touch_control() {
-            self.turn()?;
+        let turns = displacement != self.displacement
+            && (displacement - self.displacement).signum() != self.direction
+            || value <= self.touch_control();
+        if turns && self.wear.is_some() {
+            self.transaction(|this| {
+                this.turn()?;
+                this.walk_on(value, displacement, splits)
+            })
+        } else {
+            self.walk_on(value, displacement, splits)
         }
+    }
+
+    fn walk_on(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
         let to = if value == self.contact.control { self.contact } else { self.contact_at(value)? };
-        let path = Path {
-            surface: &self.surface,
-            control,
-            bound_slope: self.constants.bound_slope(),
-            from: self.contact,
-            to,
-            start: self.displacement,
-            end: displacement,
-            sampling: 1.0 / self.parameters.resolution as f64,
-        };
-        let (springs, half_work) = self.springs.walk(&path);
+        let spare = std::mem::take(&mut self.spare);
+        let path = self.path_to(to, displacement);
+        let (springs, half_work) = self.springs.walk(&path, spare);
         self.counters.spring_walks += 1;
         let work = 2.0 * self.constants.tangential_modulus * half_work;
         if !(work.is_finite() && to.depth.is_finite() && to.radius.is_finite()) {
             let normal = if self.constants.force_control { value * self.force_scale() } else { value };
             return Err(Error::NotFinite { what: "the state of the contact", normal, displacement });
         }
-        if let Some(wear) = &mut self.wear {
-            let inner = springs.stick_radius(&to, path.bound_slope, displacement);
-            let limit = wear::update_limit(self.parameters.tolerance, &self.surface, &to, inner);
-            let pieces = (self.constants.wear_per_work * work / limit).ceil().min(MOST_PIECES);
-            if splits > 0 && pieces > 1.0 && limit > 0.0 {
-                let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
-                for k in 1..=pieces as u32 {
-                    let (value, displacement) = line.at(k, pieces as u32);
-                    self.walk(value, displacement, splits - 1)?;
-                }
-                return Ok(());
-            }
-            if to.radius != self.contact.radius {
-                wear.segment.unslipped = wear.segment.unslipped.touched(&path);
-            }
-            wear.segment.contact.get_or_insert(if self.contact.is_open() { to } else { self.contact });
-            if to.is_open() {
-                wear.pending.work += work;
-            } else {
-                wear.segment.work += work;
-            }
+        let Some(wear) = &self.wear else {
+            self.arrive(to, displacement, springs, work);
+            return Ok(());
+        };
+        let inner = springs.stick_radius(&to, self.constants.bound_slope(), displacement);
+        let limit =
+            |volume| wear::exceeds_limit(volume, self.parameters.tolerance, &self.surface, &to, inner);
+        let volume = self.constants.wear_per_work * work;
+        if splits > 0
+            && let Some(ratio) = limit(volume)
+        {
+            let pieces = ratio.ceil().min(MOST_PIECES) as u32;
+            let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
+            return self.transaction(|this| {
+                (1..=pieces).try_for_each(|k| {
+                    let (value, displacement) = line.at(k, pieces);
+                    this.walk(value, displacement, splits - 1)
+                })
+            });
         }
+        let worn_out = limit(volume + self.constants.wear_per_work * wear.segment.work).is_some();
+        let start = wear.segment.contact.unwrap_or(to);
+        let load_moved = (to.load - start.load).abs() > LOAD_SHARE * to.load.max(start.load);
+        if (worn_out || load_moved) && !to.is_open() {
+            self.transaction(|this| {
+                this.extend_segment(&to, displacement, work);
+                this.arrive(to, displacement, springs, work);
+                if worn_out { this.settle() } else { this.close_segment() }
+            })
+        } else {
+            self.extend_segment(&to, displacement, work);
+            self.arrive(to, displacement, springs, work);
+            Ok(())
+        }
+    }
+
+    /// The path from the present state to a contact and displacement.
+    fn path_to(&self, to: Contact, displacement: f64) -> Path<'_> {
+        Path {
+            surface: &self.surface,
+            control: self.parameters.normal_control,
+            bound_slope: self.constants.bound_slope(),
+            from: self.contact,
+            to,
+            start: self.displacement,
+            end: displacement,
+            sampling: 1.0 / self.parameters.resolution as f64,
+        }
+    }
+
+    /// Adds a path to the segment: springs that touch along it, and its work.
+    fn extend_segment(&mut self, to: &Contact, displacement: f64, work: f64) {
+        let from = self.contact;
+        let touched = (to.radius != from.radius).then(|| {
+            let path = self.path_to(*to, displacement);
+            self.wear.as_ref().map(|wear| wear.segment.unslipped.touched(&path))
+        });
+        let Some(wear) = &mut self.wear else { return };
+        if let Some(Some(unslipped)) = touched {
+            wear.segment.unslipped = unslipped;
+        }
+        wear.segment.contact.get_or_insert(if from.is_open() { *to } else { from });
+        if to.is_open() {
+            wear.pending.work += work;
+        } else {
+            wear.segment.work += work;
+        }
+    }
+
+    /// Takes over the state at the end of a path.
+    fn arrive(&mut self, to: Contact, displacement: f64, springs: Springs, work: f64) {
         self.view.take();
-        self.springs = springs;
+        self.spare = std::mem::replace(&mut self.springs, springs);
+        if displacement != self.displacement {
+            self.direction = (displacement - self.displacement).signum();
+        }
         self.contact = to;
         self.displacement = displacement;
         self.reach = self.reach.max(to.radius);
         self.work += work;
-        if moves {
-            self.direction = direction;
-        }
-        self.wear_down()
     }
 
     /// At a reversal: closes the segment and updates the profile if the next segment, taken to be like this one, would
@@ -137,22 +183,6 @@ impl FrettingContact {
         let pending = self.wear.as_ref().map_or(0.0, |wear| wear.pending.work);
         if self.constants.wear_per_work * (pending + last) > limit {
             self.update_profile()?;
-        }
-        Ok(())
-    }
-
-    /// Closes the segment when the load has changed enough; updates the profile when the segment has worn too much.
-    fn wear_down(&mut self) -> Result<(), Error> {
-        let Some(wear) = &self.wear else { return Ok(()) };
-        let volume = self.constants.wear_per_work * wear.segment.work;
-        let start = wear.segment.contact;
-        if volume > self.update_limit() && !self.contact.is_open() {
-            return self.settle();
-        }
-        if let Some(start) = start
-            && (self.contact.load - start.load).abs() > LOAD_SHARE * self.contact.load.max(start.load)
-        {
-            self.close_segment()?;
         }
         Ok(())
     }
@@ -223,7 +253,9 @@ impl FrettingContact {
         let front = self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
         let profile = self.surface.profile();
         let adapted = match self.surface.worn() {
-            None => Nodes::around(profile, self.parameters.resolution, self.contact.radius.max(self.reach), front),
+            None => {
+                Nodes::around(profile, self.parameters.resolution, self.contact.radius.max(self.reach), front)
+            }
             Some(nodes) => {
                 let mut adapted = nodes.clone();
                 adapted.adapt(profile, self.contact.radius, front);
@@ -263,21 +295,12 @@ impl FrettingContact {
         self.surface.set_worn(Some(nodes));
         self.counters.descent_transforms += 1;
         self.counters.profile_updates += 1;
-        let from = self.contact;
         let moved = self.springs.moved_to(&old, &self.surface);
-        let to = self.surface.contact(self.parameters.normal_control, from.control, self.force_scale())?;
+        let to =
+            self.surface.contact(self.parameters.normal_control, self.contact.control, self.force_scale())?;
         self.counters.contact_solutions += 1;
-        let path = Path {
-            surface: &self.surface,
-            control: self.parameters.normal_control,
-            bound_slope: self.constants.bound_slope(),
-            from,
-            to,
-            start: self.displacement,
-            end: self.displacement,
-            sampling: 1.0 / self.parameters.resolution as f64,
-        };
-        let (springs, half_work) = moved.walk(&path);
+        let path = self.path_to(to, self.displacement);
+        let (springs, half_work) = moved.walk(&path, Springs::default());
         let work = 2.0 * self.constants.tangential_modulus * half_work;
         self.springs = springs;
         self.contact = to;
@@ -319,7 +342,9 @@ impl FrettingContact {
             let scale = target / volume;
             depth.iter_mut().for_each(|w| *w *= scale);
         }
-        let defect = (nodes.integral_to_edge(&wear.pending.work_per_area, self.contact.radius) - wear.pending.work).abs();
+        let defect = (nodes.integral_to_edge(&wear.pending.work_per_area, self.contact.radius)
+            - wear.pending.work)
+            .abs();
         Ok(Some((add_depth(nodes, &tables, &depth), defect)))
     }
 

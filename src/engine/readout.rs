@@ -16,7 +16,8 @@ impl FrettingContact {
 
     /// Tangential force T = 2G* ∫ u dx that the moving body exerts on the substrate, N; |T| ≤ μF_N.
     pub fn tangential_force(&self) -> f64 {
-        let force = 2.0 * self.constants.tangential_modulus * self.springs.deflection_integral(self.displacement);
+        let force =
+            2.0 * self.constants.tangential_modulus * self.springs.deflection_integral(self.displacement);
         let limit = self.constants.friction_coefficient * self.normal_reaction();
         force.clamp(-limit, limit)
     }

@@ -6,9 +6,10 @@ use super::model::Model;
 use super::refusal::{Checked, Refusal};
 use super::settings::Inputs;
 use super::variables::{Access, DataType, PROBES, Variable, variables};
-use core::ffi::{CStr, c_char};
+use core::ffi::CStr;
 use core::fmt::Debug;
 use core::mem::MaybeUninit;
+use libc::c_char;
 
 /// The type that a function of the C interface is for.
 #[derive(Debug, Clone, Copy)]

@@ -88,7 +88,11 @@ impl Profile {
             if value > 0.0 && value.is_finite() {
                 Ok(())
             } else {
-                Err(Error::Parameter { name, value, requirement: "it is finite and greater than 0 for this profile" })
+                Err(Error::Parameter {
+                    name,
+                    value,
+                    requirement: "it is finite and greater than 0 for this profile",
+                })
             }
         };
         match *self {
@@ -160,7 +164,9 @@ impl Profile {
         match self {
             Self::Parabola { radius } => x * x / radius,
             Self::Cone { slope } => PI / 2.0 * slope.tan() * x,
-            Self::PowerLaw { exponent, coefficient } => power_factor(*exponent) * coefficient * x.powf(*exponent),
+            Self::PowerLaw { exponent, coefficient } => {
+                power_factor(*exponent) * coefficient * x.powf(*exponent)
+            }
             Self::BluntedSphere { radius, flat_radius } => x / radius * leg(x, *flat_radius),
             Self::RoundedPunch { radius, flat_radius } => rounded::image(x, *radius, *flat_radius),
             Self::FlatPunch { flat_radius } => {
@@ -179,7 +185,9 @@ impl Profile {
         match self {
             Self::Parabola { radius } => 2.0 * x / radius,
             Self::Cone { slope } => PI / 2.0 * slope.tan(),
-            Self::PowerLaw { exponent: n, coefficient } => n * power_factor(*n) * coefficient * x.powf(n - 1.0),
+            Self::PowerLaw { exponent: n, coefficient } => {
+                n * power_factor(*n) * coefficient * x.powf(n - 1.0)
+            }
             Self::BluntedSphere { radius, flat_radius: b } => {
                 if x > *b {
                     (2.0 * x * x - b * b) / (radius * leg(x, *b))
@@ -217,8 +225,7 @@ impl Profile {
             Self::BluntedSphere { radius, flat_radius: b } => {
                 // ∫ξ²(ξ² − b²) from b to x, written in s = √(x² − b²) and δ = x − b so that nothing cancels near b
                 let delta = (x - b).max(0.0);
-                let polynomial =
-                    b.powi(3) + delta * (5.0 / 3.0 * b * b + delta * (b + delta / 5.0));
+                let polynomial = b.powi(3) + delta * (5.0 / 3.0 * b * b + delta * (b + delta / 5.0));
                 delta * delta * polynomial / (radius * radius)
             }
             Self::RoundedPunch { radius, flat_radius } => rounded::square_integral(x, *radius, *flat_radius),

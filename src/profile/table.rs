@@ -41,8 +41,10 @@ impl ProfileTable {
         let mut lines = Vec::new();
         for (index, line) in text.lines().enumerate() {
             let content = line.split('#').next().unwrap_or_default();
-            let fields: Vec<&str> =
-                content.split(|c: char| c.is_whitespace() || c == ',' || c == ';').filter(|f| !f.is_empty()).collect();
+            let fields: Vec<&str> = content
+                .split(|c: char| c.is_whitespace() || c == ',' || c == ';')
+                .filter(|f| !f.is_empty())
+                .collect();
             let problem = match fields[..] {
                 [] => continue,
                 [r, f] => match (r.parse::<f64>(), f.parse::<f64>()) {
@@ -88,8 +90,7 @@ impl ProfileTable {
         if let Some(i) = image.iter().position(|g| !g.is_finite()) {
             return refuse(i, "the 1-D image overflows here: check the units, r and f are in m".into());
         }
-        let monotone_up_to =
-            image.windows(2).position(|g| g[1] < g[0]).map_or(f64::INFINITY, |i| radii[i]);
+        let monotone_up_to = image.windows(2).position(|g| g[1] < g[0]).map_or(f64::INFINITY, |i| radii[i]);
         let (mut load, mut square) = (vec![0.0], vec![0.0]);
         for j in 0..radii.len() - 1 {
             let piece = Piece { x0: radii[j], x1: radii[j + 1], g0: image[j], g1: image[j + 1] };

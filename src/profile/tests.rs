@@ -30,7 +30,10 @@ fn images_follow_from_heights_by_equation_1() {
         for share in [0.6, 0.9, 1.0, 1.7] {
             let x = a * share;
             let (closed, defined) = (profile.image(x), image_by_definition(&profile, x));
-            assert!((closed - defined).abs() < 1e-5 * profile.image(a), "{profile:?} at {x}: {closed} {defined}");
+            assert!(
+                (closed - defined).abs() < 1e-5 * profile.image(a),
+                "{profile:?} at {x}: {closed} {defined}"
+            );
         }
     }
 }
@@ -44,10 +47,12 @@ fn integrals_and_slopes_agree_with_quadrature_of_the_image() {
             // x = b + t² removes the square root at the rim
             let end = (x - b).sqrt();
             let over = |f: &dyn Fn(f64) -> f64| {
-                (0..40).map(|k| {
-                    let edge = |k: i32| end * f64::from(k) / 40.0;
-                    composite(edge(k), edge(k + 1), |t| 2.0 * t * f(b + t * t))
-                }).sum::<f64>()
+                (0..40)
+                    .map(|k| {
+                        let edge = |k: i32| end * f64::from(k) / 40.0;
+                        composite(edge(k), edge(k + 1), |t| 2.0 * t * f(b + t * t))
+                    })
+                    .sum::<f64>()
             };
             let close = |p: f64, q: f64, what: &str| {
                 assert!((p / q - 1.0).abs() < 1e-9, "{profile:?} {what} at {x}: {p:e} {q:e}");
@@ -66,25 +71,29 @@ fn pressures_carry_the_load() {
         let b = profile.flat_radius();
         // r = b ∓ s² smooths the singular rim, r = a sin-like end is smoothed by the second substitution
         let inner = if b > 0.0 {
-            (0..60).map(|k| {
-                let edge = |k: i32| b.sqrt() * f64::from(k) / 60.0;
-                composite(edge(k), edge(k + 1), |s| {
-                    let r = b - s * s;
-                    2.0 * s * r * profile.pressure_integral(r.max(0.0), a)
+            (0..60)
+                .map(|k| {
+                    let edge = |k: i32| b.sqrt() * f64::from(k) / 60.0;
+                    composite(edge(k), edge(k + 1), |s| {
+                        let r = b - s * s;
+                        2.0 * s * r * profile.pressure_integral(r.max(0.0), a)
+                    })
                 })
-            }).sum::<f64>()
+                .sum::<f64>()
         } else {
             0.0
         };
-        let outer: f64 = (0..60).map(|k| {
-            let edge = |k: i32| f64::from(k) / 60.0;
-            composite(edge(k), edge(k + 1), |s| {
-                // r from b to a with clustering at both ends
-                let w = s * s * (3.0 - 2.0 * s);
-                let r = b + (a - b) * w;
-                (a - b) * 6.0 * s * (1.0 - s) * r * profile.pressure_integral(r, a)
+        let outer: f64 = (0..60)
+            .map(|k| {
+                let edge = |k: i32| f64::from(k) / 60.0;
+                composite(edge(k), edge(k + 1), |s| {
+                    // r from b to a with clustering at both ends
+                    let w = s * s * (3.0 - 2.0 * s);
+                    let r = b + (a - b) * w;
+                    (a - b) * 6.0 * s * (1.0 - s) * r * profile.pressure_integral(r, a)
+                })
             })
-        }).sum();
+            .sum();
         let total = inner + outer;
         assert!((total / profile.load_integral(a) - 1.0).abs() < 2e-6, "{profile:?}: {total:e}");
     }

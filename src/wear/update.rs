@@ -59,7 +59,9 @@ impl Edge {
 pub(crate) fn pressure_nodes(tables: &Tables, x: &[f64], load: &[f64], edge: &Edge) -> Vec<f64> {
     let k = edge.last;
     let drops: Vec<f64> = load[..=k].windows(2).map(|w| w[0] - w[1]).collect();
-    (0..=k).map(|i| dot(&tables.pressure_weights(i)[..k - i], &drops[i..]) + load[k] * edge.weight(x, i)).collect()
+    (0..=k)
+        .map(|i| dot(&tables.pressure_weights(i)[..k - i], &drops[i..]) + load[k] * edge.weight(x, i))
+        .collect()
 }
 
 /// The result of an update.
@@ -118,7 +120,8 @@ pub(crate) fn worn_depth(
         let residual = DVector::from_fn(edge.last + 1 - first, |row, _| {
             let i = first + row;
             let before = reference.get(i).copied().unwrap_or(0.0);
-            constants.wear_per_work * pending.work_per_area[i] + kappa * pending.slip_path[i] * (now[i] - before)
+            constants.wear_per_work * pending.work_per_area[i]
+                + kappa * pending.slip_path[i] * (now[i] - before)
                 - update.depth[i]
         });
         let (matrix, descent) = system(nodes.x(), tables, pending, first, &edge, constants);

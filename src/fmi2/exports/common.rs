@@ -5,11 +5,12 @@ use crate::fmi2::component::Component;
 use crate::fmi2::guard::{Status, array, enter, free_component, new_component, panic_text, string};
 use crate::fmi2::lifecycle;
 use crate::fmi2::logger::Logger;
-use core::ffi::{CStr, c_char};
+use core::ffi::CStr;
 use core::ptr::null_mut;
 use fmi_sys::fmi2::{
     fmi2Boolean, fmi2CallbackFunctions, fmi2Component, fmi2Real, fmi2Status, fmi2String, fmi2Type,
 };
+use libc::c_char;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 conforming! {

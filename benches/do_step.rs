@@ -1,0 +1,49 @@
+//! One co-simulation step through the C interface, as a host sees it: two inputs set, fmi2DoStep, two outputs read.
+//!
+//! `cargo bench --bench do_step`. The ball of the default parameters under 100 N, 100 steps a cycle.
+#![allow(missing_docs, reason = "criterion's macros")]
+
+#[path = "../tests/host/mod.rs"]
+mod host;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use host::{Fmu, OK, reference};
+use std::f64::consts::TAU;
+use std::hint::black_box;
+
+/// Steps per cycle.
+const STEPS: u32 = 100;
+
+fn step(c: &mut Criterion) {
+    let mut group = c.benchmark_group("set 2, doStep, get 2");
+    for (name, amplitude, load_swing, wear) in [
+        ("full stick, no wear", 1e-9, 0.0, 0.0),
+        ("partial slip, no wear", 1e-6, 0.0, 0.0),
+        ("partial slip, varying load, no wear", 1e-6, 30.0, 0.0),
+        ("partial slip, wear of steel", 1e-6, 0.0, 3.2e-4),
+        ("gross slip, wear of steel", 5e-6, 0.0, 3.2e-4),
+    ] {
+        let fmu = Fmu::started(|fmu| {
+            assert_eq!(fmu.set_real("wear_coefficient", wear), OK);
+        });
+        let inputs = [reference("normal_force"), reference("tangential_displacement")];
+        let outputs = [reference("tangential_force"), reference("dissipated_energy")];
+        let mut count = 0u32;
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                let phase = TAU * f64::from(count % STEPS) / f64::from(STEPS);
+                let values = [100.0 + load_swing * phase.cos(), amplitude * phase.sin()];
+                assert_eq!(fmu.set_reals(&inputs, black_box(&values)), OK);
+                assert_eq!(fmu.do_step(f64::from(count), 1.0), OK);
+                let mut read = [0.0; 2];
+                assert_eq!(fmu.get_reals(&outputs, &mut read), OK);
+                count += 1;
+                black_box(read)
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, step);
+criterion_main!(benches);
