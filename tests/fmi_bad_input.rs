@@ -138,10 +138,10 @@ fn a_list_with_one_mistake_sets_nothing() {
     fmu.refused(fmu.set_reals(&references, &[0.05, -1.0, 7.0]), &["hardness = -1.0"]);
     fmu.refused(fmu.set_reals(&[references[0], NOWHERE], &[0.05, 1.0]), &["1000000"]);
     let integers = ["resolution", "loading"].map(reference);
-    fmu.refused(fmu.set_integers(&integers, &[64, 3]), &["loading = 3"]);
+    fmu.refused(fmu.set_integers(&integers, &[128, 3]), &["loading = 3"]);
     fmu.initialize();
     assert_eq!((fmu.real("radius"), fmu.real("normal_force")), (0.01, 100.0));
-    assert_eq!((fmu.integer("resolution"), fmu.integer("loading")), (128, 1));
+    assert_eq!((fmu.integer("resolution"), fmu.integer("loading")), (64, 1));
 
     let mut values = [-7.0; 2];
     fmu.refused(fmu.get_reals(&[references[0], NOWHERE], &mut values), &["1000000"]);
