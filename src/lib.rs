@@ -50,3 +50,8 @@ pub use error::Error;
 pub use material::{Elastic, Pair};
 pub use parameters::{NormalControl, Parameters};
 pub use profile::{Profile, ProfileTable};
+
+/// The README, so that its Rust example is compiled and run with the tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
