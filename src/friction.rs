@@ -347,7 +347,7 @@ impl Springs {
             let at_bound = u.abs() >= bound * (1.0 - 1e-9) - rounding;
             // at the very edge bound and deflection vanish: it belongs to either side
             let edge = bound <= 1e-12 * bound_slope * contact.depth.abs() + rounding;
-            (at_bound, if edge { 0.0 } else { u.signum() })
+            (at_bound || edge, if edge { 0.0 } else { u.signum() })
         };
         let mut zone = (contact.radius, 0.0);
         for pair in self.knots.windows(2).rev() {

@@ -34,6 +34,8 @@ impl FrettingContact {
         if self.pieces(&line) == 1 {
             self.walk(value, displacement, 1)?;
         } else {
+            // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
+            self.surface.contact(self.parameters.normal_control, value, self.force_scale())?;
             self.transaction(|this| this.walk_line(&line))?;
         }
         self.counters.steps += 1;
