@@ -1,25 +1,18 @@
 //! One instance of the FMU: the model, where it is in its life, and how it speaks to the importer.
 
-use super::guard::Status;
-use super::lifecycle::{Call, State};
+use super::lifecycle::Call;
 use super::logger::Logger;
 use super::model::Model;
 use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::saved::{Saved, SavedStates};
+use super::status::{Outcome, State, Status};
 use super::{GUID, MODEL_IDENTIFIER};
 use core::ffi::CStr;
 use fmi_sys::fmi2::{fmi2FMUstate, fmi2Type, fmi2Type_fmi2CoSimulation};
 
 /// Below this the materials count as elastically similar: it is round-off of the two sides of the paper's eq. (6).
 const SIMILAR: f64 = 1e-9;
-
-/// How the last step ended.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Outcome {
-    Done,
-    Refused,
-}
 
 /// What an importer's fmi2Component points to.
 pub(super) struct Component {

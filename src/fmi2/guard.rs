@@ -5,32 +5,9 @@ use super::lifecycle::Call;
 use super::refusal::{Checked, Refusal};
 use core::ffi::{CStr, c_char, c_void};
 use core::mem::MaybeUninit;
-use fmi_sys::fmi2::{
-    fmi2Component, fmi2Status, fmi2Status_fmi2Discard, fmi2Status_fmi2Error, fmi2Status_fmi2OK,
-    fmi2Status_fmi2Warning,
-};
+use fmi_sys::fmi2::{fmi2Component, fmi2Status, fmi2Status_fmi2Error};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-
-/// The statuses that this FMU returns, in order of severity.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Status {
-    Ok,
-    Warning,
-    Discard,
-    Error,
-}
-
-impl Status {
-    pub(super) fn to_fmi(self) -> fmi2Status {
-        match self {
-            Self::Ok => fmi2Status_fmi2OK,
-            Self::Warning => fmi2Status_fmi2Warning,
-            Self::Discard => fmi2Status_fmi2Discard,
-            Self::Error => fmi2Status_fmi2Error,
-        }
-    }
-}
 
 /// Runs `body` on the instance behind `component` if `call` is allowed in its state, and turns whatever happens into
 /// a status, with one message to the logger if it is not fmi2OK. Nothing unwinds out of it.
@@ -151,6 +128,7 @@ mod tests {
     use super::*;
     use crate::fmi2::lifecycle;
     use crate::fmi2::logger::Logger;
+    use fmi_sys::fmi2::{fmi2Status_fmi2OK, fmi2Status_fmi2Warning};
     use std::ffi::CString;
 
     /// Runs `body` on an instance through the gate of `call`.

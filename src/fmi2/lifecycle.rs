@@ -4,35 +4,7 @@
 //! failed" and "step canceled" do not occur; its state "error" is [`State::Failed`].
 
 use super::refusal::{Checked, Refusal};
-use State::{Failed, InitializationMode, Instantiated, StepComplete, Terminated};
-use std::fmt;
-
-/// State of one instance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum State {
-    /// After fmi2Instantiate or fmi2Reset.
-    Instantiated,
-    /// Between fmi2EnterInitializationMode and fmi2ExitInitializationMode.
-    InitializationMode,
-    /// Ready for fmi2DoStep.
-    StepComplete,
-    /// After fmi2Terminate: results can be read.
-    Terminated,
-    /// After an internal failure: nothing of the model can be trusted.
-    Failed,
-}
-
-impl fmt::Display for State {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Instantiated => "instantiated",
-            InitializationMode => "initialization mode",
-            StepComplete => "step complete",
-            Terminated => "terminated",
-            Failed => "failed",
-        })
-    }
-}
+use super::status::State::{self, Failed, InitializationMode, Instantiated, StepComplete, Terminated};
 
 /// One C function that acts on an instance.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 //! Messages to the importer's logger.
 
-use super::guard::Status;
 use super::refusal::{Checked, Refusal};
+use super::status::Status;
 use core::ffi::{CStr, c_void};
 use fmi_sys::fmi2::{fmi2CallbackFunctions, fmi2CallbackLogger};
 use std::ffi::CString;

@@ -9,7 +9,7 @@
 //! | [`variables`] | the variable table, the source of modelDescription.xml |
 //! | `settings`, [`enumerations`], `resources` | parameters as the importer sets them → [`crate::Parameters`] |
 //! | `component`, `values`, `model`, `clock`, `saved` | one instance: access by value reference, the contact, its time, its saved states |
-//! | `refusal` | every reason to refuse a call, with its numbers |
+//! | `status`, `refusal` | what a call returns, and every reason to refuse one, with its numbers |
 //!
 //! # What the standard leaves to the FMU, and how it is settled here
 //!
@@ -43,6 +43,7 @@ mod refusal;
 mod resources;
 mod saved;
 mod settings;
+mod status;
 mod values;
 pub mod variables;
 

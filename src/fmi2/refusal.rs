@@ -1,6 +1,6 @@
 //! Every reason to refuse a call. Whoever returns one has changed nothing.
 
-use super::lifecycle::State;
+use super::status::{State, Status};
 use crate::error::Error;
 use std::path::PathBuf;
 use thiserror::Error as ThisError;
@@ -70,10 +70,10 @@ pub(super) enum Refusal {
 
 impl Refusal {
     /// Only a missing status is a discard; see the module's documentation.
-    pub(super) fn status(&self) -> super::guard::Status {
+    pub(super) fn status(&self) -> Status {
         match self {
-            Self::StatusKind { .. } => super::guard::Status::Discard,
-            _ => super::guard::Status::Error,
+            Self::StatusKind { .. } => Status::Discard,
+            _ => Status::Error,
         }
     }
 }

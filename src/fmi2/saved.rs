@@ -3,10 +3,9 @@
 //! The importer's handle is the address of a state that the instance owns. It is only compared, never followed, so
 //! that a stale or foreign handle is refused instead of read.
 
-use super::component::Outcome;
-use super::lifecycle::State;
 use super::model::SavedModel;
 use super::refusal::{Checked, Refusal};
+use super::status::{Outcome, State};
 use fmi_sys::fmi2::fmi2FMUstate;
 
 /// What fmi2GetFMUstate copies.

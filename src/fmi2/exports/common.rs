@@ -2,9 +2,10 @@
 
 use super::conforming;
 use crate::fmi2::component::Component;
-use crate::fmi2::guard::{Status, array, enter, free_component, new_component, panic_text, string};
+use crate::fmi2::guard::{array, enter, free_component, new_component, panic_text, string};
 use crate::fmi2::lifecycle;
 use crate::fmi2::logger::Logger;
+use crate::fmi2::status::Status;
 use core::ffi::CStr;
 use core::ptr::null_mut;
 use fmi_sys::fmi2::{
