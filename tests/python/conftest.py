@@ -1,0 +1,50 @@
+"""Fixtures: the FMU under test, and instances of it that are freed after each test.
+
+The FMU is found by the environment variable FRETTING_FMU, or where `cargo fmu build` puts it.
+"""
+
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+DEMO = ROOT / "examples" / "demo"
+sys.path.insert(0, str(DEMO))  # the demo's contact_fmu is the tests' master as well
+
+from contact_fmu import ContactFmu, FmuFile  # noqa: E402
+
+
+@pytest.fixture(scope="session")
+def fmu_path():
+    path = Path(os.environ.get("FRETTING_FMU", ROOT / "target" / "fmu" / "FrettingContact.fmu"))
+    if not path.is_file():
+        pytest.fail(f"there is no FMU at {path}: run `cargo fmu build`, or set FRETTING_FMU", pytrace=False)
+    return path
+
+
+@pytest.fixture(scope="session")
+def fmu(fmu_path):
+    with FmuFile(fmu_path) as file:
+        yield file
+
+
+@pytest.fixture
+def new_contact(fmu):
+    """A function that makes instances, not yet initialised."""
+    made = []
+
+    def make():
+        made.append(ContactFmu(fmu))
+        return made[-1]
+
+    yield make
+    for contact in made:
+        contact.__exit__()
+
+
+@pytest.fixture
+def start_contact(new_contact):
+    """A function that makes instances and starts them with the given values."""
+    return lambda **values: new_contact().start(**values)
