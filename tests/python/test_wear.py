@@ -147,3 +147,14 @@ def test_volume_scales_with_the_wear_coefficient(start_contact):
         contact.walk(["wear_volume"], tangential_displacement=strokes(2e-6, 1, 10))
         volumes.append(contact.get("wear_volume"))
     assert volumes[1] == pytest.approx(2 * volumes[0], rel=1e-4)  # the profile changes by about 1e-5 of d
+
+
+def test_steady_sliding_stays_sliding(start_contact):
+    """Under constant load T = μF_N and all springs slip, also in the steps in which the profile is brought up to date:
+    masters that use tangential_stiffness would otherwise see the joint seize for one step."""
+    case = Tangential(Sphere(), 100.0)
+    contact = start_contact(**faster(100))
+    for displacement in np.linspace(1.1, 6.0, 300) * case.full_slip:
+        contact.step(tangential_displacement=displacement)
+        assert contact.get("slip_state", "tangential_stiffness") == ["gross_slip", 0.0], displacement
+        assert contact.get("tangential_force") == pytest.approx(case.limit, rel=IDENTITY)
