@@ -333,6 +333,19 @@ impl Springs {
         Self::from_origins(new, &origins)
     }
 
+    /// Puts the springs outside radius `inner` (all, if that is 0) at their bound on one side.
+    pub(crate) fn follow_bound(
+        &mut self,
+        (inner, side): (f64, f64),
+        contact: &Contact,
+        bound_slope: f64,
+        displacement: f64,
+    ) {
+        for knot in self.knots.iter_mut().filter(|knot| knot.place.x > inner || inner == 0.0) {
+            knot.origin = displacement - side * bound_slope * (contact.depth - knot.place.image).max(0.0);
+        }
+    }
+
     /// Inner edge of the outer zone in which all springs are at their bound on one side: the stick radius, m.
     pub(crate) fn stick_radius(&self, contact: &Contact, bound_slope: f64, displacement: f64) -> f64 {
         self.slip_zone(contact, bound_slope, displacement).0

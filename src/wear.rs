@@ -56,6 +56,8 @@ pub(crate) struct Pending {
     pub(crate) work: f64,
     /// Work per area whose sign would have healed the surface, integrated, J.
     pub(crate) clipped: f64,
+    /// The largest contact that has slipped: the one whose pressure the wear relieves.
+    pub(crate) contact: Option<Contact>,
 }
 
 impl Pending {
@@ -63,8 +65,18 @@ impl Pending {
         self.work == 0.0
     }
 
-    /// Adds one stretch of slip: slip at the nodes, traction at those in contact.
-    pub(crate) fn add(&mut self, nodes: &Nodes, traction: &[f64], slip: &[f64], work: f64) {
+    /// Adds one stretch of slip in a contact: slip at the nodes, traction at those inside.
+    pub(crate) fn add(
+        &mut self,
+        nodes: &Nodes,
+        contact: &Contact,
+        traction: &[f64],
+        slip: &[f64],
+        work: f64,
+    ) {
+        if self.contact.is_none_or(|largest| largest.radius < contact.radius) {
+            self.contact = Some(*contact);
+        }
         self.work_per_area.resize(nodes.x().len(), 0.0);
         self.slip_path.resize(nodes.x().len(), 0.0);
         let mut healing = vec![0.0; nodes.x().len()];

@@ -103,7 +103,9 @@ impl FrettingContact {
             let middle = self.rate(value, amplitude)?;
             let second = self.trial(&middle, 0.5 * step)?;
             let halves: Vec<f64> = half.depth.iter().zip(&second.depth).map(|(a, b)| a + b).collect();
-            let error = self.image_difference(&whole.depth, &halves) / self.contact.depth;
+            // a trial that is far too long may all but open the contact: what it did is seen in the larger one
+            let reach = rate.contact.radius.max(middle.contact.radius);
+            let error = self.image_difference(&whole.depth, &halves, reach) / rate.contact.depth;
             let allowed = self.parameters.tolerance;
             let factor = (0.8 * (allowed / error.max(1e-300)).sqrt()).clamp(0.2, 3.0);
             self.surface = start;
@@ -186,7 +188,7 @@ impl FrettingContact {
             let friction = self.constants.friction_coefficient;
             let traction: Vec<f64> = pressure.iter().map(|p| friction * p).collect();
             let work = std::mem::take(&mut cycle.work);
-            cycle.add(nodes, &traction, &path, work);
+            cycle.add(nodes, &contact, &traction, &path, work);
             self.counters.transform_tables += u64::from(made);
             self.counters.pressure_transforms += 1;
             self.counters.descent_transforms += 1;
@@ -201,6 +203,7 @@ impl FrettingContact {
             slip_path: rate.cycle.slip_path.iter().map(|s| s * cycles).collect(),
             work: rate.cycle.work * cycles,
             clipped: 0.0,
+            contact: rate.cycle.contact,
         };
         let Some(wear) = &mut self.wear else { return Ok(Trial { depth: Vec::new(), work: 0.0 }) };
         let Some(nodes) = self.surface.worn() else { return Ok(Trial { depth: Vec::new(), work: 0.0 }) };
@@ -209,7 +212,6 @@ impl FrettingContact {
             &self.surface,
             &tables,
             &pending,
-            &rate.contact,
             self.parameters.normal_control,
             &self.constants,
             self.parameters.tolerance,
@@ -240,12 +242,12 @@ impl FrettingContact {
         depth
     }
 
-    /// Largest difference of the images of two worn depths inside the contact, m.
-    fn image_difference(&mut self, a: &[f64], b: &[f64]) -> f64 {
+    /// Largest difference of the images of two worn depths inside a radius, m.
+    fn image_difference(&mut self, a: &[f64], b: &[f64], reach: f64) -> f64 {
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return 0.0 };
         let (tables, _) = wear.tables.get(nodes);
         let difference: Vec<f64> = a.iter().zip(b).map(|(a, b)| a - b).collect();
-        let inside = nodes.x().partition_point(|&x| x < self.contact.radius);
+        let inside = nodes.x().partition_point(|&x| x < reach);
         tables.ascend(&difference).iter().take(inside).fold(0.0, |most: f64, d| most.max(d.abs()))
     }
 }

@@ -13,7 +13,7 @@ use std::sync::Arc;
 const LOAD_SHARE: f64 = 0.05;
 
 /// Most pieces into which wear may split a line.
-const MOST_PIECES: f64 = 4096.0;
+const MOST_PIECES: f64 = 64.0;
 
 impl FrettingContact {
     /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or indentation depth
@@ -77,9 +77,26 @@ impl FrettingContact {
                 this.turn()?;
                 this.walk_on(value, displacement, splits)
             })
+        } else if self.is_worn_out() {
+            self.transaction(|this| {
+                this.settle()?;
+                this.walk_on(value, displacement, splits)
+            })
         } else {
             self.walk_on(value, displacement, splits)
         }
+    }
+
+    /// Whether the segment has worn so much that the profile has to follow before the motion goes on. It is done then,
+    /// not at the end of the step before, so that a contact that slides is seen sliding.
+    fn is_worn_out(&self) -> bool {
+        let Some(wear) = &self.wear else { return false };
+        if wear.segment.work == 0.0 || self.contact.is_open() {
+            return false;
+        }
+        let inner = self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
+        let volume = self.constants.wear_per_work * wear.segment.work;
+        wear::exceeds_limit(volume, self.parameters.tolerance, &self.surface, &self.contact, inner).is_some()
     }
 
     fn walk_on(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
@@ -113,14 +130,13 @@ impl FrettingContact {
                 })
             });
         }
-        let worn_out = limit(volume + self.constants.wear_per_work * wear.segment.work).is_some();
         let start = wear.segment.contact.unwrap_or(to);
         let load_moved = (to.load - start.load).abs() > LOAD_SHARE * to.load.max(start.load);
-        if (worn_out || load_moved) && !to.is_open() {
+        if load_moved && !to.is_open() {
             self.transaction(|this| {
                 this.extend_segment(&to, displacement, work);
                 this.arrive(to, displacement, springs, work);
-                if worn_out { this.settle() } else { this.close_segment() }
+                this.close_segment()
             })
         } else {
             self.extend_segment(&to, displacement, work);
@@ -230,7 +246,8 @@ impl FrettingContact {
                 let mut traction = wear::pressure_nodes(&tables, nodes.x(), &deflection, &edge);
                 traction.iter_mut().for_each(|t| *t *= self.constants.tangential_modulus);
                 let surface_slip = tables.descend(&slip, slip.len());
-                wear.pending.add(nodes, &traction, &surface_slip, wear.segment.work);
+                let largest = if start.radius > self.contact.radius { start } else { self.contact };
+                wear.pending.add(nodes, &largest, &traction, &surface_slip, wear.segment.work);
                 self.counters.transform_tables += u64::from(made);
                 self.counters.pressure_transforms += 1;
                 self.counters.descent_transforms += 1;
@@ -293,6 +310,8 @@ impl FrettingContact {
         let Some((worn_image, defect)) = self.pending_image()? else { return Ok(()) };
         let old = self.surface.clone();
         let Some(mut nodes) = old.worn().cloned() else { return Ok(()) };
+        let bound_slope = self.constants.bound_slope();
+        let zone = self.springs.slip_zone(&self.contact, bound_slope, self.displacement);
         nodes.set_worn_image(worn_image, old.profile());
         self.surface.set_worn(Some(nodes));
         self.counters.descent_transforms += 1;
@@ -302,7 +321,11 @@ impl FrettingContact {
             self.surface.contact(self.parameters.normal_control, self.contact.control, self.force_scale())?;
         self.counters.contact_solutions += 1;
         let path = self.path_to(to, self.displacement);
-        let (springs, half_work) = moved.walk(&path, Springs::default());
+        let (mut springs, half_work) = moved.walk(&path, Springs::default());
+        // it wore while these springs slipped: in truth they have followed their bound, up or down, all the time
+        if zone.1 != 0.0 && !to.is_open() {
+            springs.follow_bound(zone, &to, bound_slope, self.displacement);
+        }
         let work = 2.0 * self.constants.tangential_modulus * half_work;
         self.springs = springs;
         self.contact = to;
@@ -330,7 +353,6 @@ impl FrettingContact {
             &self.surface,
             &tables,
             &wear.pending,
-            &self.contact,
             self.parameters.normal_control,
             &self.constants,
             self.parameters.tolerance,
@@ -344,9 +366,8 @@ impl FrettingContact {
             let scale = target / volume;
             depth.iter_mut().for_each(|w| *w *= scale);
         }
-        let defect = (nodes.integral_to_edge(&wear.pending.work_per_area, self.contact.radius)
-            - wear.pending.work)
-            .abs();
+        let edge = wear.pending.contact.map_or(0.0, |contact| contact.radius);
+        let defect = (nodes.integral_to_edge(&wear.pending.work_per_area, edge) - wear.pending.work).abs();
         Ok(Some((add_depth(nodes, &tables, &depth), defect)))
     }
 

@@ -88,7 +88,6 @@ pub(crate) fn worn_depth(
     surface: &Surface,
     tables: &Tables,
     pending: &Pending,
-    present: &Contact,
     control: NormalControl,
     constants: &Constants,
     tolerance: f64,
@@ -97,6 +96,7 @@ pub(crate) fn worn_depth(
     let Some(nodes) = surface.worn() else { return Ok(update) };
     update.depth = vec![0.0; nodes.x().len()];
     let Some(first) = pending.slip_path.iter().position(|s| *s > 0.0) else { return Ok(update) };
+    let Some(present) = &pending.contact else { return Ok(update) };
     let profile = surface.profile();
     let unworn: Vec<f64> = nodes.x().iter().map(|&x| profile.image(x)).collect();
     let pressure = |contact: &Contact, worn: &[f64]| {
@@ -134,7 +134,9 @@ pub(crate) fn worn_depth(
         for (row, w) in worn_off.iter().enumerate() {
             update.depth[first + row] += w;
         }
-        update.depth[edge.last + 1..].fill(0.0);
+        for i in edge.last + 1..update.depth.len() {
+            update.depth[i] = constants.wear_per_work * pending.work_per_area[i];
+        }
         change = tables.ascend(&update.depth);
         let mut moved = nodes.clone();
         moved.set_worn_image(nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect(), profile);
