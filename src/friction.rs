@@ -294,6 +294,15 @@ impl Springs {
         self.knots.windows(2).map(pair).sum()
     }
 
+    /// ∫ u² dx from the axis to the edge, m³: the elastic energy of the row over G*.
+    pub(crate) fn energy_integral(&self, displacement: f64) -> f64 {
+        let pair = |w: &[Knot]| {
+            let u = (displacement - w[0].origin, displacement - w[1].origin);
+            Interval::between(&w[0].place, &w[1].place).product(u, u)
+        };
+        self.knots.windows(2).map(pair).sum()
+    }
+
     /// Origins at the given rising radii inside the contact.
     pub(crate) fn origins_at(&self, surface: &Surface, radii: &[f64]) -> Vec<f64> {
         let mut j = 0;

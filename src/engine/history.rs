@@ -321,12 +321,15 @@ impl FrettingContact {
             self.surface.contact(self.parameters.normal_control, self.contact.control, self.force_scale())?;
         self.counters.contact_solutions += 1;
         let path = self.path_to(to, self.displacement);
-        let (mut springs, half_work) = moved.walk(&path, Springs::default());
+        let (mut springs, _) = moved.walk(&path, Springs::default());
         // it wore while these springs slipped: in truth they have followed their bound, up or down, all the time
         if zone.1 != 0.0 && !to.is_open() {
             springs.follow_bound(zone, &to, bound_slope, self.displacement);
         }
-        let work = 2.0 * self.constants.tangential_modulus * half_work;
+        // nothing moved outside, so that friction has taken what the springs have lost
+        let energy = |row: &Springs| row.energy_integral(self.displacement);
+        let lost = self.constants.tangential_modulus * (energy(&self.springs) - energy(&springs));
+        let work = lost.max(0.0);
         self.springs = springs;
         self.contact = to;
         self.reach = self.reach.max(to.radius);

@@ -48,6 +48,13 @@ impl Nodes {
         }
         nodes.insert(flat);
         nodes.refine_at(front);
+        if a >= profile.outer_radius() {
+            // the pressure ends in a singularity there until the rim has worn
+            let width = (a - start) / resolution as f64;
+            for level in 1..=8 {
+                nodes.insert(a - width * 0.25f64.powi(level));
+            }
+        }
         nodes.extend_beyond(a, profile.outer_radius());
         nodes.update_integrals(profile);
         nodes
