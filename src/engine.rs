@@ -79,7 +79,7 @@ struct WearState {
     pending: Pending,
     segment: Segment,
     tables: TableCache,
-    /// Σ |∫A − W| over the updates so far, J.
+    /// Σ |∫A dA − W| over the segments so far, J.
     transform_defect: f64,
 }
 

@@ -52,8 +52,12 @@ pub(crate) struct Pending {
     pub(crate) work_per_area: Vec<f64>,
     /// Length of the slip path at each node, m.
     pub(crate) slip_path: Vec<f64>,
+    /// Worn depth at each node as far as it is sure before the update, m: it never falls.
+    pub(crate) sure_depth: Vec<f64>,
     /// Work of friction of the same history, from the springs, J.
     pub(crate) work: f64,
+    /// Work that found no field yet to go to, J.
+    pub(crate) unplaced: f64,
     /// Work per area whose sign would have healed the surface, integrated, J.
     pub(crate) clipped: f64,
     /// The largest contact that has slipped: the one whose pressure the wear relieves.
@@ -65,29 +69,64 @@ impl Pending {
         self.work == 0.0
     }
 
-    /// Adds one stretch of slip in a contact: slip at the nodes, traction at those inside.
+    /// Adds one stretch of slip in a contact: traction at the nodes inside and slip at all. The work per area takes the
+    /// volume of `work`, which the springs know better. Returns the work by which the two differed, J.
     pub(crate) fn add(
         &mut self,
-        nodes: &Nodes,
+        (nodes, tables): (&Nodes, &Tables),
         contact: &Contact,
-        traction: &[f64],
-        slip: &[f64],
+        (traction, slip): (&[f64], &[f64]),
         work: f64,
-    ) {
+        constants: &Constants,
+    ) -> f64 {
         if self.contact.is_none_or(|largest| largest.radius < contact.radius) {
             self.contact = Some(*contact);
         }
-        self.work_per_area.resize(nodes.x().len(), 0.0);
-        self.slip_path.resize(nodes.x().len(), 0.0);
-        let mut healing = vec![0.0; nodes.x().len()];
-        for (i, slip) in slip.iter().enumerate() {
-            let product = traction.get(i).map_or(0.0, |traction| traction * slip);
-            self.work_per_area[i] += product.max(0.0);
-            healing[i] = (-product).max(0.0);
-            self.slip_path[i] += slip.abs();
+        let count = nodes.x().len();
+        for field in [&mut self.work_per_area, &mut self.slip_path, &mut self.sure_depth] {
+            field.resize(count, 0.0);
         }
+        let product: Vec<f64> =
+            (0..count).map(|i| traction.get(i).map_or(0.0, |traction| traction * slip[i])).collect();
+        let healing: Vec<f64> = product.iter().map(|p| (-p).max(0.0)).collect();
         self.clipped += nodes.volume(&healing);
-        self.work += work;
+        let gain: Vec<f64> = product.iter().map(|p| p.max(0.0)).collect();
+        let found = nodes.integral_to_edge(&gain, contact.radius);
+        let placed = work + std::mem::take(&mut self.unplaced);
+        let share = if found > 0.0 { placed / found } else { 0.0 };
+        let kappa = constants.wear_per_work * constants.friction_coefficient * constants.normal_modulus;
+        for i in 0..count {
+            let gain = share * gain[i];
+            self.work_per_area[i] += gain;
+            self.slip_path[i] += slip[i].abs();
+            // the update relieves the pressure at a node at least as if that node alone had worn
+            let relief = kappa * tables.local_stiffness(i) * self.slip_path[i];
+            self.sure_depth[i] += constants.wear_per_work * gain / (1.0 + relief);
+        }
+        self.work += placed;
+        (found - work).abs()
+    }
+
+    /// Adds work whose slip was a jump where in truth it was gradual: it is spread like what is pending.
+    pub(crate) fn add_work(&mut self, work: f64) {
+        if self.is_empty() {
+            self.unplaced += work;
+        } else {
+            let clipped = self.clipped;
+            *self = self.scaled(1.0 + work / self.work);
+            self.clipped = clipped;
+        }
+    }
+
+    /// The same distribution with its work times `factor`.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            work_per_area: self.work_per_area.iter().map(|a| a * factor).collect(),
+            slip_path: self.slip_path.iter().map(|s| s * factor).collect(),
+            sure_depth: self.sure_depth.iter().map(|w| w * factor).collect(),
+            work: self.work * factor,
+            ..self.clone()
+        }
     }
 }
 

@@ -59,6 +59,19 @@ impl FrettingContact {
         } else {
             self.wear_cycles(value, amplitude, cycles)?;
         }
+        let Contact { depth, radius, .. } = self.contact;
+        if !(self.work.is_finite()
+            && depth.is_finite()
+            && radius.is_finite()
+            && self.normal_reaction().is_finite())
+        {
+            let normal = if self.constants.force_control { value * self.force_scale() } else { value };
+            return Err(Error::NotFinite {
+                what: "the state of the contact",
+                normal,
+                displacement: amplitude,
+            });
+        }
         self.displacement = amplitude;
         self.direction = 1.0;
         if let Some(wear) = &mut self.wear {
@@ -188,7 +201,7 @@ impl FrettingContact {
             let friction = self.constants.friction_coefficient;
             let traction: Vec<f64> = pressure.iter().map(|p| friction * p).collect();
             let work = std::mem::take(&mut cycle.work);
-            cycle.add(nodes, &contact, &traction, &path, work);
+            cycle.add((nodes, &tables), &contact, (&traction, &path), work, &self.constants);
             self.counters.transform_tables += u64::from(made);
             self.counters.pressure_transforms += 1;
             self.counters.descent_transforms += 1;
@@ -198,13 +211,7 @@ impl FrettingContact {
 
     /// Linearly implicit step over a number of cycles.
     fn trial(&mut self, rate: &Rate, cycles: f64) -> Result<Trial, Error> {
-        let pending = Pending {
-            work_per_area: rate.cycle.work_per_area.iter().map(|a| a * cycles).collect(),
-            slip_path: rate.cycle.slip_path.iter().map(|s| s * cycles).collect(),
-            work: rate.cycle.work * cycles,
-            clipped: 0.0,
-            contact: rate.cycle.contact,
-        };
+        let pending = rate.cycle.scaled(cycles);
         let Some(wear) = &mut self.wear else { return Ok(Trial { depth: Vec::new(), work: 0.0 }) };
         let Some(nodes) = self.surface.worn() else { return Ok(Trial { depth: Vec::new(), work: 0.0 }) };
         let (tables, _) = wear.tables.get(nodes);

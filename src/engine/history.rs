@@ -106,7 +106,8 @@ impl FrettingContact {
         let (springs, half_work) = self.springs.walk(&path, spare);
         self.counters.spring_walks += 1;
         let work = 2.0 * self.constants.tangential_modulus * half_work;
-        if !(work.is_finite() && to.depth.is_finite() && to.radius.is_finite()) {
+        let force = to.load * self.force_scale();
+        if !(work.is_finite() && to.depth.is_finite() && to.radius.is_finite() && force.is_finite()) {
             let normal = if self.constants.force_control { value * self.force_scale() } else { value };
             return Err(Error::NotFinite { what: "the state of the contact", normal, displacement });
         }
@@ -172,7 +173,7 @@ impl FrettingContact {
         }
         wear.segment.contact.get_or_insert(if from.is_open() { *to } else { from });
         if to.is_open() {
-            wear.pending.work += work;
+            wear.pending.add_work(work);
         } else {
             wear.segment.work += work;
         }
@@ -247,12 +248,18 @@ impl FrettingContact {
                 traction.iter_mut().for_each(|t| *t *= self.constants.tangential_modulus);
                 let surface_slip = tables.descend(&slip, slip.len());
                 let largest = if start.radius > self.contact.radius { start } else { self.contact };
-                wear.pending.add(nodes, &largest, &traction, &surface_slip, wear.segment.work);
+                wear.transform_defect += wear.pending.add(
+                    (nodes, &tables),
+                    &largest,
+                    (&traction, &surface_slip),
+                    wear.segment.work,
+                    &self.constants,
+                );
                 self.counters.transform_tables += u64::from(made);
                 self.counters.pressure_transforms += 1;
                 self.counters.descent_transforms += 1;
             } else {
-                wear.pending.work += wear.segment.work;
+                wear.pending.add_work(wear.segment.work);
             }
         }
         self.start_segment();
@@ -307,7 +314,7 @@ impl FrettingContact {
 
     /// Takes what is pending off the profile and lets the contact settle at the present load and displacement.
     pub(super) fn update_profile(&mut self) -> Result<(), Error> {
-        let Some((worn_image, defect)) = self.pending_image()? else { return Ok(()) };
+        let Some(worn_image) = self.pending_image()? else { return Ok(()) };
         let old = self.surface.clone();
         let Some(mut nodes) = old.worn().cloned() else { return Ok(()) };
         let bound_slope = self.constants.bound_slope();
@@ -335,19 +342,17 @@ impl FrettingContact {
         self.reach = self.reach.max(to.radius);
         self.work += work;
         if let Some(wear) = &mut self.wear {
-            wear.transform_defect += defect;
-            // settling is part of the history that has just been worn off: its work goes to the next update's volume,
-            // its slip, a jump where in truth it was gradual, makes no field of its own
-            wear.pending = wear::Pending { clipped: wear.pending.clipped, work, ..Default::default() };
+            // settling is part of the history that has just been worn off
+            wear.pending = wear.pending.scaled(work / wear.pending.work);
         }
         self.start_segment();
         Ok(())
     }
 
-    /// Image of the wear with what is pending taken off, and |∫A dA − W| of it (J); `None` if nothing is.
-    pub(super) fn pending_image(&mut self) -> Result<Option<(Vec<f64>, f64)>, Error> {
+    /// Image of the wear with what is pending taken off; `None` if nothing is.
+    fn pending_image(&mut self) -> Result<Option<Vec<f64>>, Error> {
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(None) };
-        if wear.pending.is_empty() || wear.pending.slip_path.is_empty() {
+        if wear.pending.is_empty() {
             return Ok(None);
         }
         let (tables, made) = wear.tables.get(nodes);
@@ -365,13 +370,11 @@ impl FrettingContact {
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape and takes that volume
         let volume = nodes.volume(&depth);
         let target = self.constants.wear_per_work * wear.pending.work;
-        if volume > 0.0 {
-            let scale = target / volume;
-            depth.iter_mut().for_each(|w| *w *= scale);
+        let scale = if volume > 0.0 { target / volume } else { 1.0 };
+        for (w, sure) in depth.iter_mut().zip(&wear.pending.sure_depth) {
+            *w = (*w * scale).max(*sure);
         }
-        let edge = wear.pending.contact.map_or(0.0, |contact| contact.radius);
-        let defect = (nodes.integral_to_edge(&wear.pending.work_per_area, edge) - wear.pending.work).abs();
-        Ok(Some((add_depth(nodes, &tables, &depth), defect)))
+        Ok(Some(add_depth(nodes, &tables, &depth)))
     }
 
     /// Contact of the present surface at another value of the control.

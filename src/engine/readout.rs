@@ -115,7 +115,8 @@ impl FrettingContact {
         self.view().map_or(0.0, |view| view.nodes.volume(&view.depth))
     }
 
-    /// Σ |∫A dA − W| over all profile updates, J: what the transforms of slip and traction miss of the springs' work.
+    /// Σ |∫A dA − W| over all segments of a transient history, J: what the transforms of slip and traction, whose product
+    /// is the work per area A, miss of the springs' work W.
     pub fn transform_defect(&self) -> f64 {
         self.wear.as_ref().map_or(0.0, |wear| wear.transform_defect)
     }
@@ -126,21 +127,20 @@ impl FrettingContact {
         self.wear.as_ref().map_or(0.0, |wear| wear.pending.clipped)
     }
 
-    /// The profile with what is pending taken off, as the next update would leave it.
+    /// The profile with what is surely worn since its last update.
     fn view(&self) -> Option<&View> {
         self.wear.as_ref()?;
         if self.view.get().is_none() {
             let mut copy = self.clone();
-            let mut nodes = None;
-            if copy.close_segment().is_ok() {
-                nodes = copy.surface.worn().cloned();
-                if let (Some(nodes), Ok(Some((image, _)))) = (&mut nodes, copy.pending_image()) {
-                    nodes.set_worn_image(image, copy.surface.profile());
-                }
+            copy.close_segment().ok()?;
+            let mut nodes = copy.surface.worn()?.clone();
+            let wear = copy.wear.as_mut()?;
+            let (tables, _) = wear.tables.get(&nodes);
+            let mut depth = tables.descend(nodes.worn_image(), nodes.x().len());
+            if !wear.pending.is_empty() {
+                depth.iter_mut().zip(&wear.pending.sure_depth).for_each(|(w, sure)| *w += sure);
+                nodes.set_worn_image(tables.ascend(&depth), copy.surface.profile());
             }
-            let nodes = nodes?;
-            let (tables, _) = copy.wear.as_mut()?.tables.get(&nodes);
-            let depth = tables.descend(nodes.worn_image(), nodes.x().len());
             // a race is impossible: the cell belongs to this thread
             let _ = self.view.set(View { nodes, depth });
         }
@@ -164,6 +164,8 @@ impl FrettingContact {
         if r >= a {
             return 0.0;
         }
+        // where the pressure is infinite, at the apex of a cone, the traction may be a difference of infinities
+        let r = if self.slope_integral(r, a).is_finite() { r } else { r + 1e-9 * a };
         // u is linear in g between the knots: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²)
         let mut sum = 0.0;
         for pair in self.springs.knots().windows(2) {
