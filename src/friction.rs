@@ -94,7 +94,7 @@ impl Interval {
         if rise <= 0.0 {
             return Self { width, rise: 0.0, first: 0.0, second: 0.0 };
         }
-        let first = (q.x * rise - (q.load - p.load)).clamp(0.0, rise * width);
+        let first = (q.x * rise - (q.load - p.load)).max(0.0).min(rise * width);
         let second = if width < 3e-4 * q.x {
             // too narrow for a difference of integrals; g is linear in x² there to a relative 1e-4
             let (x, d) = (p.x, width);

@@ -134,6 +134,8 @@ impl Surface {
             NormalControl::Indentation if value > touch => {
                 let radius = self.radius_at_depth(value)?;
                 let load = self.load(radius) + radius * (value - self.image(radius));
+                // a NaN has to stay one, for the caller to see
+                let load = if load < 0.0 { 0.0 } else { load };
                 Contact { control: value, depth: value, radius, load }
             }
             NormalControl::Force => open,

@@ -118,6 +118,21 @@ impl Pending {
         }
     }
 
+    /// The same distribution on nodes that include those of before. An added node takes the smaller value of its
+    /// neighbours, so that nothing enters a sticking region.
+    pub(crate) fn moved_to(&mut self, old: &[f64], new: &[f64]) {
+        for field in [&mut self.work_per_area, &mut self.slip_path, &mut self.sure_depth] {
+            let at = |i: usize| field.get(i).copied().unwrap_or(0.0);
+            *field = new
+                .iter()
+                .map(|x| {
+                    let above = old.partition_point(|node| node < x);
+                    if old.get(above) == Some(x) { at(above) } else { at(above).min(at(above.max(1) - 1)) }
+                })
+                .collect();
+        }
+    }
+
     /// The same distribution with its work times `factor`.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self {

@@ -180,6 +180,10 @@ impl FrettingContact {
             return Ok(Rate { contact, cycle: Pending::default(), springs });
         }
         let (springs, quarter_work) = self.quarter(&contact, amplitude);
+        if !quarter_work.is_finite() {
+            let normal = if self.constants.force_control { value * self.force_scale() } else { value };
+            return Err(Error::NotFinite { what: "the work of a cycle", normal, displacement: amplitude });
+        }
         let mut cycle = Pending { work: 4.0 * quarter_work, ..Default::default() };
         if let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn())
             && cycle.work > 0.0

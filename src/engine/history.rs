@@ -307,6 +307,9 @@ impl FrettingContact {
         self.springs = self.springs.moved_to(&old, &self.surface);
         if let (Some(wear), Some(segment)) = (&mut self.wear, segment) {
             let unslipped = segment.unslipped.moved_to(&old, &self.surface);
+            if let (Some(before), Some(now)) = (old.worn(), self.surface.worn()) {
+                wear.pending.moved_to(before.x(), now.x());
+            }
             wear.segment = Segment { unslipped, work: segment.work + wear.segment.work, ..segment };
         }
         Ok(())

@@ -136,14 +136,20 @@ impl Nodes {
     fn update_integrals(&mut self, profile: &Profile) {
         self.worn_load.clear();
         self.square.clear();
-        let (mut load, mut square) = (0.0, 0.0);
+        let mut load = 0.0;
         for j in 0..self.x.len() {
             self.worn_load.push(load);
-            self.square.push(square);
             if j < self.last() {
                 let (x0, x1) = (self.x[j], self.x[j + 1]);
                 load += 2.0 / 3.0 * self.slope(j) * (x1 - x0) * (x1 * x1 + x1 * x0 + x0 * x0);
-                square += self.square_between(profile, x0, x1);
+            }
+        }
+        // after the loads: rounding may put an inner point of a narrow cell into the next one
+        let mut square = 0.0;
+        for j in 0..self.x.len() {
+            self.square.push(square);
+            if j < self.last() {
+                square += self.square_between(profile, self.x[j], self.x[j + 1]);
             }
         }
     }
@@ -153,11 +159,11 @@ impl Nodes {
     pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, front: f64) {
         let before = self.version;
         self.extend_beyond(a, profile.outer_radius());
-        let start = if front < a { front } else { 0.0 };
-        self.refine_between(start, a, 1.5 * a / self.resolution as f64);
         if self.wants_node_at(front, a) {
             self.insert(front);
         }
+        let start = if front < a { front } else { 0.0 };
+        self.refine_between(start, a, 1.5 * a / self.resolution as f64);
         if self.version != before {
             self.update_integrals(profile);
         }
