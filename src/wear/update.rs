@@ -114,7 +114,8 @@ pub(crate) fn worn_depth(
     while update.factorisations < MOST_ITERATIONS {
         let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
         let (now, edge) = pressure(&contact, &worn);
-        if first > edge.last {
+        // a trial that wears so much that the contact opens has no pressure to go on with
+        if contact.is_open() || first > edge.last {
             break;
         }
         let residual = DVector::from_fn(edge.last + 1 - first, |row, _| {
