@@ -71,6 +71,21 @@ pub enum Error {
         /// Tangential displacement or its amplitude, m.
         displacement: f64,
     },
+    /// A call that wears so much that its integration would not end in reasonable time.
+    #[error(
+        "{cycles:e} cycles of amplitude {amplitude:e} m wear more than {steps} internal steps can follow \
+         ({left:e} cycles are left): take fewer cycles at a time, or check amplitude and wear coefficient"
+    )]
+    TooMuchWear {
+        /// Cycles that were asked for.
+        cycles: f64,
+        /// Cycles that were left when it was given up.
+        left: f64,
+        /// Displacement amplitude, m.
+        amplitude: f64,
+        /// Internal steps that were taken.
+        steps: u32,
+    },
     /// A snapshot that does not belong to this contact or is damaged.
     #[error("the saved state cannot be used: {0}")]
     Snapshot(String),

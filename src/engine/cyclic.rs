@@ -12,6 +12,9 @@ use crate::friction::{Path, Springs};
 use crate::surface::{Contact, Nodes};
 use crate::wear::{Edge, Pending, pressure_nodes, worn_depth};
 
+/// Most internal steps of one call: a whole life takes some hundred.
+const MOST_STEPS: u32 = 5000;
+
 /// Wear per cycle at one state of the profile.
 struct Rate {
     contact: Contact,
@@ -32,7 +35,8 @@ impl FrettingContact {
     /// amplitude of T.
     ///
     /// # Errors
-    /// As [`Self::advance_to`]; [`Error::Input`] also for a negative amplitude or number of cycles.
+    /// As [`Self::advance_to`]; [`Error::Input`] also for a negative amplitude or number of cycles;
+    /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed.
     pub fn advance_cycles(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         let (value, _) = self.checked(normal, 0.0)?;
         for (name, number) in [("displacement_amplitude", amplitude), ("cycles", cycles)] {
@@ -105,7 +109,12 @@ impl FrettingContact {
         let mut left = cycles;
         let mut rate = self.rate(value, amplitude)?;
         let mut step = left;
+        let mut steps = 0;
         while left > 0.0 && rate.cycle.work > 0.0 {
+            if steps == MOST_STEPS {
+                return Err(Error::TooMuchWear { cycles, left, amplitude, steps });
+            }
+            steps += 1;
             self.adapt_nodes(&rate, amplitude);
             rate = self.rate(value, amplitude)?;
             step = step.min(left).min(self.first_step(&rate, amplitude));
