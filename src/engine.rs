@@ -164,7 +164,9 @@ impl FrettingContact {
             this.springs = Springs::default();
             this.contact = Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
             this.walk(contact.control, displacement, 1)
-        })
+        })?;
+        self.counters.steps += 1;
+        Ok(())
     }
 
     /// 2E*, the ratio of force to load integral, Pa.

@@ -13,7 +13,7 @@ use std::sync::Arc;
 const LOAD_SHARE: f64 = 0.05;
 
 /// Most pieces into which wear may split a line.
-const MOST_PIECES: f64 = 64.0;
+const MOST_PIECES: f64 = 512.0;
 
 impl FrettingContact {
     /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or indentation depth
@@ -374,9 +374,7 @@ impl FrettingContact {
         let volume = nodes.volume(&depth);
         let target = self.constants.wear_per_work * wear.pending.work;
         let scale = if volume > 0.0 { target / volume } else { 1.0 };
-        for (w, sure) in depth.iter_mut().zip(&wear.pending.sure_depth) {
-            *w = (*w * scale).max(*sure);
-        }
+        depth.iter_mut().for_each(|w| *w *= scale);
         Ok(Some(add_depth(nodes, &tables, &depth)))
     }
 

@@ -98,7 +98,7 @@ impl FrettingContact {
     /// Worn depth w at radius r, m.
     pub fn worn_depth_at(&self, r: f64) -> f64 {
         match self.view() {
-            Some(view) if r < view.nodes.x()[view.nodes.last()] => {
+            Some(view) if r <= view.nodes.x()[view.nodes.last()] => {
                 transform::descent_at(view.nodes.x(), view.nodes.worn_image(), r).max(0.0)
             }
             _ => 0.0,
