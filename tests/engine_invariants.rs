@@ -145,6 +145,9 @@ fn attempt(
     outcome.is_ok()
 }
 
+/// One call with two inputs.
+type Call = fn(&mut FrettingContact, f64, f64) -> Result<(), Error>;
+
 /// Inputs that no scene has, in every place.
 const EXTREMES: [f64; 12] = [
     1e300,
@@ -188,7 +191,7 @@ fn extreme_inputs_give_errors_or_finite_results_and_leave_a_usable_contact() {
                 for extreme in EXTREMES {
                     let what = format!("{profile:?} {control:?} k = {wear_coefficient} with {extreme:e}");
                     // each from the usual state: two such inputs in a row mean a body worn beyond all measure
-                    let calls: [(&str, fn(&mut FrettingContact, f64, f64) -> Result<(), Error>); 8] = [
+                    let calls: [(&str, Call); 8] = [
                         ("load", |c, _, x| c.advance_to(x, 1e-6)),
                         ("displacement", |c, load, x| c.advance_to(load, x)),
                         ("both", |c, _, x| c.advance_to(x, x)),

@@ -1,1 +1,199 @@
+use super::*;
+use crate::profile::Profile;
+use crate::quadrature::composite;
 
+const M: f64 = 0.7;
+
+fn profiles() -> [Profile; 5] {
+    [
+        Profile::Parabola { radius: 0.01 },
+        Profile::Cone { slope: 0.02 },
+        Profile::PowerLaw { exponent: 3.5, coefficient: 1e6 },
+        Profile::BluntedSphere { radius: 0.01, flat_radius: 1e-4 },
+        Profile::RoundedPunch { radius: 0.01, flat_radius: 1e-4 },
+    ]
+}
+
+fn at_depth(surface: &Surface, depth: f64) -> Contact {
+    surface.contact(NormalControl::Indentation, depth, 1.0).expect("the profile carries any depth")
+}
+
+fn path<'a>(surface: &'a Surface, from: Contact, to: Contact, start: f64, end: f64) -> Path<'a> {
+    let control = NormalControl::Indentation;
+    Path { surface, control, bound_slope: M, from, to, start, end, sampling: 1.0 / 64.0 }
+}
+
+/// A row pressed to `depth` at rest, and its contact.
+fn pressed(surface: &Surface, depth: f64) -> (Springs, Contact) {
+    let contact = at_depth(surface, depth);
+    let open = at_depth(surface, surface.image(0.0));
+    let (springs, work) =
+        Springs::default().walk(&path(surface, open, contact, 0.0, 0.0), Springs::default());
+    assert_eq!(work, 0.0);
+    (springs, contact)
+}
+
+fn moved(springs: &Springs, surface: &Surface, contact: Contact, start: f64, end: f64) -> (Springs, f64) {
+    springs.walk(&path(surface, contact, contact, start, end), Springs::default())
+}
+
+/// ∫ (g − g₁)ⁿ dx by Gauss on even panels, in (x − x₁)/Δx so that narrow intervals keep their digits.
+fn moment(profile: &Profile, x: f64, width: f64, power: i32) -> f64 {
+    let image = profile.image(x);
+    width * composite(0.0, 20.0, |t| (profile.image(x + width * t / 20.0) - image).powi(power)) / 20.0
+}
+
+/// Wide intervals take differences of closed integrals, narrow ones a form of their own that takes g as linear in x²
+/// (good to 1e-4); either keeps Cauchy's inequality.
+#[test]
+fn moments_agree_with_quadrature_down_to_narrow_intervals() {
+    for profile in profiles() {
+        let surface = Surface::new(profile.clone());
+        for x in [1.1e-4, 2e-4] {
+            for share in [0.5, 0.1, 1e-2, 1e-3, 2.9e-4, 1e-4, 1e-6] {
+                let width = share * x;
+                let interval = Interval::between(&surface.place(x), &surface.place(x + width));
+                let (first, second) = (moment(&profile, x, width, 1), moment(&profile, x, width, 2));
+                // a difference of load integrals loses 1e-16 φ ≈ 1e-16 x g against Δg Δx
+                let image = profile.image(x);
+                let lost = 20.0 * f64::EPSILON * x * image / (interval.rise * width);
+                let what = format!("{profile:?} at {x}, {share}");
+                assert!(
+                    (interval.first / first - 1.0).abs() < 1e-9 + 4.0 * lost,
+                    "{what}: {} {first}",
+                    interval.first
+                );
+                let coarse = if share < 3e-4 { 1e-3 } else { 1e-5 };
+                assert!(
+                    (interval.second / second - 1.0).abs() < coarse,
+                    "{what}: {} {second}",
+                    interval.second
+                );
+                assert!(interval.second * width >= interval.first.powi(2) * (1.0 - 1e-12), "{what}: Cauchy");
+            }
+        }
+    }
+}
+
+#[test]
+fn products_and_integrals_of_functions_linear_in_the_image_are_those_of_quadrature() {
+    for profile in profiles() {
+        let surface = Surface::new(profile.clone());
+        let (p, q) = (surface.place(1.2e-4), surface.place(2.1e-4));
+        let interval = Interval::between(&p, &q);
+        let linear = |ends: (f64, f64), x: f64| {
+            ends.0 + (ends.1 - ends.0) * (profile.image(x) - p.image) / (q.image - p.image)
+        };
+        let over = |f: &dyn Fn(f64) -> f64| {
+            (q.x - p.x) * composite(0.0, 20.0, |t| f(p.x + (q.x - p.x) * t / 20.0)) / 20.0
+        };
+        let (f, h) = ((2.0, -1.0), (0.5, 3.0));
+        let single = over(&|x| linear(f, x));
+        assert!((interval.linear(f.0, f.1) / single - 1.0).abs() < 1e-9, "{profile:?}");
+        let double = over(&|x| linear(f, x) * linear(h, x));
+        assert!((interval.product(f, h) / double - 1.0).abs() < 1e-7, "{profile:?}");
+    }
+}
+
+/// Under a flat the image does not rise: functions are linear in x there.
+#[test]
+fn intervals_under_a_flat_are_linear_in_the_radius() {
+    let surface = Surface::new(Profile::FlatPunch { flat_radius: 1e-4 });
+    let interval = Interval::between(&surface.place(2e-5), &surface.place(1e-4));
+    assert!((interval.linear(1.0, 3.0) - 2.0 * 8e-5).abs() < 1e-18);
+    // ∫ (1 + 2t)(2 − t) dt = 2 + 3/2 − 2/3
+    let product = 8e-5 * (2.0 + 1.5 - 2.0 / 3.0);
+    assert!((interval.product((1.0, 3.0), (2.0, 1.0)) - product).abs() < 1e-18);
+}
+
+/// A first clip puts one knot at the front, g(c) = d − U/m; the next, which passes it, removes it again.
+#[test]
+fn a_clip_adds_a_knot_at_the_front_and_removes_those_it_wipes_out() {
+    let surface = Surface::new(Profile::Parabola { radius: 0.01 });
+    let (rest, contact) = pressed(&surface, 4e-6);
+    assert_eq!(rest.knots().len(), 2);
+    let full = M * contact.depth;
+    let (mut springs, mut at) = (rest, 0.0);
+    for share in [0.2, 0.5, 0.8] {
+        springs = moved(&springs, &surface, contact, at, share * full).0;
+        at = share * full;
+        let radii: Vec<f64> = springs.knots().iter().map(|knot| knot.place.x).collect();
+        let front = contact.radius * (1.0 - share).sqrt();
+        assert_eq!(radii.len(), 3, "{radii:?}");
+        assert!((radii[1] / front - 1.0).abs() < 1e-12, "{radii:?}");
+    }
+    // gross slip wipes out everything but axis and edge
+    springs = moved(&springs, &surface, contact, at, 1.5 * full).0;
+    assert_eq!(springs.knots().len(), 2);
+    assert_eq!(springs.stick_radius(&contact, M, 1.5 * full), 0.0);
+}
+
+#[test]
+fn many_loops_need_a_handful_of_knots() {
+    for profile in profiles() {
+        let surface = Surface::new(profile.clone());
+        let (mut springs, contact) = pressed(&surface, 4e-6);
+        let (full, mut at, mut most) = (M * contact.depth, 0.0, 0);
+        for k in 1..=20_000 {
+            let next = 0.9 * full * (0.1 * f64::from(k)).sin();
+            springs = moved(&springs, &surface, contact, at, next).0;
+            at = next;
+            most = most.max(springs.knots().len());
+        }
+        // axis, edge, two fronts, and what a few slightly lower maxima leave behind, as they have to
+        assert!(most <= 20, "{profile:?}: {most} knots");
+    }
+}
+
+/// A ramp of load and displacement in many small steps keeps its knots at the sampling's spacing, not one per step.
+#[test]
+fn a_ramp_in_small_steps_does_not_pile_up_knots() {
+    let surface = Surface::new(Profile::Parabola { radius: 0.01 });
+    let (mut springs, mut contact) = (Springs::default(), at_depth(&surface, 0.0));
+    let steps = 5000;
+    for k in 1..=steps {
+        let share = f64::from(k) / f64::from(steps);
+        let next = at_depth(&surface, 4e-6 * share);
+        // a curve, so that the origins are not linear in g
+        let displacement = |share: f64| 1e-6 * share * share;
+        let before = f64::from(k - 1) / f64::from(steps);
+        let line = path(&surface, contact, next, displacement(before), displacement(share));
+        springs = springs.walk(&line, Springs::default()).0;
+        contact = next;
+    }
+    // at most 64 to a factor e of the radius, which grows by √5000 from the first step
+    assert!(springs.knots().len() < 64 * 5, "{} knots", springs.knots().len());
+    // e = U at touch = 1e-6 (g/d)²: T/2G* = ∫ (U − e) dx = U a (1 − 1/5)
+    let expected = 1e-6 * contact.radius * 0.8;
+    assert!((springs.deflection_integral(1e-6) / expected - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn springs_that_leave_contact_are_forgotten() {
+    let surface = Surface::new(Profile::Cone { slope: 0.02 });
+    let (rest, contact) = pressed(&surface, 4e-6);
+    let (springs, _) = moved(&rest, &surface, contact, 0.0, 1e-6);
+    let less = at_depth(&surface, 1e-6);
+    let (cut, work) = springs.walk(&path(&surface, contact, less, 1e-6, 1e-6), Springs::default());
+    assert!(work > 0.0);
+    assert!(cut.knots().iter().all(|knot| knot.place.x <= less.radius));
+    let (again, none) = cut.walk(&path(&surface, less, contact, 1e-6, 1e-6), Springs::default());
+    assert_eq!(none, 0.0);
+    assert_eq!(again.deflection_integral(1e-6), cut.deflection_integral(1e-6));
+    let open = at_depth(&surface, 0.0);
+    let (gone, _) = again.walk(&path(&surface, contact, open, 1e-6, 1e-6), Springs::default());
+    assert!(gone.knots().is_empty());
+}
+
+#[test]
+fn origins_are_read_between_knots_linearly_in_the_image() {
+    let surface = Surface::new(Profile::Parabola { radius: 0.01 });
+    let (rest, contact) = pressed(&surface, 4e-6);
+    let u = 0.5 * M * contact.depth;
+    let (springs, _) = moved(&rest, &surface, contact, 0.0, u);
+    let radii: Vec<f64> = (0..=20).map(|k| contact.radius * f64::from(k) / 20.0).collect();
+    for (x, origin) in radii.iter().zip(springs.origins_at(&surface, &radii)) {
+        let bound = M * (contact.depth - surface.image(*x)).max(0.0);
+        assert!((origin - (u - bound.min(u))).abs() < 1e-12 * u, "{x}");
+    }
+}

@@ -1,1 +1,132 @@
+use super::*;
 
+fn ball() -> Profile {
+    Profile::Parabola { radius: 0.01 }
+}
+
+/// Nodes for a contact of 0.2 mm whose slip reaches inward to 0.1 mm, with some wear outside of that.
+fn worn_nodes() -> Nodes {
+    let mut nodes = Nodes::around(&ball(), 32, 2e-4, 1e-4);
+    let image =
+        nodes.x().iter().map(|&x| if x > 1e-4 { 1e-6 * (1.0 - (1e-4 / x).powi(2)) } else { 0.0 }).collect();
+    nodes.set_worn_image(image, &ball());
+    nodes
+}
+
+#[test]
+fn roots_are_found_to_rounding_also_where_newton_would_leave_the_interval() {
+    let cubic = find_root(0.0, 10.0, |x| (x * x * x - 2.0, 3.0 * x * x));
+    assert!((cubic - 2f64.cbrt()).abs() < 4.0 * f64::EPSILON);
+    // almost a step: the slope is of no use but at the root itself
+    let step = find_root(0.0, 1.0, |x| ((1e4 * (x - 0.3)).tanh() + 0.5, 0.0));
+    assert!((step - (0.3 + (-0.5f64).atanh() / 1e4)).abs() < 1e-14, "{step}");
+    assert_eq!(find_root(0.0, 1.0, |x| (x - 0.5, 1.0)), 0.5);
+    // a root at either end
+    assert!(find_root(0.0, 1.0, |x| (x, 1.0)).abs() < 1e-50);
+    assert!((find_root(0.0, 1.0, |x| (x - 1.0, 1.0)) - 1.0).abs() < 4.0 * f64::EPSILON);
+}
+
+#[test]
+fn nodes_lie_in_the_slipping_annulus_with_one_at_the_front() {
+    let nodes = Nodes::around(&ball(), 32, 2e-4, 1e-4);
+    let x = nodes.x();
+    assert!(x.windows(2).all(|pair| pair[0] < pair[1]));
+    assert_eq!(x[0], 0.0);
+    assert_eq!(x[1], 1e-4, "nothing to resolve where nothing slips");
+    assert!(x.iter().filter(|x| **x > 1e-4 && **x < 2e-4).count() >= 31);
+    assert!(nodes.x()[nodes.last()] > 2e-4, "room to grow");
+    // the flat of a blunted sphere ends at a node
+    let blunted = Profile::BluntedSphere { radius: 0.01, flat_radius: 1.3e-4 };
+    assert!(Nodes::around(&blunted, 32, 2e-4, 1e-4).x().contains(&1.3e-4));
+    // those of a punch do not pass its rim
+    let punch = Profile::FlatPunch { flat_radius: 2e-4 };
+    let nodes = Nodes::around(&punch, 32, 2e-4, 0.0);
+    assert_eq!(nodes.x()[nodes.last()], 2e-4);
+}
+
+/// h is piecewise linear in x²: halving its cells is an identity, also for the integrals made from it.
+#[test]
+fn refinement_changes_neither_the_image_nor_its_integrals() {
+    let before = worn_nodes();
+    let mut after = before.clone();
+    after.adapt(&ball(), 1.7e-4, 0.6e-4);
+    assert!(after.x().len() > before.x().len() + 5);
+    assert!(after.version() > before.version());
+    assert!(after.x().contains(&0.6e-4), "the new front has a node");
+    let end = before.x()[before.last()];
+    for k in 0..2000 {
+        let x = end * f64::from(k) / 2000.0;
+        let ((h0, load0), (h1, load1)) = (before.worn_part(x), after.worn_part(x));
+        assert!((h0 - h1).abs() < 1e-20, "h at {x}: {h0:e} {h1:e}");
+        assert!((load0 - load1).abs() < 1e-23, "load at {x}: {load0:e} {load1:e}");
+        // three-point Gauss is exact on each cell for a polynomial g², whatever the cells
+        let (q0, q1) = (before.square_integral(&ball(), x), after.square_integral(&ball(), x));
+        assert!((q0 - q1).abs() < 1e-12 * q1.max(1e-20), "square at {x}: {q0:e} {q1:e}");
+    }
+}
+
+#[test]
+fn nothing_to_adapt_leaves_the_nodes_and_their_version() {
+    let mut nodes = worn_nodes();
+    nodes.adapt(&ball(), 2e-4, 1e-4);
+    let before = nodes.clone();
+    nodes.adapt(&ball(), 2e-4, 1e-4);
+    assert_eq!(nodes, before);
+}
+
+/// New nodes beyond the old ones take the image whose profile is unworn there, not zero.
+#[test]
+fn extension_keeps_the_profile_unworn_outside() {
+    let mut nodes = worn_nodes();
+    let end = nodes.x()[nodes.last()];
+    let inside = crate::transform::descent_at(nodes.x(), nodes.worn_image(), 1.5e-4);
+    nodes.adapt(&ball(), 1.5 * end, 1e-4);
+    assert!(nodes.x()[nodes.last()] > 1.5 * end);
+    let worn = |r: f64| crate::transform::descent_at(nodes.x(), nodes.worn_image(), r);
+    assert!((worn(1.5e-4) - inside).abs() < 1e-20, "inside nothing changes");
+    let deepest = worn(1.9e-4);
+    for &x in nodes.x().iter().filter(|x| **x > 1.001 * end) {
+        assert!(worn(x).abs() < 1e-12 * deepest, "worn {:e} at {x}", worn(x));
+    }
+}
+
+#[test]
+fn volume_is_that_of_the_cells() {
+    let nodes = worn_nodes();
+    // w = 1 − r²/b² is linear in r²: ∫ 2πr w dr up to the last node x is π x² (1 − x²/2b²)
+    let depth: Vec<f64> = nodes.x().iter().map(|x| 1.0 - x * x / 1e-6).collect();
+    let end = nodes.x()[nodes.last()];
+    let exact = std::f64::consts::PI * end * end * (1.0 - end * end / 2e-6);
+    assert!((nodes.volume(&depth) / exact - 1.0).abs() < 1e-12);
+}
+
+/// The contact of a worn surface solves its own equations: g(a) = d and the load integral, under either control.
+#[test]
+fn worn_contacts_satisfy_their_equations_and_the_controls_agree() {
+    let mut surface = Surface::new(ball());
+    surface.set_worn(Some(worn_nodes()));
+    for depth in [1e-8, 5e-7, 1e-6, 3e-6, 4.2e-6, 8e-6] {
+        let contact = surface.contact(NormalControl::Indentation, depth, 1.0).expect("it can be pressed");
+        assert!((surface.image(contact.radius) / depth - 1.0).abs() < 1e-9, "{depth}");
+        assert!((surface.load(contact.radius) / contact.load - 1.0).abs() < 1e-9, "{depth}");
+        let back = surface.contact(NormalControl::Force, contact.load, 1.0).expect("it can be pressed");
+        assert!((back.depth / depth - 1.0).abs() < 1e-9, "{depth}: {}", back.depth);
+        assert!((back.radius / contact.radius - 1.0).abs() < 1e-9, "{depth}");
+    }
+}
+
+/// Where the image is level or falls a little, as near the end of a wear life, the edge is the outermost crossing.
+#[test]
+fn the_contact_edge_is_the_outermost_crossing() {
+    let mut nodes = Nodes::around(&ball(), 32, 2e-4, 1e-4);
+    // g = d + ripple in the annulus, with the unworn ball rising beyond it
+    let ripple = |x: f64| 3e-6 + 1e-9 * (x * 1e6).sin() - x * x / 0.01;
+    let image = nodes.x().iter().map(|&x| if x > 1e-4 && x < 1.7e-4 { ripple(x) } else { 0.0 }).collect();
+    nodes.set_worn_image(image, &ball());
+    let mut surface = Surface::new(ball());
+    surface.set_worn(Some(nodes));
+    let contact = surface.contact(NormalControl::Indentation, 3.0e-6, 1.0).expect("it can be pressed");
+    let beyond = (1..1000).map(|k| contact.radius * (1.0 + 1e-3 * f64::from(k)));
+    assert!(beyond.clone().all(|x| surface.image(x) > 3.0e-6), "a = {}", contact.radius);
+    assert!(contact.radius > 1.55e-4, "a = {}", contact.radius);
+}
