@@ -13,7 +13,7 @@ use crate::surface::{Contact, Nodes};
 use crate::wear::{Edge, Pending, pressure_nodes, worn_depth};
 
 /// Most internal steps of one call: a whole life takes some hundred.
-const MOST_STEPS: u32 = 5000;
+const MOST_STEPS: u32 = 1000;
 
 /// Wear per cycle at one state of the profile.
 struct Rate {

