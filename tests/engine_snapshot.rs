@@ -21,7 +21,7 @@ fn parameters(profile: &Profile, wear: bool) -> Parameters {
 /// Random lines, some without contact.
 fn transient(contact: &mut FrettingContact, seed: u64) {
     let mut random = seeded(seed);
-    for _ in 0..40 {
+    for _ in 0..25 {
         to(contact, uniform(&mut random, -10.0, 100.0), uniform(&mut random, -4e-6, 4e-6));
     }
 }
