@@ -47,7 +47,7 @@ pub enum SlipState {
 /// let mut contact = FrettingContact::new(Parameters::default())?;
 /// contact.start_at(100.0, 0.0)?; // press a 10 mm steel ball with 100 N
 /// contact.advance_to(100.0, 1e-6)?; // and push it by 1 µm
-/// assert!((contact.tangential_force() - 31.69).abs() < 0.01);
+/// assert!((contact.tangential_force() - 31.70).abs() < 0.01);
 /// assert!(contact.stick_radius() < contact.contact_radius());
 /// # Ok::<(), fretting_contact::Error>(())
 /// ```

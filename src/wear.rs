@@ -93,7 +93,8 @@ impl Pending {
         let gain: Vec<f64> = product.iter().map(|p| p.max(0.0)).collect();
         let found = nodes.integral_to_edge(&gain, contact.radius);
         let placed = work + std::mem::take(&mut self.unplaced);
-        let share = if found > 0.0 { placed / found } else { 0.0 };
+        // where much was clipped, the little that is left must not take all of the work
+        let share = if found > 0.0 { (placed / found).clamp(0.8, 1.25) } else { 0.0 };
         let kappa = constants.wear_per_work * constants.friction_coefficient * constants.normal_modulus;
         for i in 0..count {
             let gain = share * gain[i];
