@@ -70,13 +70,15 @@ impl Pending {
     }
 
     /// Adds one stretch of slip in a contact: traction at the nodes inside and slip at all. The work per area takes the
-    /// volume of `work`, which the springs know better. Returns the work by which the two differed, J.
+    /// volume of `work`, which the springs know better, but is scaled by `most_share` at the most: where much was
+    /// clipped, the little that is left must not take all of the work. Returns the work by which the two differed, J.
     pub(crate) fn add(
         &mut self,
         (nodes, tables): (&Nodes, &Tables),
         contact: &Contact,
         (traction, slip): (&[f64], &[f64]),
         work: f64,
+        most_share: f64,
         constants: &Constants,
     ) -> f64 {
         if self.contact.is_none_or(|largest| largest.radius < contact.radius) {
@@ -93,8 +95,7 @@ impl Pending {
         let gain: Vec<f64> = product.iter().map(|p| p.max(0.0)).collect();
         let found = nodes.integral_to_edge(&gain, contact.radius);
         let placed = work + std::mem::take(&mut self.unplaced);
-        // where much was clipped, the little that is left must not take all of the work
-        let share = if found > 0.0 { (placed / found).clamp(0.8, 1.25) } else { 0.0 };
+        let share = if found > 0.0 { (placed / found).clamp(1.0 / most_share, most_share) } else { 0.0 };
         let kappa = constants.wear_per_work * constants.friction_coefficient * constants.normal_modulus;
         for i in 0..count {
             let gain = share * gain[i];

@@ -214,7 +214,7 @@ impl FrettingContact {
             let friction = self.constants.friction_coefficient;
             let traction: Vec<f64> = pressure.iter().map(|p| friction * p).collect();
             let work = std::mem::take(&mut cycle.work);
-            cycle.add((nodes, &tables), &contact, (&traction, &path), work, &self.constants);
+            cycle.add((nodes, &tables), &contact, (&traction, &path), work, f64::MAX, &self.constants);
             self.counters.transform_tables += u64::from(made);
             self.counters.pressure_transforms += 1;
             self.counters.descent_transforms += 1;

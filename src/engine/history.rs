@@ -253,6 +253,7 @@ impl FrettingContact {
                     &largest,
                     (&traction, &surface_slip),
                     wear.segment.work,
+                    1.25,
                     &self.constants,
                 );
                 self.counters.transform_tables += u64::from(made);

@@ -43,7 +43,7 @@ fn pending(surface: &Surface, contact: &Contact, tables: &Tables, front: f64, pa
     // the work as the nodes find it, so that `add` need not rescale
     let work = nodes.integral_to_edge(&product, contact.radius);
     let mut pending = Pending::default();
-    let missed = pending.add((nodes, tables), contact, (&traction, &slip), work, &constants);
+    let missed = pending.add((nodes, tables), contact, (&traction, &slip), work, 1.25, &constants);
     assert!(missed <= 1e-12 * work);
     pending
 }
@@ -140,8 +140,14 @@ fn opposite_slip_is_clipped_and_counted_and_the_rest_takes_the_springs_work() {
     let healed: Vec<f64> = (0..count).map(|i| if i < 5 { 0.0 } else { 2.0 }).collect();
     let found = nodes.integral_to_edge(&gain, contact.radius);
     let mut pending = Pending::default();
-    let missed =
-        pending.add((nodes, &tables), &contact, (&traction, &vec![2.0; count]), 3.0 * found, &constants());
+    let missed = pending.add(
+        (nodes, &tables),
+        &contact,
+        (&traction, &vec![2.0; count]),
+        3.0 * found,
+        4.0,
+        &constants(),
+    );
     assert!((missed / (2.0 * found) - 1.0).abs() < 1e-12);
     assert_eq!(pending.clipped, nodes.volume(&healed));
     assert!(pending.slip_path.iter().all(|s| *s == 2.0));
