@@ -354,7 +354,7 @@ impl FrettingContact {
     }
 
     /// Image of the wear with what is pending taken off; `None` if nothing is.
-    fn pending_image(&mut self) -> Result<Option<Vec<f64>>, Error> {
+    pub(super) fn pending_image(&mut self) -> Result<Option<Vec<f64>>, Error> {
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(None) };
         if wear.pending.is_empty() {
             return Ok(None);

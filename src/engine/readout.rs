@@ -127,20 +127,20 @@ impl FrettingContact {
         self.wear.as_ref().map_or(0.0, |wear| wear.pending.clipped)
     }
 
-    /// The profile with what is surely worn since its last update.
+    /// The profile with what is pending taken off.
     fn view(&self) -> Option<&View> {
         self.wear.as_ref()?;
         if self.view.get().is_none() {
             let mut copy = self.clone();
             copy.close_segment().ok()?;
+            // the depth that the next update would leave
+            let image = copy.pending_image().ok()?;
             let mut nodes = copy.surface.worn()?.clone();
-            let wear = copy.wear.as_mut()?;
-            let (tables, _) = wear.tables.get(&nodes);
-            let mut depth = tables.descend(nodes.worn_image(), nodes.x().len());
-            if !wear.pending.is_empty() {
-                depth.iter_mut().zip(&wear.pending.sure_depth).for_each(|(w, sure)| *w += sure);
-                nodes.set_worn_image(tables.ascend(&depth), copy.surface.profile());
+            if let Some(image) = image {
+                nodes.set_worn_image(image, copy.surface.profile());
             }
+            let (tables, _) = copy.wear.as_mut()?.tables.get(&nodes);
+            let depth = tables.descend(nodes.worn_image(), nodes.x().len());
             // a race is impossible: the cell belongs to this thread
             let _ = self.view.set(View { nodes, depth });
         }
