@@ -95,6 +95,11 @@ pub(crate) fn worn_depth(
     let mut update = Update { depth: Vec::new(), factorisations: 0 };
     let Some(nodes) = surface.worn() else { return Ok(update) };
     update.depth = vec![0.0; nodes.x().len()];
+    // nodes may have been added outside since the history was gathered: nothing has slipped there
+    let mut pending = pending.clone();
+    pending.work_per_area.resize(nodes.x().len(), 0.0);
+    pending.slip_path.resize(nodes.x().len(), 0.0);
+    let pending = &pending;
     let Some(first) = pending.slip_path.iter().position(|s| *s > 0.0) else { return Ok(update) };
     let Some(present) = &pending.contact else { return Ok(update) };
     let profile = surface.profile();
