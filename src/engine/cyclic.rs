@@ -177,6 +177,9 @@ impl FrettingContact {
                 nodes
             }
         };
+        if let (Some(wear), Some(before)) = (&mut self.wear, self.surface.worn()) {
+            wear.pending.moved_to(before.x(), nodes.x());
+        }
         self.surface.set_worn(Some(nodes));
     }
 
