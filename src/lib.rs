@@ -38,6 +38,7 @@ pub mod fmi2;
 mod friction;
 pub mod material;
 pub mod parameters;
+pub mod problems;
 pub mod profile;
 mod quadrature;
 pub mod reference;
