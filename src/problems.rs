@@ -1,7 +1,7 @@
 //! Ready problems: a contact, how it is driven, and what is known of the answer.
 //!
-//! The four cases of Dimaki et al. 2014 (sections 4.1 to 4.4), the same bodies at any other stick radius and control, and
-//! two in gross slip. Tests, benchmarks and examples share them:
+//! The four cases of Dimaki et al. 2014 (sections 4.1 to 4.4), the same bodies at any other stick radius and control,
+//! and two in gross slip. Tests, benchmarks and examples share them:
 //!
 //! ```
 //! use fretting_contact::problems::Problem;
@@ -13,9 +13,9 @@
 //! # Ok::<(), fretting_contact::Error>(())
 //! ```
 //!
-//! Life is counted in Ñ = N/N₀, N₀ = π a₀² d₀ σ₀/(k μ F_N U₀) (eqs. (20), (21)), with a₀, d₀ and F_N of the unworn body at
-//! the start. A problem uses the public face of the engine and the closed forms of [`crate::reference`]; nothing else
-//! of the library uses it.
+//! Life is counted in Ñ = N/N₀, N₀ = π a₀² d₀ σ₀/(k μ F_N U₀) (eqs. (20), (21)), with a₀, d₀ and F_N of the unworn body
+//! at the start. A problem uses the public face of the engine and the closed forms of [`crate::reference`]; nothing
+//! else of the library uses it.
 
 mod truth;
 
@@ -231,8 +231,8 @@ impl Problem {
 
     /// Largest error of a worn depth `worn(r)` (m) against the final state, in d₀; none where that is not known.
     ///
-    /// Taken at 500 even radii inside c, where nothing may wear, and at 4000 from there to 1.1 a∞, dense at c, where the
-    /// final depth starts like a square root.
+    /// Taken at 500 even radii inside c, where nothing may wear, and at 4000 from there to 1.1 a∞, dense at c, where
+    /// the final depth starts like a square root.
     pub fn profile_error(&self, worn: impl Fn(f64) -> f64) -> Option<f64> {
         let end = self.end.as_ref()?;
         let (c, outer) = (self.stick_radius(), 1.1 * end.outer_radius());
