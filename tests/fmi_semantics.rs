@@ -51,6 +51,7 @@ fn steps_are_those_of_the_engine() {
             assert_eq!(field("worn_depth"), engine.worn_depth_at(radii[probe]));
             assert_eq!(field("pressure").to_bits(), engine.pressure_at(radii[probe]).to_bits());
             assert_eq!(field("shear_traction").to_bits(), engine.shear_traction_at(radii[probe]).to_bits());
+            assert_eq!(field("image").to_bits(), engine.image_at(radii[probe]).to_bits());
         }
     }
 }

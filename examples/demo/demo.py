@@ -9,17 +9,18 @@ import time
 from pathlib import Path
 
 import ball
+import lives
 import overview
 import shaken_mass
 import worn_tip
 from contact_fmu import FmuFile
 from plotting import save_table
 
-CASES = (ball, worn_tip, shaken_mass)
+CASES = (ball, worn_tip, shaken_mass, lives)
 
 
 def main(arguments=None):
-    """Runs the three cases; returns the exit code."""
+    """Runs the four cases; returns the exit code."""
     options = parse(arguments)
     if not options.fmu.is_file():
         print(f"demo: there is no FMU at {options.fmu}: build it with `cargo fmu build` first", file=sys.stderr)
@@ -49,7 +50,7 @@ def parse(arguments):
 
 
 def draw_overview(outcomes, path):
-    loops, tip, mass = (outcome.series for outcome in outcomes)
+    loops, tip, mass = (outcome.series for outcome in outcomes[:3])
     return overview.draw(loops["loops"], tip["lives"], mass["motion"], mass["envelope"], path)
 
 

@@ -70,6 +70,12 @@ def test_life_under_constant_depth(start_contact):
         # 2 %: the accuracy asked of this scene at the default resolution and tolerance.
         assert contact.get("wear_volume") / (CASE.contact_radius**2 * CASE.depth) == pytest.approx(volume, rel=0.02)
     assert contact.get("stick_radius") == pytest.approx(0.4 * CASE.contact_radius, rel=0.01)
+    # The image has kept its shape inside the stick radius and is flat outside: that part carries nothing any more.
+    x, image = contact.field("radius_probe"), contact.field("image")
+    stuck, flat = x < 0.39 * CASE.contact_radius, (x > 0.45 * CASE.contact_radius) & (x < 1.2 * CASE.contact_radius)
+    assert stuck.sum() > 10 and flat.sum() > 20
+    assert image[stuck] == pytest.approx(CASE.shape.depth(x[stuck]), rel=1e-9)
+    assert image[flat] == pytest.approx(CASE.depth, rel=5e-3)
 
 
 def test_life_under_constant_force(start_contact):

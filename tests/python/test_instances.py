@@ -63,7 +63,7 @@ def test_reading_fields_changes_nothing(new_contact):
     results = []
     for inputs in scene(4):
         results.append(advance(watched, inputs))
-        for name in ("worn_depth", "pressure", "shear_traction"):
+        for name in ("worn_depth", "pressure", "shear_traction", "image"):
             assert np.all(np.isfinite(watched.field(name)))
     assert results == plain
 

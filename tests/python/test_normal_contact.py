@@ -67,6 +67,13 @@ def test_pressure_distribution(start_contact, shape):
     assert np.all(p[r > a] == 0.0)
 
 
+@pytest.mark.parametrize("shape", [Sphere(), Cone(), PowerLaw()], ids=str)
+def test_image(start_contact, shape):
+    """g(a) is the depth at which the contact radius is a."""
+    contact = start_contact(**shape.parameters())
+    assert contact.field("image") == pytest.approx(shape.depth(contact.field("radius_probe")), rel=EXACT)
+
+
 def test_no_motion_no_friction(start_contact):
     contact = start_contact()
     assert contact.get("tangential_force", "dissipated_energy", "wear_volume", "wear_depth") == [0, 0, 0, 0]

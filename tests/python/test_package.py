@@ -57,7 +57,7 @@ def test_inputs_and_outputs(fmu):
     assert by_causality["output"] >= OUTPUTS
     fields = {
         f"{name}[{i}]"
-        for name in ("radius_probe", "worn_depth", "pressure", "shear_traction")
+        for name in ("radius_probe", "worn_depth", "pressure", "shear_traction", "image")
         for i in range(1, PROBES + 1)
     }
     assert by_causality["local"] >= fields

@@ -154,11 +154,12 @@ fn parameters() -> Vec<Variable> {
 /// The fields, each at all probe radii.
 fn fields() -> Vec<Variable> {
     type Read = fn(&FrettingContact, f64) -> f64;
-    let fields: [(&str, &str, Read, &str); 4] = [
+    let fields: [(&str, &str, Read, &str); 5] = [
         ("radius_probe", "m", |_, r| r, "Radius of the probe"),
         ("worn_depth", "m", FrettingContact::worn_depth_at, "Depth of the wear at radius_probe"),
         ("pressure", "Pa", FrettingContact::pressure_at, "Contact pressure at radius_probe"),
         ("shear_traction", "Pa", FrettingContact::shear_traction_at, "Tangential traction at radius_probe"),
+        ("image", "m", FrettingContact::image_at, "One-dimensional image of the profile at radius_probe"),
     ];
     let row = |(name, unit, read, about): (&str, _, Read, _), probe| Variable {
         name: format!("{name}[{}]", probe + 1).into(),
