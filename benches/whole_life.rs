@@ -130,20 +130,16 @@ impl Scene {
         );
         let defaults = Parameters::default();
         let default = (defaults.resolution, defaults.tolerance);
-        let (engine, counted) = match self.engine(default, &truth, effort.repeats) {
-            Ok(done) => done,
-            Err(error) => {
-                println!("engine: {error}");
-                return;
-            }
+        let engine = self.engine(default, &truth, effort.repeats);
+        let unit = engine.as_ref().ok().map(|(line, _)| line.time);
+        let shown = |done: &Result<(Line, String), Error>, tolerance: f64| match done {
+            Ok((line, _)) => line.print(unit),
+            Err(error) => println!("engine, tolerance {tolerance:e}: {error}"),
         };
-        let unit = engine.time;
-        engine.print(unit);
+        shown(&engine, default.1);
         for tolerance in [1e-2, 1e-4] {
-            match self.engine((defaults.resolution, tolerance), &truth, effort.repeats.min(5)) {
-                Ok((line, _)) => line.print(unit),
-                Err(error) => println!("engine, tolerance {tolerance:e}: {error}"),
-            }
+            let done = self.engine((defaults.resolution, tolerance), &truth, effort.repeats.min(5));
+            shown(&done, tolerance);
         }
         let mut causal = Vec::new();
         for (method, scheme) in
@@ -166,9 +162,11 @@ impl Scene {
                 self.published(method, settings, &truth).print(unit);
             }
         }
-        println!("engine, counted work: {counted}");
-        if let Truth::Closed = truth {
-            extrapolate(&causal, &engine);
+        if let Ok((engine, counted)) = engine {
+            println!("engine, counted work: {counted}");
+            if let Truth::Closed = truth {
+                extrapolate(&causal, &engine);
+            }
         }
     }
 
@@ -250,14 +248,15 @@ impl Scene {
 }
 
 impl Line {
-    fn print(&self, unit: Duration) {
+    fn print(&self, unit: Option<Duration>) {
         let [first, second, third] = self.errors;
+        let ratio =
+            unit.map_or("-".into(), |unit| format!("{:.3}", self.time.as_secs_f64() / unit.as_secs_f64()));
         println!(
-            "{:<20} {:<34} {first:>16.1e} {second:>+9.1e} {third:>+9.1e} {:>12} {:>10.3}",
+            "{:<20} {:<34} {first:>16.1e} {second:>+9.1e} {third:>+9.1e} {:>12} {ratio:>10}",
             self.method,
             self.settings,
             format!("{:.2?}", self.time),
-            self.time.as_secs_f64() / unit.as_secs_f64()
         );
     }
 }
