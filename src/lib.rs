@@ -43,7 +43,7 @@ pub mod profile;
 mod quadrature;
 pub mod reference;
 mod surface;
-mod transform;
+pub mod transform;
 mod wear;
 
 pub use engine::{Counters, FrettingContact, SlipState, Snapshot};

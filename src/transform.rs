@@ -10,6 +10,19 @@
 //! Both are causal node by node: s at node i uses v at nodes ≤ i only, p at node i uses q at nodes ≥ i only. So a
 //! spring row that has not slipped up to a node gives a slip of exactly zero there, and a sticking region never wears.
 
+mod abel;
+mod cell;
+mod dense;
+mod fast;
+mod interpolation;
+mod sweep;
+mod tree;
+
+pub use abel::{Abel, CROSSOVER, Scratch};
+pub use cell::Density;
+pub use dense::DenseAbel;
+pub use fast::FastAbel;
+
 use std::f64::consts::{FRAC_2_PI, PI};
 
 /// √(x² − r²) for x ≥ r ≥ 0 without loss of digits; 0 below.

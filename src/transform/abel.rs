@@ -1,0 +1,136 @@
+//! Dense or fast, whichever is quicker for the number of nodes.
+
+use super::cell::Density;
+use super::dense::DenseAbel;
+use super::fast::FastAbel;
+use super::sweep::Expansions;
+
+/// Number of nodes from which the fast transforms are the quicker ones. Measured with `cargo bench --bench transforms`: at
+/// 128 cells both take 2 µs; at half as many the tables are ahead by a sixth, at twice as many behind by a third.
+pub const CROSSOVER: usize = 129;
+
+/// The Abel transforms on fixed nodes.
+#[derive(Debug, Clone)]
+pub enum Abel {
+    /// By tables.
+    Dense(DenseAbel),
+    /// In O(n).
+    Fast(FastAbel),
+}
+
+/// Memory that the transforms work in; one serves any number of them in turn.
+#[derive(Debug, Clone, Default)]
+pub struct Scratch {
+    values: Vec<f64>,
+    expansions: Expansions,
+}
+
+impl Scratch {
+    /// Room for the values at `nodes` nodes; allocates at first use only.
+    pub(super) fn parts(&mut self, nodes: usize) -> (&mut [f64], &mut Expansions) {
+        if self.values.len() < nodes {
+            self.values.resize(nodes, 0.0);
+        }
+        (&mut self.values[..nodes], &mut self.expansions)
+    }
+}
+
+impl Abel {
+    /// Prepares the transforms for nodes X (m² or any unit), rising strictly; for [`Density::Image`] from X = 0.
+    ///
+    /// # Panics
+    /// For fewer than two nodes.
+    pub fn new(nodes: &[f64], density: Density) -> Self {
+        if nodes.len() < CROSSOVER {
+            Self::Dense(DenseAbel::new(nodes, density))
+        } else {
+            Self::Fast(FastAbel::new(nodes, density))
+        }
+    }
+
+    /// Multiplications of one descent or ascent, and of one pressure.
+    pub fn work(&self) -> (usize, usize) {
+        match self {
+            Self::Dense(dense) => dense.work(),
+            Self::Fast(fast) => fast.work(),
+        }
+    }
+
+    /// As [`FastAbel::descend`].
+    pub fn descend(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+        match self {
+            Self::Dense(dense) => dense.descend(values, out, scratch),
+            Self::Fast(fast) => fast.descend(values, out, scratch),
+        }
+    }
+
+    /// As [`FastAbel::ascend`].
+    pub fn ascend(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+        match self {
+            Self::Dense(dense) => dense.ascend(s, out, scratch),
+            Self::Fast(fast) => fast.ascend(s, out, scratch),
+        }
+    }
+
+    /// As [`FastAbel::pressure`].
+    pub fn pressure(&self, q: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+        match self {
+            Self::Dense(dense) => dense.pressure(q, out, scratch),
+            Self::Fast(fast) => fast.pressure(q, out, scratch),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_forms_give_the_same_on_either_side_of_the_crossover() {
+        for nodes in [2, 3, CROSSOVER - 1, CROSSOVER] {
+            let x: Vec<f64> = (0..nodes).map(|i| (i as f64 / (nodes - 1) as f64).powi(2)).collect();
+            for density in [Density::Quotient, Density::Image] {
+                let (chosen, dense) = (Abel::new(&x, density), DenseAbel::new(&x, density));
+                assert_eq!(matches!(chosen, Abel::Fast(_)), nodes >= CROSSOVER);
+                let v: Vec<f64> = x.iter().map(|x| 1.0 + x.sin()).collect();
+                let mut scratch = Scratch::default();
+                let mut results = |transforms: &Abel| {
+                    let (mut s, mut p, mut back) = (vec![0.0; nodes], vec![0.0; nodes], vec![v[0]; nodes]);
+                    transforms.descend(&v, &mut s, &mut scratch);
+                    transforms.pressure(&v, &mut p, &mut scratch);
+                    transforms.ascend(&s, &mut back, &mut scratch);
+                    [s, p, back]
+                };
+                let (chosen, dense) = (results(&chosen), results(&Abel::Dense(dense)));
+                for (a, b) in chosen.iter().flatten().zip(dense.iter().flatten()) {
+                    assert!((a - b).abs() < 1e-12, "{nodes} nodes, {density:?}: {a} {b}");
+                }
+                for (a, b) in chosen[2].iter().zip(&v) {
+                    assert!((a - b).abs() < 1e-12, "{nodes} nodes, {density:?}: {a} back from {b}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn transforms_scale_with_the_width_of_the_mesh() {
+        // what lets the tables of a unit mesh serve all meshes of its shape
+        let share: Vec<f64> = (0..=300).map(|i| (f64::from(i) / 300.0).powi(2)).collect();
+        let v: Vec<f64> = share.iter().map(|x| 1.0 + x.sin()).collect();
+        let (shift, width) = (0.5, 2.25);
+        for (density, shift, factor) in
+            [(Density::Quotient, shift, f64::sqrt(width)), (Density::Image, 0.0, 1.0)]
+        {
+            let x: Vec<f64> = share.iter().map(|x| shift + width * x).collect();
+            let (unit, wide) = (Abel::new(&share, density), Abel::new(&x, density));
+            let (mut a, mut b) = (vec![0.0; 301], vec![0.0; 301]);
+            unit.descend(&v, &mut a, &mut Scratch::default());
+            wide.descend(&v, &mut b, &mut Scratch::default());
+            assert!(a.iter().zip(&b).all(|(a, b)| (factor * a - b).abs() < 1e-12), "{density:?}");
+            unit.pressure(&v, &mut a, &mut Scratch::default());
+            wide.pressure(&v, &mut b, &mut Scratch::default());
+            let root = f64::sqrt(width);
+            assert!(a.iter().zip(&b).all(|(a, b)| (a / root - b).abs() < 1e-10), "{density:?}");
+        }
+    }
+}

@@ -1,0 +1,359 @@
+//! One pass over the leaves of a tree, as a list of steps and one array of weights that they read from front to back.
+//!
+//! Sources and targets are numbered in the order of the pass. Every leaf first takes in its far field, then computes its
+//! targets one by one, then gives out its moments; so all that a target needs is known when it is reached, whether the
+//! values at the sources were given or are computed on the way. What is zero up to a target adds exactly nothing.
+
+use super::cell::{self, Density};
+use super::dot;
+use super::interpolation::{ORDER, Row, add_scaled, product};
+use super::tree::{Block, Edge, Pairs, Tree};
+
+/// Moments and far fields of all blocks during a pass.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Expansions {
+    moments: Vec<Row>,
+    fields: Vec<Row>,
+}
+
+#[derive(Debug, Clone)]
+enum Step {
+    /// The far field of a block: that of its parent and those of its own far sources.
+    Field {
+        block: usize,
+        parent: Option<usize>,
+        sources: std::ops::Range<usize>,
+    },
+    Leaf(Leaf),
+    /// Moments of a block from those of its children.
+    Moments {
+        block: usize,
+        children: [usize; 2],
+    },
+}
+
+/// Cells `start..end` in the order of the pass; targets are the nodes `start + 1 ..= end`.
+#[derive(Debug, Clone)]
+struct Leaf {
+    block: usize,
+    start: usize,
+    end: usize,
+    hears: bool,
+    speaks: bool,
+    /// First of the sources that adjoin each other up to the target and act by exact weights.
+    reach: usize,
+    /// Sources further back that do so too.
+    apart: std::ops::Range<usize>,
+}
+
+/// Steps of one pass with their weights.
+#[derive(Debug, Clone)]
+pub(super) struct Sweep {
+    steps: Vec<Step>,
+    weights: Vec<f64>,
+    /// Far source blocks of the fields.
+    sources: Vec<usize>,
+    /// Sources of [`Leaf::apart`].
+    apart: Vec<std::ops::Range<usize>>,
+    blocks: usize,
+    /// 1 where the values belong to nodes, 0 where to cells.
+    extra: usize,
+}
+
+/// What one target has to work with: what is known of its sum, and the weights of the sources from `first` to itself.
+pub(super) struct Target<'a> {
+    pub(super) index: usize,
+    pub(super) known: f64,
+    pub(super) first: usize,
+    pub(super) weights: &'a [f64],
+}
+
+impl Target<'_> {
+    /// The sum with the present values.
+    pub(super) fn sum(&self, values: &[f64]) -> f64 {
+        self.known + dot(self.weights, &values[self.first..self.first + self.weights.len()])
+    }
+
+    /// The value at the target that makes the sum `sum`.
+    pub(super) fn solve(&self, sum: f64, values: &[f64]) -> f64 {
+        let (before, diagonal) = self.weights.split_at(self.weights.len() - 1);
+        (sum - (self.known + dot(before, &values[self.first..self.index]))) / diagonal[0]
+    }
+}
+
+impl Sweep {
+    /// The descent, from inside outward; values at the nodes.
+    pub(super) fn descent(tree: &Tree, pairs: &Pairs, density: Density) -> Self {
+        let pair = |&(outer, inner): &(usize, usize)| (outer, inner);
+        Builder {
+            tree,
+            far: partners(tree.blocks.len(), pairs.far.iter().map(pair)),
+            near: partners(tree.blocks.len(), pairs.near.iter().map(pair)),
+            heard: vec![false; tree.blocks.len()],
+            outward: true,
+            sweep: Self::empty(tree.blocks.len(), 1),
+        }
+        .build(
+            |block, sink| tree.descent_moments(density, block, sink),
+            |target, cells, weights| {
+                cell::add_descent(density, &tree.square, &tree.root, tree.square[target], cells, weights);
+            },
+        )
+    }
+
+    /// The pressure, from outside inward, so that the last node is number 0; values are drops over the cells.
+    pub(super) fn pressure(tree: &Tree, pairs: &Pairs) -> Self {
+        let pair = |&(outer, inner): &(usize, usize)| (inner, outer);
+        Builder {
+            tree,
+            far: partners(tree.blocks.len(), pairs.far.iter().map(pair)),
+            near: partners(tree.blocks.len(), pairs.near.iter().map(pair)),
+            heard: vec![false; tree.blocks.len()],
+            outward: false,
+            sweep: Self::empty(tree.blocks.len(), 0),
+        }
+        .build(
+            |block, sink| {
+                let mut rows = Vec::new();
+                tree.pressure_moments(block, |row| rows.push(row));
+                rows.into_iter().rev().for_each(sink);
+            },
+            |target, cells, weights| {
+                cell::pressure(&tree.square, tree.square[target], cells, weights);
+                weights.reverse();
+            },
+        )
+    }
+
+    fn empty(blocks: usize, extra: usize) -> Self {
+        Self { steps: Vec::new(), weights: Vec::new(), sources: Vec::new(), apart: Vec::new(), blocks, extra }
+    }
+
+    /// Number of weights, each of which a pass multiplies once.
+    pub(super) fn work(&self) -> usize {
+        self.weights.len()
+    }
+
+    #[cfg(test)]
+    pub(super) fn has_sources_apart(&self) -> bool {
+        !self.apart.is_empty()
+    }
+
+    /// Goes through all targets in order. `finish` may change the value at its target.
+    pub(super) fn run(
+        &self,
+        values: &mut [f64],
+        expansions: &mut Expansions,
+        mut finish: impl FnMut(Target<'_>, &mut [f64]),
+    ) {
+        expansions.moments.resize(self.blocks, [0.0; ORDER]);
+        expansions.fields.resize(self.blocks, [0.0; ORDER]);
+        let (moments, fields) = (&mut expansions.moments[..], &mut expansions.fields[..]);
+        let mut weights = Reader(&self.weights);
+        for step in &self.steps {
+            match step {
+                Step::Field { block, parent, sources } => {
+                    let mut field = [0.0; ORDER];
+                    if let Some(parent) = *parent {
+                        weights.add_product(&fields[parent], &mut field);
+                    }
+                    for &source in &self.sources[sources.clone()] {
+                        weights.add_product(&moments[source], &mut field);
+                    }
+                    fields[*block] = field;
+                }
+                Step::Moments { block, children } => {
+                    let mut sum = [0.0; ORDER];
+                    for &child in children {
+                        weights.add_product(&moments[child], &mut sum);
+                    }
+                    moments[*block] = sum;
+                }
+                Step::Leaf(leaf) => {
+                    for target in leaf.start + 1..=leaf.end {
+                        let mut known = 0.0;
+                        if leaf.hears {
+                            known = product(weights.row(), &fields[leaf.block]);
+                        }
+                        for apart in &self.apart[leaf.apart.clone()] {
+                            known += dot(weights.take(apart.len()), &values[apart.clone()]);
+                        }
+                        let run = weights.take(target + self.extra - leaf.reach);
+                        finish(Target { index: target, known, first: leaf.reach, weights: run }, values);
+                    }
+                    if leaf.speaks {
+                        let mut sum = [0.0; ORDER];
+                        for value in &values[leaf.start..leaf.end + self.extra] {
+                            add_scaled(*value, weights.row(), &mut sum);
+                        }
+                        moments[leaf.block] = sum;
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Weights not read yet.
+struct Reader<'a>(&'a [f64]);
+
+impl<'a> Reader<'a> {
+    fn take(&mut self, count: usize) -> &'a [f64] {
+        let (taken, rest) = self.0.split_at(count);
+        self.0 = rest;
+        taken
+    }
+
+    fn row(&mut self) -> &'a Row {
+        let (row, rest) = self.0.split_first_chunk().expect("the steps match the weights");
+        self.0 = rest;
+        row
+    }
+
+    /// sum += Mᵀ v.
+    fn add_product(&mut self, vector: &Row, sum: &mut Row) {
+        for factor in vector {
+            add_scaled(*factor, self.row(), sum);
+        }
+    }
+}
+
+/// For every block the others that it is paired with.
+fn partners(blocks: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Vec<Vec<usize>> {
+    let mut lists = vec![Vec::new(); blocks];
+    for (block, partner) in pairs {
+        lists[block].push(partner);
+    }
+    lists
+}
+
+/// Lays out a sweep. `far` and `near` list the sources of each block.
+struct Builder<'a> {
+    tree: &'a Tree,
+    far: Vec<Vec<usize>>,
+    near: Vec<Vec<usize>>,
+    /// Whether anything listens to the moments of a block.
+    heard: Vec<bool>,
+    outward: bool,
+    sweep: Sweep,
+}
+
+impl Builder<'_> {
+    fn build(
+        mut self,
+        moments: impl Fn(usize, &mut dyn FnMut(Row)),
+        exact: impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
+    ) -> Sweep {
+        for source in self.far.iter().flatten() {
+            self.heard[*source] = true;
+        }
+        for block in 0..self.tree.blocks.len() {
+            self.heard[block] |= self.tree.blocks[block].parent.is_some_and(|parent| self.heard[parent]);
+        }
+        self.visit(0, false, &moments, &exact);
+        self.sweep
+    }
+
+    /// A cell or node in the order of the pass; `most` is the number of the last.
+    fn number(&self, index: usize, most: usize) -> usize {
+        if self.outward { index } else { most - index }
+    }
+
+    /// Cells of a block in the order of the pass.
+    fn cells(&self, block: usize) -> std::ops::Range<usize> {
+        let (cells, block) = (self.tree.square.len() - 1, &self.tree.blocks[block]);
+        if self.outward { block.start..block.end } else { cells - block.end..cells - block.start }
+    }
+
+    fn append(&mut self, rows: impl IntoIterator<Item = Row>) {
+        self.sweep.weights.extend(rows.into_iter().flatten());
+    }
+
+    fn visit(
+        &mut self,
+        block: usize,
+        parent_hears: bool,
+        moments: &impl Fn(usize, &mut dyn FnMut(Row)),
+        exact: &impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
+    ) {
+        let (target_edge, source_edge) =
+            if self.outward { (Edge::Inner, Edge::Outer) } else { (Edge::Outer, Edge::Inner) };
+        let Block { parent, children, .. } = self.tree.blocks[block];
+        let hears = parent_hears || !self.far[block].is_empty();
+        if hears {
+            if parent_hears && let Some(rows) = self.tree.in_parent(block, target_edge) {
+                self.append(transposed(&rows));
+            }
+            let first = self.sweep.sources.len();
+            for source in std::mem::take(&mut self.far[block]) {
+                self.append(self.tree.kernel(source, block));
+                self.sweep.sources.push(source);
+            }
+            let parent = parent.filter(|_| parent_hears);
+            let sources = first..self.sweep.sources.len();
+            self.sweep.steps.push(Step::Field { block, parent, sources });
+        }
+        let Some([inner, outer]) = children else {
+            return self.leaf(block, hears, moments, exact);
+        };
+        let children = if self.outward { [inner, outer] } else { [outer, inner] };
+        for child in children {
+            self.visit(child, hears, moments, exact);
+        }
+        if self.heard[block] {
+            for child in children {
+                let rows = self.tree.in_parent(child, source_edge);
+                self.append(rows.into_iter().flatten());
+            }
+            self.sweep.steps.push(Step::Moments { block, children });
+        }
+    }
+
+    fn leaf(
+        &mut self,
+        block: usize,
+        hears: bool,
+        moments: &impl Fn(usize, &mut dyn FnMut(Row)),
+        exact: &impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
+    ) {
+        let (last, extra) = (self.tree.square.len() - 1, self.sweep.extra);
+        let cells = self.cells(block);
+        // sources from the leaf backwards: those that adjoin it, then what lies apart, adjoining pieces as one
+        let mut near: Vec<_> = self.near[block].iter().map(|&source| self.cells(source)).collect();
+        near.sort_unstable_by_key(|cells| std::cmp::Reverse(cells.start));
+        let mut runs = vec![cells.clone()];
+        for piece in near {
+            match runs.last_mut() {
+                Some(run) if run.start == piece.end => run.start = piece.start,
+                _ => runs.push(piece),
+            }
+        }
+        let (reach, apart) = (runs[0].start, &runs[1..]);
+        let first = self.sweep.apart.len();
+        self.sweep.apart.extend(apart.iter().map(|run| run.start..run.end + extra));
+        for target in cells.start + 1..=cells.end {
+            let node = self.number(target, last);
+            if hears {
+                let edge = if self.outward { Edge::Inner } else { Edge::Outer };
+                self.append([self.tree.at_node(block, edge, node)]);
+            }
+            for run in apart.iter().cloned().chain(std::iter::once(reach..target)) {
+                let start = self.sweep.weights.len();
+                self.sweep.weights.resize(start + run.len() + extra, 0.0);
+                let cells = if self.outward { run } else { last - run.end..last - run.start };
+                exact(node, cells, &mut self.sweep.weights[start..]);
+            }
+        }
+        let speaks = self.heard[block];
+        if speaks {
+            moments(block, &mut |row| self.sweep.weights.extend(row));
+        }
+        let apart = first..self.sweep.apart.len();
+        let (start, end) = (cells.start, cells.end);
+        self.sweep.steps.push(Step::Leaf(Leaf { block, start, end, hears, speaks, reach, apart }));
+    }
+}
+
+fn transposed(rows: &[Row; ORDER]) -> [Row; ORDER] {
+    std::array::from_fn(|a| std::array::from_fn(|b| rows[b][a]))
+}
