@@ -14,6 +14,7 @@ mod abel;
 mod cell;
 mod dense;
 mod fast;
+mod fixed;
 mod interpolation;
 mod sweep;
 mod tree;
@@ -22,6 +23,7 @@ pub use abel::{Abel, CROSSOVER, Scratch};
 pub use cell::Density;
 pub use dense::DenseAbel;
 pub use fast::FastAbel;
+pub(crate) use fixed::FixedImage;
 
 use std::f64::consts::{FRAC_2_PI, PI};
 

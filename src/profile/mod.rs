@@ -292,6 +292,7 @@ impl Profile {
                 let half = b * b / 2.0;
                 Some((half + half.hypot(radius * depth)).sqrt())
             }
+            Self::Table(table) => table.radius_at_depth(depth),
             _ => None,
         }
     }
@@ -304,6 +305,7 @@ impl Profile {
             Self::PowerLaw { exponent: n, coefficient } => {
                 Some((load * (n + 1.0) / (n * power_factor(*n) * coefficient)).powf(1.0 / (n + 1.0)))
             }
+            Self::Table(table) => table.radius_at_load(load),
             _ => None,
         }
     }

@@ -3,20 +3,33 @@
 //! The image is taken piecewise linear in x² between the radii of the points, such that the profile it belongs to
 //! passes through every point (the descent transform of [`crate::transform`], solved node by node). The points of a
 //! sphere so give the image of that sphere exactly, and everything else follows in closed form on each piece.
+//!
+//! For n points the image costs O(n) operations, and whatever is asked of it afterwards O(log n).
 
 use crate::error::Error;
-use crate::transform::{self, leg};
+use crate::transform::FixedImage;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
-/// A tabulated profile with its one-dimensional image.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+/// A tabulated profile with its one-dimensional image. Copies share their data.
+#[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(try_from = "Vec<(f64, f64)>", into = "Vec<(f64, f64)>")]
-pub struct ProfileTable {
+pub struct ProfileTable(Arc<Data>);
+
+#[derive(Debug)]
+struct Data {
     points: Vec<(f64, f64)>,
     radii: Vec<f64>,
-    image: Vec<f64>,
+    image: FixedImage,
+    /// ∫₀ ξ g' dξ up to each point, m².
     load: Vec<f64>,
+    /// ∫₀ g² dξ up to each point, m³.
     square: Vec<f64>,
+    /// Largest image up to each point, m.
+    highest: Vec<f64>,
+    /// Smallest image and load integral from each point on, m and m².
+    lowest: Vec<f64>,
+    lightest: Vec<f64>,
     monotone_up_to: f64,
 }
 
@@ -85,51 +98,64 @@ impl ProfileTable {
                 return refuse(i, format!("r = {r:e} m after r = {before:e} m: sort the points by rising r"));
             }
         }
-        let radii: Vec<f64> = points.iter().map(|p| p.0).collect();
-        let image = image_through(&points, &radii);
-        if let Some(i) = image.iter().position(|g| !g.is_finite()) {
-            return refuse(i, "the 1-D image overflows here: check the units, r and f are in m".into());
-        }
-        let monotone_up_to = image.windows(2).position(|g| g[1] < g[0]).map_or(f64::INFINITY, |i| radii[i]);
+        let (radii, heights): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
+        let image = FixedImage::through(&radii, &heights);
+        let g = image.values();
+        let monotone_up_to = g.windows(2).position(|g| g[1] < g[0]).map_or(f64::INFINITY, |i| radii[i]);
         let (mut load, mut square) = (vec![0.0], vec![0.0]);
         for j in 0..radii.len() - 1 {
-            let piece = Piece { x0: radii[j], x1: radii[j + 1], g0: image[j], g1: image[j + 1] };
+            let piece = Piece { x0: radii[j], x1: radii[j + 1], g0: g[j], g1: g[j + 1] };
             load.push(load[j] + piece.load(radii[j + 1]));
             square.push(square[j] + piece.square(radii[j + 1]));
         }
-        Ok(Self { points, radii, image, load, square, monotone_up_to })
+        let sound = |i: usize| g[i].is_finite() && load[i].is_finite() && square[i].is_finite();
+        if let Some(i) = (0..g.len()).find(|&i| !sound(i)) {
+            return refuse(i, "the 1-D image overflows here: check the units, r and f are in m".into());
+        }
+        let highest = running(g.iter().copied(), f64::max);
+        let mut lowest = running(g.iter().rev().copied(), f64::min);
+        let mut lightest = running(load.iter().rev().copied(), f64::min);
+        lowest.reverse();
+        lightest.reverse();
+        let data = Data { points, radii, image, load, square, highest, lowest, lightest, monotone_up_to };
+        Ok(Self(Arc::new(data)))
     }
 
     /// The points (r, f), m.
     pub fn points(&self) -> &[(f64, f64)] {
-        &self.points
+        &self.0.points
     }
 
     /// Largest radius up to which the image does not fall, m; infinite where it never does.
     pub fn monotone_up_to(&self) -> f64 {
-        self.monotone_up_to
+        self.0.monotone_up_to
     }
 
     /// Radius of the last point, m.
     pub fn outer_radius(&self) -> f64 {
-        self.radii[self.radii.len() - 1]
+        self.0.radii[self.0.radii.len() - 1]
     }
 
     /// Radii of the points, m.
     pub(crate) fn radii(&self) -> &[f64] {
-        &self.radii
+        &self.0.radii
+    }
+
+    /// Piece j, between the points j and j + 1.
+    fn nth(&self, j: usize) -> Piece {
+        let (radii, image) = (&self.0.radii, self.0.image.values());
+        Piece { x0: radii[j], x1: radii[j + 1], g0: image[j], g1: image[j + 1] }
     }
 
     /// Index and data of the piece that holds x; the last piece is continued beyond the table.
     fn piece(&self, x: f64) -> (usize, Piece) {
-        let j = self.radii.partition_point(|&r| r <= x).clamp(1, self.radii.len() - 1) - 1;
-        let piece =
-            Piece { x0: self.radii[j], x1: self.radii[j + 1], g0: self.image[j], g1: self.image[j + 1] };
-        (j, piece)
+        let radii = &self.0.radii;
+        let j = radii.partition_point(|&r| r <= x).clamp(1, radii.len() - 1) - 1;
+        (j, self.nth(j))
     }
 
     pub(super) fn height(&self, r: f64) -> f64 {
-        transform::descent_at(&self.radii, &self.image, r.min(self.outer_radius()))
+        self.0.image.height(r)
     }
 
     pub(super) fn image(&self, x: f64) -> f64 {
@@ -142,28 +168,55 @@ impl ProfileTable {
 
     pub(super) fn load_integral(&self, x: f64) -> f64 {
         let (j, piece) = self.piece(x);
-        self.load[j] + piece.load(x)
+        self.0.load[j] + piece.load(x)
     }
 
     pub(super) fn square_integral(&self, x: f64) -> f64 {
         let (j, piece) = self.piece(x);
-        self.square[j] + piece.square(x)
+        self.0.square[j] + piece.square(x)
     }
 
     pub(super) fn pressure_integral(&self, r: f64, a: f64) -> f64 {
-        let (last, _) = self.piece(a);
-        let mut sum = 0.0;
-        for j in (0..=last).rev() {
-            let (x0, x1) = (self.radii[j].max(r), self.radii[j + 1].min(a));
-            if x1 <= r {
-                break;
-            }
-            let slope = (self.image[j + 1] - self.image[j])
-                / ((self.radii[j + 1] - self.radii[j]) * (self.radii[j + 1] + self.radii[j]));
-            sum += 2.0 * slope * (leg(x1, r) - leg(x0, r));
-        }
-        sum
+        self.0.image.slope_integral(r, a)
     }
+
+    /// The radius at which the image takes the value `depth`, where there is one only.
+    pub(super) fn radius_at_depth(&self, depth: f64) -> Option<f64> {
+        let j = outermost_below(&self.0.lowest, depth)?;
+        if self.0.highest[j] > depth {
+            return None;
+        }
+        let Piece { x0, x1, g0, g1 } = self.nth(j);
+        let (inner, share) = (x0 / x1, (depth - g0) / (g1 - g0));
+        Some(x1 * (inner * inner + share * (1.0 - inner) * (1.0 + inner)).sqrt())
+    }
+
+    /// Outermost radius at which the load integral takes the value `load`, where there is one inside the table.
+    pub(super) fn radius_at_load(&self, load: f64) -> Option<f64> {
+        let j = outermost_below(&self.0.lightest, load)?;
+        let piece = self.nth(j);
+        // linear in x³
+        let (inner, share) = ((piece.x0 / piece.x1).powi(3), (load - self.0.load[j]) / piece.load(piece.x1));
+        Some(piece.x1 * (inner + share * (1.0 - inner)).cbrt())
+    }
+}
+
+/// Last point whose value, and none further out, is above `value`, if it is not the last of all: `lowest` holds the
+/// smallest of the values from each point on.
+fn outermost_below(lowest: &[f64], value: f64) -> Option<usize> {
+    let above = lowest.partition_point(|&low| low <= value);
+    (above > 0 && above < lowest.len()).then(|| above - 1)
+}
+
+/// The running maximum or minimum.
+fn running(values: impl Iterator<Item = f64>, choose: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+    values
+        .scan(None, |so_far, value| {
+            let chosen = so_far.map_or(value, |before| choose(before, value));
+            *so_far = Some(chosen);
+            Some(chosen)
+        })
+        .collect()
 }
 
 /// One piece of the image, linear in X = x²: g = g0 + σ (X − x0²).
@@ -199,20 +252,17 @@ impl Piece {
     }
 }
 
-/// Image values at the radii of the points such that the profile passes through every point.
-fn image_through(points: &[(f64, f64)], radii: &[f64]) -> Vec<f64> {
-    let mut image = vec![points[0].1];
-    for i in 1..points.len() {
-        image.push(0.0);
-        image[i] = transform::ascend_last(&radii[..=i], &image, points[i].1);
-    }
-    image
-}
-
 /// The start of a field for a message.
 fn shorten(field: &str) -> String {
     let start: String = field.chars().take(24).collect();
     if start.len() < field.len() { format!("{start}…") } else { start }
+}
+
+impl PartialEq for ProfileTable {
+    /// All else follows from the points.
+    fn eq(&self, other: &Self) -> bool {
+        self.points() == other.points()
+    }
 }
 
 impl TryFrom<Vec<(f64, f64)>> for ProfileTable {
@@ -225,6 +275,6 @@ impl TryFrom<Vec<(f64, f64)>> for ProfileTable {
 
 impl From<ProfileTable> for Vec<(f64, f64)> {
     fn from(table: ProfileTable) -> Self {
-        table.points
+        table.0.points.clone()
     }
 }

@@ -205,3 +205,67 @@ fn tables_survive_serde_and_refuse_bad_points() {
     assert_eq!(serde_json::from_str::<ProfileTable>(&json).unwrap(), table);
     assert!(serde_json::from_str::<ProfileTable>("[[0.0,0.0],[1.0,0.0],[0.5,0.0]]").is_err());
 }
+
+/// A sphere with waves on it that are too flat for its image to fall.
+fn waved_sphere(points: u32) -> ProfileTable {
+    let radii = (0..points).map(|i| 4e-4 * f64::from(i) / f64::from(points - 1));
+    ProfileTable::new(radii.map(|r| (r, r * r / 0.02 + 1e-12 * (r * 1e5).cos())).collect()).unwrap()
+}
+
+#[test]
+fn radii_of_a_table_are_found_without_iteration() {
+    let table = waved_sphere(1000);
+    assert_eq!(table.monotone_up_to(), f64::INFINITY);
+    let profile = Profile::Table(table);
+    for x in [1e-9, 3.3e-5, 4e-4 * 500.0 / 999.0, 2.2e-4, 3.9999e-4] {
+        let depth = profile.radius_at_depth(profile.image(x)).unwrap();
+        let load = profile.radius_at_load(profile.load_integral(x)).unwrap();
+        assert!((depth / x - 1.0).abs() < 1e-9 && (load / x - 1.0).abs() < 1e-9, "{x:e}: {depth:e} {load:e}");
+    }
+    // at the end of the table and beyond
+    for x in [4e-4, 5e-4] {
+        assert!(profile.radius_at_depth(profile.image(x)).is_none());
+        assert!(profile.radius_at_load(profile.load_integral(x)).is_none());
+    }
+}
+
+#[test]
+fn where_a_tables_image_falls_the_outermost_radius_counts() {
+    let points = vec![(0.0, 0.0), (1e-5, 1e-9), (2e-5, 4e-9), (3e-5, 1e-9), (4e-5, 16e-9), (5e-5, 32e-9)];
+    let profile = Profile::Table(ProfileTable::new(points).unwrap());
+    let (peak, trough) = (profile.image(2e-5), profile.image(3e-5));
+    assert!(peak > trough);
+    // three radii share this image: the caller has to say which it means
+    assert!(profile.radius_at_depth(0.5 * (peak + trough)).is_none());
+    // above the peak there is one
+    let x = profile.radius_at_depth(1.01 * peak).unwrap();
+    assert!(x > 3e-5 && (profile.image(x) / (1.01 * peak) - 1.0).abs() < 1e-14);
+    let level = 0.5 * (profile.load_integral(2e-5) + profile.load_integral(3e-5));
+    let x = profile.radius_at_load(level).unwrap();
+    assert!(x > 3e-5 && x < 4e-5, "{x:e}");
+    assert!((profile.load_integral(x) - level).abs() < 1e-14 * level.abs());
+}
+
+#[test]
+fn tables_whose_squares_leave_the_range_of_numbers_are_refused() {
+    for points in [
+        vec![(0.0, 0.0), (1e-200, 1e-9), (1.0, 1.0)],
+        vec![(0.0, 0.0), (1e299, 1e10), (1e300, 1e11)],
+        vec![(0.0, 0.0), (1.0, 1e200), (2.0, 1e201)],
+        vec![(0.0, 0.0), (1.0, -1.7e308), (2.0, 1.7e308)],
+    ] {
+        let message = ProfileTable::new(points.clone()).unwrap_err().to_string();
+        assert!(message.contains("overflows"), "{points:?}: {message}");
+    }
+    // small is not too small
+    let small = ProfileTable::new(vec![(0.0, 0.0), (1e-70, 1e-80), (2e-70, 4e-80)]).unwrap();
+    assert!((Profile::Table(small).image(1e-70) / 2e-80 - 1.0).abs() < 1e-14);
+}
+
+#[test]
+fn copies_of_a_table_share_their_data() {
+    let table = waved_sphere(100);
+    assert!(std::ptr::eq(table.points(), table.clone().points()));
+    assert_eq!(table, ProfileTable::new(table.points().to_vec()).unwrap());
+    assert_ne!(table, waved_sphere(101));
+}
