@@ -8,6 +8,7 @@ mod cyclic;
 mod history;
 mod readout;
 mod snapshot;
+mod steady;
 
 pub use counters::Counters;
 pub use snapshot::Snapshot;
@@ -16,7 +17,7 @@ use crate::error::Error;
 use crate::friction::Springs;
 use crate::parameters::{NormalControl, Parameters};
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Constants, Pending, Segment, TableCache};
+use crate::wear::{Constants, Pending, Segment, Sliding, TableCache};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -70,7 +71,8 @@ pub struct FrettingContact {
     /// Present only where wear is computed.
     wear: Option<Box<WearState>>,
     counters: Counters,
-    view: OnceCell<View>,
+    /// The worn profile up to this instant, made when read.
+    view: OnceCell<Nodes>,
 }
 
 /// What wear needs besides the surface.
@@ -79,15 +81,12 @@ struct WearState {
     pending: Pending,
     segment: Segment,
     tables: TableCache,
+    /// The cycle that a transient history keeps to.
+    rhythm: Option<steady::Rhythm>,
+    /// How much the next step of a steady motion should span, and of which.
+    next_step: Option<(Sliding, f64)>,
     /// Σ |∫A dA − W| over the segments so far, J.
     transform_defect: f64,
-}
-
-/// The worn profile up to this instant, made when read.
-#[derive(Debug, Clone)]
-struct View {
-    nodes: Nodes,
-    depth: Vec<f64>,
 }
 
 impl FrettingContact {

@@ -6,7 +6,7 @@
 
 mod nodes;
 
-pub(crate) use nodes::{Nodes, outer_weight};
+pub(crate) use nodes::{MeshPlace, Nodes, kept_nodes, outer_weight};
 
 use crate::error::Error;
 use crate::parameters::NormalControl;
@@ -90,13 +90,23 @@ impl Surface {
         self.profile.image(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).0)
     }
 
+    /// Image of the wear alone at x, m.
+    pub(crate) fn worn_image(&self, x: f64) -> f64 {
+        self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).0)
+    }
+
     /// Slope g'(x) of the image.
     pub(crate) fn image_slope(&self, x: f64) -> f64 {
         self.profile.image_slope(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_slope(x))
     }
 
+    /// The same body without its wear.
+    pub(crate) fn unworn(&self) -> Self {
+        Self { profile: self.profile.clone(), worn: None }
+    }
+
     /// Load integral φ(x), m².
-    fn load(&self, x: f64) -> f64 {
+    pub(crate) fn load(&self, x: f64) -> f64 {
         self.profile.load_integral(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).1)
     }
 
@@ -121,6 +131,11 @@ impl Surface {
         value: f64,
         force_scale: f64,
     ) -> Result<Contact, Error> {
+        if let Some(place) = self.worn.as_ref().and_then(Nodes::mesh)
+            && place.contact.control == value
+        {
+            return Ok(place.contact);
+        }
         let touch = self.image(0.0);
         let open = Contact { control: value, depth: touch, radius: 0.0, load: 0.0 };
         let contact = match control {

@@ -169,13 +169,6 @@ impl Tables {
         &self.pressure[start..start + self.nodes - 1 - i]
     }
 
-    /// Drop of the pressure at node i over E* per depth worn off there alone, 1/m.
-    pub(crate) fn local_stiffness(&self, i: usize) -> f64 {
-        let outer = self.pressure_weights(i).first().copied().unwrap_or(0.0);
-        let diagonal = self.descent_weights(i).last().copied().unwrap_or(1.0);
-        outer / diagonal
-    }
-
     /// Descent transform at the first `count` nodes.
     pub(crate) fn descend(&self, v: &[f64], count: usize) -> Vec<f64> {
         let first = v.iter().take(count).position(|&value| value != v[0]).unwrap_or(count);

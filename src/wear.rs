@@ -13,8 +13,15 @@
 //! than about (4/π)(p/E*) Δr at a time, which the fine cells at a stick front make hopeless. S is lower triangular:
 //! nodes that have not slipped get Δh = 0 exactly, whatever happens outside.
 
+mod life;
+mod mesh;
+mod patch;
+mod rosenbrock;
 mod update;
 
+pub(crate) use life::{Amount, Fineness, live};
+pub(crate) use mesh::{Region, depth_volume};
+pub(crate) use patch::{Motion, Sliding};
 pub(crate) use update::{Edge, pressure_nodes, worn_depth};
 
 use crate::friction::Springs;
@@ -45,6 +52,16 @@ impl Constants {
     }
 }
 
+/// Steady motion that has passed on the present surface at the present load.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub(crate) struct Steady {
+    pub(crate) sliding: Sliding,
+    /// Cycles or metres, as its kind has it.
+    pub(crate) amount: f64,
+    /// Its work, J.
+    pub(crate) work: f64,
+}
+
 /// What slip has done to the surface since the profile was last updated.
 #[derive(Debug, Clone, Default, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(crate) struct Pending {
@@ -52,21 +69,21 @@ pub(crate) struct Pending {
     pub(crate) work_per_area: Vec<f64>,
     /// Length of the slip path at each node, m.
     pub(crate) slip_path: Vec<f64>,
-    /// Worn depth at each node as far as it is sure before the update, m: it never falls.
-    pub(crate) sure_depth: Vec<f64>,
     /// Work of friction of the same history, from the springs, J.
     pub(crate) work: f64,
     /// Work that found no field yet to go to, J.
     pub(crate) unplaced: f64,
     /// Work per area whose sign would have healed the surface, integrated, J.
     pub(crate) clipped: f64,
+    /// Instead of all these: steady motion at the present load.
+    pub(crate) steady: Option<Steady>,
     /// The largest contact that has slipped: the one whose pressure the wear relieves.
     pub(crate) contact: Option<Contact>,
 }
 
 impl Pending {
     pub(crate) fn is_empty(&self) -> bool {
-        self.work == 0.0
+        self.work == 0.0 && self.steady.is_none()
     }
 
     /// Adds one stretch of slip in a contact: traction at the nodes inside and slip at all. The work per area takes the
@@ -74,18 +91,17 @@ impl Pending {
     /// clipped, the little that is left must not take all of the work. Returns the work by which the two differed, J.
     pub(crate) fn add(
         &mut self,
-        (nodes, tables): (&Nodes, &Tables),
+        nodes: &Nodes,
         contact: &Contact,
         (traction, slip): (&[f64], &[f64]),
         work: f64,
         most_share: f64,
-        constants: &Constants,
     ) -> f64 {
         if self.contact.is_none_or(|largest| largest.radius < contact.radius) {
             self.contact = Some(*contact);
         }
         let count = nodes.x().len();
-        for field in [&mut self.work_per_area, &mut self.slip_path, &mut self.sure_depth] {
+        for field in [&mut self.work_per_area, &mut self.slip_path] {
             field.resize(count, 0.0);
         }
         let product: Vec<f64> =
@@ -96,14 +112,10 @@ impl Pending {
         let found = nodes.integral_to_edge(&gain, contact.radius);
         let placed = work + std::mem::take(&mut self.unplaced);
         let share = if found > 0.0 { (placed / found).clamp(1.0 / most_share, most_share) } else { 0.0 };
-        let kappa = constants.wear_per_work * constants.friction_coefficient * constants.normal_modulus;
         for i in 0..count {
             let gain = share * gain[i];
             self.work_per_area[i] += gain;
             self.slip_path[i] += slip[i].abs();
-            // the update relieves the pressure at a node at least as if that node alone had worn
-            let relief = kappa * tables.local_stiffness(i) * self.slip_path[i];
-            self.sure_depth[i] += constants.wear_per_work * gain / (1.0 + relief);
         }
         self.work += placed;
         (found - work).abs()
@@ -123,7 +135,7 @@ impl Pending {
     /// The same distribution on nodes that include those of before. An added node takes the smaller value of its
     /// neighbours, so that nothing enters a sticking region.
     pub(crate) fn moved_to(&mut self, old: &[f64], new: &[f64]) {
-        for field in [&mut self.work_per_area, &mut self.slip_path, &mut self.sure_depth] {
+        for field in [&mut self.work_per_area, &mut self.slip_path] {
             let at = |i: usize| field.get(i).copied().unwrap_or(0.0);
             *field = new
                 .iter()
@@ -140,7 +152,6 @@ impl Pending {
         Self {
             work_per_area: self.work_per_area.iter().map(|a| a * factor).collect(),
             slip_path: self.slip_path.iter().map(|s| s * factor).collect(),
-            sure_depth: self.sure_depth.iter().map(|w| w * factor).collect(),
             work: self.work * factor,
             ..self.clone()
         }
@@ -154,6 +165,10 @@ pub(crate) struct Segment {
     pub(crate) unslipped: Springs,
     /// Contact at the start.
     pub(crate) contact: Option<Contact>,
+    /// Displacement at the start, m.
+    pub(crate) start: f64,
+    /// Direction in which all springs slipped at the start, 0 if some stuck.
+    pub(crate) sliding: f64,
     /// Work of friction in the segment, J.
     pub(crate) work: f64,
 }
@@ -195,17 +210,17 @@ pub(crate) fn segment_fields(
 /// The transforms of one set of nodes, shared by clones of a contact.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct TableCache {
-    tables: Option<(u64, Arc<Tables>)>,
+    tables: Option<(Vec<f64>, Arc<Tables>)>,
 }
 
 impl TableCache {
     /// Tables for the present nodes; the flag says whether they had to be made.
     pub(crate) fn get(&mut self, nodes: &Nodes) -> (Arc<Tables>, bool) {
         match &self.tables {
-            Some((version, tables)) if *version == nodes.version() => (tables.clone(), false),
+            Some((x, tables)) if *x == nodes.x() => (tables.clone(), false),
             _ => {
                 let tables = Arc::new(Tables::new(nodes.x()));
-                self.tables = Some((nodes.version(), tables.clone()));
+                self.tables = Some((nodes.x().to_vec(), tables.clone()));
                 (tables, true)
             }
         }

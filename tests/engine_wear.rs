@@ -236,7 +236,8 @@ fn a_flat_punch_in_gross_slip_flattens_its_pressure_as_tabulated() {
         let volume = contact.wear_volume() / (per_path * slid) - 1.0;
         println!("punch at {s}: p(0)/mean {measured:.4}: {:+.2e}, V {volume:+.1e}", measured / ratio - 1.0);
         close_to(measured, ratio, 0.01, &format!("p(0) at {s}"));
-        close(volume, 0.0, 1e-9, &format!("V at {s}"));
+        // integrated in time, as the pressure falls
+        close(volume, 0.0, 1e-6, &format!("V at {s}"));
     }
     // the pressure of the rim is singular at first
     assert_volumes_agree(&contact, 0.02, "punch in gross slip");
@@ -348,8 +349,8 @@ fn largest_healing(
     most
 }
 
-/// Nothing heals but by what the update does to wear that is pending: it is read before the pressure has followed the
-/// wear, and the update takes that back. One line here wears some d₀/40.
+/// Nothing heals but by what the profile takes back of an estimate: amid a stroke the depth is read as if it had worn like a
+/// part of the cycle. One stroke here wears some d₀/80, a hundred times what a user's would.
 #[test]
 fn wear_never_heals_at_any_probe() {
     for profile in [BALL, CONE] {
@@ -357,7 +358,7 @@ fn wear_never_heals_at_any_probe() {
             (scene.normal, scene.amplitude * (std::f64::consts::TAU * k as f64 / 20.0).sin())
         });
         println!("{profile:?}, constant load: heals {healing:.1e} d0");
-        assert!(healing <= 5e-4, "{profile:?}: {healing:e}");
+        assert!(healing <= 2e-3, "{profile:?}: {healing:e}");
         let mut random = seeded(11);
         let healing = largest_healing(profile.clone(), 60, |_, scene| {
             (uniform(&mut random, -0.1, 1.0) * FORCE, uniform(&mut random, -1.5, 1.5) * scene.amplitude)
@@ -446,18 +447,21 @@ fn the_counted_work_stays_bounded() {
     let counters = stepped.counters();
     println!("stepping: {counters}");
     assert_eq!(counters.steps, (LIFE * STEPS + 1) as u64);
-    // an update per 1e-3 of what the annulus has to lose, a transform per stroke and update, tables per new node
-    assert!(counters.spring_walks <= counters.steps + 200, "{counters}");
-    assert!(counters.profile_updates <= 1400, "{counters}");
-    assert!(counters.pressure_transforms <= 1700, "{counters}");
-    assert!(counters.factorisations <= 1800, "{counters}");
-    assert!(counters.transform_tables <= 120, "{counters}");
+    // an update per half cycle, since here each wears more than the limit; four stages each, and nothing on other nodes
+    let updates = counters.profile_updates;
+    assert!(updates <= 2 * LIFE as u64 + 20, "{counters}");
+    assert!(counters.rejected_steps <= 10, "{counters}");
+    assert_eq!(counters.factorisations, updates + counters.rejected_steps, "{counters}");
+    assert_eq!(counters.pressure_transforms, 4 * counters.factorisations, "{counters}");
+    assert!(counters.spring_walks <= counters.steps + 3 * updates, "{counters}");
+    assert_eq!(counters.transform_tables, 0, "{counters}");
     let mut averaged = scene.begin();
     averaged.advance_cycles(scene.normal, scene.amplitude, 9.0 * LIFE as f64).expect("cycles");
     let counters = averaged.counters();
     println!("cycles: {counters}");
-    assert!(counters.profile_updates <= 300, "{counters}");
-    assert!(counters.pressure_transforms <= 1200, "{counters}");
-    assert!(counters.factorisations <= 1800, "{counters}");
-    assert!(counters.transform_tables <= 60, "{counters}");
+    assert!(counters.profile_updates <= 60, "{counters}");
+    assert!(counters.rejected_steps <= 25, "{counters}");
+    assert!(counters.factorisations <= 80, "{counters}");
+    assert!(counters.pressure_transforms <= 4 * counters.factorisations, "{counters}");
+    assert_eq!(counters.transform_tables, 0, "{counters}");
 }

@@ -3,14 +3,18 @@
 use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Path, Springs};
-use crate::surface::{Contact, Nodes};
+use crate::surface::{Contact, Nodes, Surface};
 use crate::transform::Tables;
-use crate::wear::{self, Edge, Segment};
+use crate::wear::{self, Edge, Pending, Segment, Sliding, Steady};
 use std::sync::Arc;
 
 /// Largest change of load, relative to the larger one, over which the friction work of a spring takes the mean of its
 /// bound and one pair of transforms serves; the error is of second order in it.
 const LOAD_SHARE: f64 = 0.05;
+
+/// How much more than the limit between two updates may wear in one stroke before the profile follows within it. At a
+/// reversal an update is far more exact, since the stroke can be told for half a cycle there.
+const STROKE: f64 = 20.0;
 
 /// Most pieces into which wear may split a line.
 const MOST_PIECES: f64 = 512.0;
@@ -69,6 +73,12 @@ impl FrettingContact {
 
     /// Walks one piece, after closing the segment where the motion turns. `splits` > 0 allows wear to split it further.
     pub(super) fn walk(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
+        if let Some(onset) = self.onset_of_long_slide(value, displacement) {
+            return self.transaction(|this| {
+                this.walk(value, onset, splits)?;
+                this.slide_on(displacement)
+            });
+        }
         let turns = displacement != self.displacement
             && (displacement - self.displacement).signum() != self.direction
             || value <= self.touch_control();
@@ -95,8 +105,13 @@ impl FrettingContact {
             return false;
         }
         let inner = self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
-        let volume = self.constants.wear_per_work * wear.segment.work;
-        wear::exceeds_limit(volume, self.parameters.tolerance, &self.surface, &self.contact, inner).is_some()
+        self.exceeds_limit(self.constants.wear_per_work * wear.segment.work, &self.contact, inner).is_some()
+    }
+
+    /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where it exceeds that.
+    pub(super) fn exceeds_limit(&self, volume: f64, contact: &Contact, stick_radius: f64) -> Option<f64> {
+        let tolerance = if stick_radius > 0.0 { STROKE } else { 1.0 } * self.parameters.tolerance;
+        wear::exceeds_limit(volume, tolerance, &self.surface, contact, stick_radius)
     }
 
     fn walk_on(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
@@ -116,8 +131,7 @@ impl FrettingContact {
             return Ok(());
         };
         let inner = springs.stick_radius(&to, self.constants.bound_slope(), displacement);
-        let limit =
-            |volume| wear::exceeds_limit(volume, self.parameters.tolerance, &self.surface, &to, inner);
+        let limit = |volume| self.exceeds_limit(volume, &to, inner);
         let volume = self.constants.wear_per_work * work;
         if splits > 0
             && let Some(ratio) = limit(volume)
@@ -180,7 +194,7 @@ impl FrettingContact {
     }
 
     /// Takes over the state at the end of a path.
-    fn arrive(&mut self, to: Contact, displacement: f64, springs: Springs, work: f64) {
+    pub(super) fn arrive(&mut self, to: Contact, displacement: f64, springs: Springs, work: f64) {
         self.view.take();
         self.spare = std::mem::replace(&mut self.springs, springs);
         if displacement != self.displacement {
@@ -198,12 +212,27 @@ impl FrettingContact {
     fn turn(&mut self) -> Result<(), Error> {
         let limit = self.update_limit();
         let last = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
-        self.close_segment()?;
-        let pending = self.wear.as_ref().map_or(0.0, |wear| wear.pending.work);
-        if self.constants.wear_per_work * (pending + last) > limit {
+        let steady = self.steady_segment();
+        match steady {
+            Some(steady) => self.add_steady(steady)?,
+            None => {
+                self.set_rhythm(None);
+                self.close_segment()?;
+            }
+        }
+        if self.constants.wear_per_work * (self.pending_work() + last) > limit {
             self.update_profile()?;
+            if let Some(Steady { sliding: Sliding::Cycles(amplitude), .. }) = steady {
+                self.rest_at_reversal(amplitude);
+            }
         }
         Ok(())
+    }
+
+    /// Work whose wear is still to be taken off, J.
+    fn pending_work(&self) -> f64 {
+        let Some(wear) = &self.wear else { return 0.0 };
+        wear.pending.work + wear.pending.steady.map_or(0.0, |steady| steady.work)
     }
 
     /// Volume that may wear before the profile is updated, m³.
@@ -220,7 +249,14 @@ impl FrettingContact {
 
     /// Closes the segment and brings the profile up to date.
     pub(super) fn settle(&mut self) -> Result<(), Error> {
-        self.close_segment()?;
+        let begun = match self.begun_half_cycle() {
+            None => self.steady_segment(),
+            begun => begun,
+        };
+        match begun {
+            Some(steady) => self.add_steady(steady)?,
+            None => self.close_segment()?,
+        }
         self.update_profile()
     }
 
@@ -228,6 +264,9 @@ impl FrettingContact {
     pub(super) fn close_segment(&mut self) -> Result<(), Error> {
         let Some(wear) = &self.wear else { return Ok(()) };
         if wear.segment.work > 0.0 {
+            if wear.pending.steady.is_some() {
+                self.update_under_segment()?;
+            }
             self.prepare_nodes()?;
             let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(()) };
             let mut edge = Edge::new(nodes, &self.contact, self.surface.profile().outer_radius());
@@ -248,14 +287,8 @@ impl FrettingContact {
                 traction.iter_mut().for_each(|t| *t *= self.constants.tangential_modulus);
                 let surface_slip = tables.descend(&slip, slip.len());
                 let largest = if start.radius > self.contact.radius { start } else { self.contact };
-                wear.transform_defect += wear.pending.add(
-                    (nodes, &tables),
-                    &largest,
-                    (&traction, &surface_slip),
-                    wear.segment.work,
-                    1.25,
-                    &self.constants,
-                );
+                wear.transform_defect +=
+                    wear.pending.add(nodes, &largest, (&traction, &surface_slip), wear.segment.work, 1.25);
                 self.counters.transform_tables += u64::from(made);
                 self.counters.pressure_transforms += 1;
                 self.counters.descent_transforms += 1;
@@ -267,10 +300,17 @@ impl FrettingContact {
         Ok(())
     }
 
-    fn start_segment(&mut self) {
+    pub(super) fn start_segment(&mut self) {
+        if self.wear.is_none() {
+            return;
+        }
+        let contact = (!self.contact.is_open()).then_some(self.contact);
+        let (inner, side) =
+            self.springs.slip_zone(&self.contact, self.constants.bound_slope(), self.displacement);
+        let sliding = if inner == 0.0 { side } else { 0.0 };
         if let Some(wear) = &mut self.wear {
-            let contact = (!self.contact.is_open()).then_some(self.contact);
-            wear.segment = Segment { unslipped: self.springs.clone(), contact, work: 0.0 };
+            let start = self.displacement;
+            wear.segment = Segment { unslipped: self.springs.clone(), contact, start, sliding, work: 0.0 };
         }
     }
 
@@ -286,15 +326,14 @@ impl FrettingContact {
             Some(nodes) => {
                 let mut adapted = nodes.clone();
                 adapted.adapt(profile, self.contact.radius, front);
-                if adapted.version() == nodes.version() {
+                if adapted.x().len() == nodes.x().len() {
                     return Ok(());
                 }
                 adapted
             }
         };
-        let segment = self.wear.as_mut().map(|wear| std::mem::take(&mut wear.segment));
-        self.update_profile()?;
-        // the update may have changed the image values, not the nodes
+        self.update_under_segment()?;
+        // the update may have moved the nodes, too
         let adapted = match self.surface.worn() {
             None => adapted,
             Some(nodes) => {
@@ -306,36 +345,61 @@ impl FrettingContact {
         let old = self.surface.clone();
         self.surface.set_worn(Some(adapted));
         self.springs = self.springs.moved_to(&old, &self.surface);
-        if let (Some(wear), Some(segment)) = (&mut self.wear, segment) {
-            let unslipped = segment.unslipped.moved_to(&old, &self.surface);
+        if let Some(wear) = &mut self.wear {
+            wear.segment.unslipped = wear.segment.unslipped.moved_to(&old, &self.surface);
             if let (Some(before), Some(now)) = (old.worn(), self.surface.worn()) {
                 wear.pending.moved_to(before.x(), now.x());
             }
-            wear.segment = Segment { unslipped, work: segment.work + wear.segment.work, ..segment };
+        }
+        Ok(())
+    }
+
+    /// Takes what is pending off the profile while a segment is going on.
+    pub(super) fn update_under_segment(&mut self) -> Result<(), Error> {
+        let segment = self.wear.as_mut().map(|wear| std::mem::take(&mut wear.segment));
+        let old = self.surface.clone();
+        self.update_profile()?;
+        if let (Some(wear), Some(segment)) = (&mut self.wear, segment) {
+            let unslipped = segment.unslipped.moved_to(&old, &self.surface);
+            wear.segment = Segment { unslipped, ..segment };
         }
         Ok(())
     }
 
     /// Takes what is pending off the profile and lets the contact settle at the present load and displacement.
     pub(super) fn update_profile(&mut self) -> Result<(), Error> {
-        let Some(worn_image) = self.pending_image()? else { return Ok(()) };
         let old = self.surface.clone();
-        let Some(mut nodes) = old.worn().cloned() else { return Ok(()) };
-        let bound_slope = self.constants.bound_slope();
-        let zone = self.springs.slip_zone(&self.contact, bound_slope, self.displacement);
-        nodes.set_worn_image(worn_image, old.profile());
-        self.surface.set_worn(Some(nodes));
-        self.counters.descent_transforms += 1;
-        self.counters.profile_updates += 1;
-        let moved = self.springs.moved_to(&old, &self.surface);
-        let to =
-            self.surface.contact(self.parameters.normal_control, self.contact.control, self.force_scale())?;
-        self.counters.contact_solutions += 1;
+        let zone = self.springs.slip_zone(&self.contact, self.constants.bound_slope(), self.displacement);
+        let steady = self.wear.as_mut().and_then(|wear| wear.pending.steady.take());
+        if let Some(Steady { sliding, amount, work }) = steady {
+            self.wear_by(self.contact.control, sliding, amount, Some(work))?;
+        } else {
+            let Some((worn_image, depth)) = self.pending_image()? else { return Ok(()) };
+            let Some(mut nodes) = old.worn().cloned() else { return Ok(()) };
+            nodes.set_worn(worn_image, depth, old.profile());
+            self.surface.set_worn(Some(nodes));
+            self.counters.descent_transforms += 1;
+            self.counters.profile_updates += 1;
+            if let Some(wear) = &mut self.wear {
+                let Pending { clipped, unplaced, .. } = wear.pending;
+                wear.pending = Pending { clipped, unplaced, ..Pending::default() };
+            }
+        }
+        self.rest_on_new_surface(&old, zone)?;
+        self.start_segment();
+        Ok(())
+    }
+
+    /// Contact and springs on a surface that has worn at the present load and displacement, where the springs of a zone
+    /// (its inner radius and side) slipped.
+    fn rest_on_new_surface(&mut self, old: &Surface, zone: (f64, f64)) -> Result<(), Error> {
+        let to = self.contact_at(self.contact.control)?;
+        let moved = self.springs.moved_to(old, &self.surface);
         let path = self.path_to(to, self.displacement);
         let (mut springs, _) = moved.walk(&path, Springs::default());
         // it wore while these springs slipped: in truth they have followed their bound, up or down, all the time
         if zone.1 != 0.0 && !to.is_open() {
-            springs.follow_bound(zone, &to, bound_slope, self.displacement);
+            springs.follow_bound(zone, &to, self.constants.bound_slope(), self.displacement);
         }
         // nothing moved outside, so that friction has taken what the springs have lost
         let energy = |row: &Springs| row.energy_integral(self.displacement);
@@ -346,15 +410,13 @@ impl FrettingContact {
         self.reach = self.reach.max(to.radius);
         self.work += work;
         if let Some(wear) = &mut self.wear {
-            // settling is part of the history that has just been worn off
-            wear.pending = wear.pending.scaled(work / wear.pending.work);
+            wear.pending.unplaced += work;
         }
-        self.start_segment();
         Ok(())
     }
 
-    /// Image of the wear with what is pending taken off; `None` if nothing is.
-    pub(super) fn pending_image(&mut self) -> Result<Option<Vec<f64>>, Error> {
+    /// Image of the wear and depth at the nodes with what is pending taken off; `None` if nothing is.
+    pub(super) fn pending_image(&mut self) -> Result<Option<Worn>, Error> {
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(None) };
         if wear.pending.is_empty() {
             return Ok(None);
@@ -376,7 +438,8 @@ impl FrettingContact {
         let target = self.constants.wear_per_work * wear.pending.work;
         let scale = if volume > 0.0 { target / volume } else { 1.0 };
         depth.iter_mut().for_each(|w| *w *= scale);
-        Ok(Some(add_depth(nodes, &tables, &depth)))
+        let total = nodes.depth().iter().zip(&depth).map(|(old, new)| old + new).collect();
+        Ok(Some((add_depth(nodes, &tables, &depth), total)))
     }
 
     /// Contact of the present surface at another value of the control.
@@ -387,10 +450,13 @@ impl FrettingContact {
 }
 
 /// Image after `depth` (m, at the nodes) has been worn off.
-pub(super) fn add_depth(nodes: &Nodes, tables: &Arc<Tables>, depth: &[f64]) -> Vec<f64> {
+fn add_depth(nodes: &Nodes, tables: &Arc<Tables>, depth: &[f64]) -> Vec<f64> {
     let change = tables.ascend(depth);
     nodes.worn_image().iter().zip(change).map(|(h, dh)| h + dh).collect()
 }
+
+/// Image of the wear and depth at the nodes, m.
+type Worn = (Vec<f64>, Vec<f64>);
 
 /// A straight line in (control, displacement).
 struct Line {

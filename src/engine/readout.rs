@@ -1,7 +1,8 @@
 //! What can be read from a contact. Scalars come from the knots; fields are computed when asked for.
 
-use super::{FrettingContact, SlipState, View};
+use super::{FrettingContact, SlipState};
 use crate::parameters::NormalControl;
+use crate::surface::Nodes;
 use crate::transform;
 use std::f64::consts::PI;
 
@@ -97,22 +98,17 @@ impl FrettingContact {
 
     /// Worn depth w at radius r, m.
     pub fn worn_depth_at(&self, r: f64) -> f64 {
-        match self.view() {
-            Some(view) if r <= view.nodes.x()[view.nodes.last()] => {
-                transform::descent_at(view.nodes.x(), view.nodes.worn_image(), r).max(0.0)
-            }
-            _ => 0.0,
-        }
+        self.view().map_or(0.0, |nodes| nodes.depth_at(r))
     }
 
     /// Deepest worn point, m.
     pub fn wear_depth(&self) -> f64 {
-        self.view().map_or(0.0, |view| view.depth.iter().fold(0.0, |most, w| most.max(*w)))
+        self.view().map_or(0.0, |nodes| nodes.depth().iter().fold(0.0, |most, w| most.max(*w)))
     }
 
     /// Volume ∫ 2πr w dr of the worn profile, m³: the same as [`Self::wear_volume`] by another route, the transforms.
     pub fn profile_volume(&self) -> f64 {
-        self.view().map_or(0.0, |view| view.nodes.volume(&view.depth))
+        self.view().map_or(0.0, Nodes::worn_volume)
     }
 
     /// Σ |∫A dA − W| over all segments of a transient history, J: what the transforms of slip and traction, whose product
@@ -128,21 +124,15 @@ impl FrettingContact {
     }
 
     /// The profile with what is pending taken off.
-    fn view(&self) -> Option<&View> {
+    fn view(&self) -> Option<&Nodes> {
         self.wear.as_ref()?;
         if self.view.get().is_none() {
             let mut copy = self.clone();
-            copy.close_segment().ok()?;
             // the depth that the next update would leave
-            let image = copy.pending_image().ok()?;
-            let mut nodes = copy.surface.worn()?.clone();
-            if let Some(image) = image {
-                nodes.set_worn_image(image, copy.surface.profile());
-            }
-            let (tables, _) = copy.wear.as_mut()?.tables.get(&nodes);
-            let depth = tables.descend(nodes.worn_image(), nodes.x().len());
+            copy.settle().ok()?;
+            let nodes = copy.surface.worn()?.clone();
             // a race is impossible: the cell belongs to this thread
-            let _ = self.view.set(View { nodes, depth });
+            let _ = self.view.set(nodes);
         }
         self.view.get()
     }

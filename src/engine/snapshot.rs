@@ -1,10 +1,11 @@
 //! Saved states.
 
+use super::steady::Rhythm;
 use super::{Counters, FrettingContact, WearState};
 use crate::error::Error;
 use crate::friction::Springs;
 use crate::surface::{Contact, Nodes};
-use crate::wear::{Pending, Segment};
+use crate::wear::{Pending, Segment, Sliding};
 use serde::{Deserialize, Serialize};
 
 /// Everything that a [`FrettingContact`] needs to go on from where it was, without its parameters.
@@ -27,6 +28,10 @@ struct WearSnapshot {
     segment_origins: Vec<(f64, f64)>,
     segment_contact: Option<Contact>,
     segment_work: f64,
+    segment_start: f64,
+    segment_sliding: f64,
+    rhythm: Option<Rhythm>,
+    next_step: Option<(Sliding, f64)>,
     transform_defect: f64,
 }
 
@@ -42,6 +47,10 @@ impl FrettingContact {
             segment_origins: origins(&wear.segment.unslipped),
             segment_contact: wear.segment.contact,
             segment_work: wear.segment.work,
+            segment_start: wear.segment.start,
+            segment_sliding: wear.segment.sliding,
+            rhythm: wear.rhythm,
+            next_step: wear.next_step,
             transform_defect: wear.transform_defect,
         });
         Snapshot {
@@ -79,6 +88,8 @@ impl FrettingContact {
                 unslipped: Springs::from_origins(&self.surface, &saved.segment_origins),
                 contact: saved.segment_contact,
                 work: saved.segment_work,
+                start: saved.segment_start,
+                sliding: saved.segment_sliding,
             };
             let mut tables = self.wear.take().map(|wear| wear.tables).unwrap_or_default();
             tables.clear();
@@ -86,6 +97,8 @@ impl FrettingContact {
                 pending: saved.pending.clone(),
                 segment,
                 tables,
+                rhythm: saved.rhythm,
+                next_step: saved.next_step,
                 transform_defect: saved.transform_defect,
             })
         });

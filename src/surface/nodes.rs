@@ -1,7 +1,9 @@
 //! Nodes that carry the image of the wear.
 
+use super::Contact;
 use crate::profile::Profile;
 use crate::transform;
+use crate::wear::{Region, depth_volume};
 use serde::{Deserialize, Serialize};
 
 /// Nodes 0 = x₀ < x₁ < … with the image h of the wear at each, linear in X = x² between them; behind the last node,
@@ -10,18 +12,54 @@ use serde::{Deserialize, Serialize};
 pub(crate) struct Nodes {
     x: Vec<f64>,
     worn_image: Vec<f64>,
+    /// Worn depth at each node, m.
+    depth: Vec<f64>,
     /// ∫₀ ξ h' dξ up to each node, m².
     worn_load: Vec<f64>,
     /// ∫₀ g² dξ up to each node, m³.
     square: Vec<f64>,
     /// Cells across the contact that the nodes are meant to give.
     resolution: usize,
-    /// Rises whenever the nodes move, so that tables made for them can be told apart.
-    version: u64,
+    /// The moving mesh among the nodes, where one has left its state here.
+    mesh: Option<MeshPlace>,
+}
+
+/// A mesh of the slipping region whose nodes are among those of a surface, from index `first` on.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(crate) struct MeshPlace {
+    pub(crate) region: Region,
+    pub(crate) cells: usize,
+    pub(crate) first: usize,
+    /// The contact under the load that has worn it. Near its final state the image is flat up to the contact edge, and
+    /// only the mesh knows where that is.
+    pub(crate) contact: Contact,
 }
 
 /// Nodes kept ready outside the contact, into which it may grow within one update.
 const SPARE: usize = 6;
+
+/// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image.
+pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64) -> Vec<usize> {
+    let least = share * image.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
+    let mut kept = vec![0];
+    let (mut anchor, last) = (0, x.len() - 1);
+    while anchor < last {
+        let meets = |end: usize| {
+            let slope = (image[end] - image[anchor]) / ((x[end] - x[anchor]) * (x[end] + x[anchor]));
+            (anchor + 1..end).all(|k| {
+                let line = image[anchor] + slope * (x[k] - x[anchor]) * (x[k] + x[anchor]);
+                (line - image[k]).abs() <= least
+            })
+        };
+        let mut end = anchor + 1;
+        while end < last && meets(end + 1) {
+            end += 1;
+        }
+        kept.push(end);
+        anchor = end;
+    }
+    kept
+}
 
 /// Weight of the outer end in ∫ over a cell [x0, x1] of a function linear in X: Δx ((1 − ω) f₀ + ω f₁).
 pub(crate) fn outer_weight(x0: f64, x1: f64) -> f64 {
@@ -36,10 +74,11 @@ impl Nodes {
         let mut nodes = Self {
             x: vec![0.0, a],
             worn_image: vec![0.0; 2],
+            depth: vec![0.0; 2],
             worn_load: vec![0.0; 2],
             square: Vec::new(),
             resolution,
-            version: 0,
+            mesh: None,
         };
         let flat = profile.flat_radius();
         let start = if front < a { front } else { 0.0 };
@@ -60,16 +99,112 @@ impl Nodes {
         nodes
     }
 
+    /// Nodes left by a moving mesh: radii, image of the wear and depth, m, with the mesh's place among them. Nodes beyond
+    /// the mesh keep their depth; their image is that which belongs to it.
+    pub(crate) fn assembled(
+        profile: &Profile,
+        resolution: usize,
+        (x, worn_image, depth): (Vec<f64>, Vec<f64>, Vec<f64>),
+        mesh: MeshPlace,
+    ) -> Self {
+        let worn_load = vec![f64::NAN; x.len()];
+        let mut nodes =
+            Self { x, worn_image, depth, worn_load, square: Vec::new(), resolution, mesh: Some(mesh) };
+        nodes.extend_beyond(nodes.x[mesh.first + mesh.cells], profile.outer_radius());
+        nodes
+    }
+
+    /// Adds a small volume (m³) to the wear inside the mesh, in proportion to what is there, and brings all that hangs on it up
+    /// to date. The image at the contact edge stays what the contact made it.
+    pub(crate) fn add_volume(&mut self, volume: f64, profile: &Profile) {
+        if let Some(mesh) = self.mesh {
+            let own = if mesh.region == Region::Annulus { mesh.first + 1 } else { mesh.first };
+            let end = mesh.first + mesh.cells;
+            let radius = self.x[self.last()];
+            let mut present = 0.0;
+            for j in own.saturating_sub(1)..end {
+                let (inner, outer) = depth_volume(self.x[j], self.x[j + 1], radius);
+                present += if j >= own { inner * self.worn_image[j] } else { 0.0 };
+                present += if j + 1 < end { outer * self.worn_image[j + 1] } else { 0.0 };
+            }
+            let share = volume / present;
+            if share.is_finite() && share.abs() < 0.1 {
+                self.worn_image[own..end].iter_mut().for_each(|h| *h *= 1.0 + share);
+                self.depth[own..end].iter_mut().for_each(|w| *w *= 1.0 + share);
+            }
+            for k in end + 1..self.x.len() {
+                self.worn_image[k] =
+                    transform::ascend_last(&self.x[..=k], &self.worn_image[..=k], self.depth[k]);
+            }
+        }
+        self.update_integrals(profile);
+    }
+
+    /// These nodes with the wear of others on top. Nodes that the line between others meets within a share of the largest image are left out.
+    pub(crate) fn with(&self, others: &Self, share: f64, profile: &Profile) -> Self {
+        let mut x: Vec<f64> = self.x.iter().chain(&others.x).copied().collect();
+        x.sort_by(f64::total_cmp);
+        x.dedup_by(|b, a| *b - *a <= 1e-13 * *a);
+        let worn_image: Vec<f64> = x.iter().map(|x| self.worn_part(*x).0 + others.worn_part(*x).0).collect();
+        let kept = kept_nodes(&x, &worn_image, share);
+        let x: Vec<f64> = kept.iter().map(|&k| x[k]).collect();
+        let worn_image: Vec<f64> = kept.iter().map(|&k| worn_image[k]).collect();
+        let depth = x.iter().map(|x| self.depth_at(*x) + others.depth_at(*x)).collect();
+        let worn_load = vec![f64::NAN; x.len()];
+        let mut nodes = Self {
+            x,
+            worn_image,
+            depth,
+            worn_load,
+            square: Vec::new(),
+            resolution: self.resolution,
+            mesh: None,
+        };
+        nodes.update_integrals(profile);
+        nodes
+    }
+
+    /// Place of the moving mesh whose state the nodes hold.
+    pub(crate) fn mesh(&self) -> Option<MeshPlace> {
+        self.mesh
+    }
+
+    /// Worn depth at the nodes, m.
+    pub(crate) fn depth(&self) -> &[f64] {
+        &self.depth
+    }
+
+    /// Worn depth at a radius, m.
+    pub(crate) fn depth_at(&self, r: f64) -> f64 {
+        if r >= self.x[self.last()] {
+            0.0
+        } else {
+            transform::descent_at(&self.x, &self.worn_image, r).max(0.0)
+        }
+    }
+
+    /// ∫ 2πr w dr, m³: from the image where a mesh has left it, up to its edge; else from the depths, since on nodes that
+    /// reach far beyond the wear the image's integral is a difference of large numbers.
+    pub(crate) fn worn_volume(&self) -> f64 {
+        if self.mesh.is_none() {
+            return self.volume(&self.depth);
+        }
+        let cells = self.x.windows(2).zip(self.worn_image.windows(2));
+        let end = self.x[self.last()];
+        cells
+            .map(|(x, h)| {
+                let (inner, outer) = depth_volume(x[0], x[1], end);
+                inner * h[0] + outer * h[1]
+            })
+            .sum()
+    }
+
     pub(crate) fn x(&self) -> &[f64] {
         &self.x
     }
 
     pub(crate) fn worn_image(&self) -> &[f64] {
         &self.worn_image
-    }
-
-    pub(crate) fn version(&self) -> u64 {
-        self.version
     }
 
     pub(crate) fn last(&self) -> usize {
@@ -97,6 +232,29 @@ impl Nodes {
                 (h * ratio * ratio, self.worn_load[end] - 2.0 * h * self.x[end] * (1.0 - ratio))
             }
         }
+    }
+
+    /// Image of the wear at x by Steffen's monotone cubic in x² (Astron. Astrophys. 239, 1990, 443): of higher order than
+    /// the line where the image is smooth, without overshoot at a jump. For taking it over to other nodes.
+    pub(crate) fn smooth_image(&self, x: f64) -> f64 {
+        let Some(j) = self.cell(x) else { return self.worn_part(x).0 };
+        let (x0, width) = (self.x[j], (self.x[j + 1] - self.x[j]) * (self.x[j + 1] + self.x[j]));
+        let slope = |k: usize| {
+            let secant = self.slope(k);
+            if k == 0 {
+                return secant;
+            }
+            let (before, h0) = (self.slope(k - 1), (self.x[k] - self.x[k - 1]) * (self.x[k] + self.x[k - 1]));
+            let h1 = (self.x[k + 1] - self.x[k]) * (self.x[k + 1] + self.x[k]);
+            let mean = (before * h1 + secant * h0) / (h0 + h1);
+            (before.signum() + secant.signum()) * before.abs().min(secant.abs()).min(0.5 * mean.abs())
+        };
+        let (h0, h1, secant) = (self.worn_image[j], self.worn_image[j + 1], self.slope(j));
+        let start = slope(j);
+        let end = if j + 1 < self.last() { slope(j + 1) } else { secant };
+        let t = ((x - x0) * (x + x0) / width).clamp(0.0, 1.0);
+        let (a, b) = (start * width - (h1 - h0), (h1 - h0) - end * width);
+        (1.0 - t) * h0 + t * h1 + t * (1.0 - t) * (a * (1.0 - t) + b * t)
     }
 
     /// Slope h'(x).
@@ -127,9 +285,11 @@ impl Nodes {
         half * (5.0 / 9.0 * (g2(middle - node) + g2(middle + node)) + 8.0 / 9.0 * g2(middle))
     }
 
-    /// Takes new image values and brings the integrals up to date.
-    pub(crate) fn set_worn_image(&mut self, worn_image: Vec<f64>, profile: &Profile) {
+    /// Takes new image values with the depths they belong to, and brings the integrals up to date.
+    pub(crate) fn set_worn(&mut self, worn_image: Vec<f64>, depth: Vec<f64>, profile: &Profile) {
         self.worn_image = worn_image;
+        self.depth = depth;
+        self.mesh = None;
         self.update_integrals(profile);
     }
 
@@ -157,14 +317,14 @@ impl Nodes {
     /// Adapts the nodes to a contact of radius `a` whose slip has reached inward to `front`: extends them beyond a,
     /// halves cells of the slipping annulus that are too wide, puts a node at the front. h does not change by that.
     pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, front: f64) {
-        let before = self.version;
+        let before = self.x.len();
         self.extend_beyond(a, profile.outer_radius());
         if self.wants_node_at(front, a) {
             self.insert(front);
         }
         let start = if front < a { front } else { 0.0 };
         self.refine_between(start, a, 1.5 * a / self.resolution as f64);
-        if self.version != before {
+        if self.x.len() != before {
             self.update_integrals(profile);
         }
     }
@@ -177,12 +337,12 @@ impl Nodes {
             let width = (1.02 * (end - self.x[self.last() - 1])).min(end / self.resolution as f64);
             self.x.push((end + width).min(outer));
             self.worn_image.push(0.0);
+            self.depth.push(0.0);
             self.worn_load.push(f64::NAN);
             if self.worn_image.iter().any(|h| *h != 0.0) {
                 let last = self.last();
                 self.worn_image[last] = transform::ascend_last(&self.x, &self.worn_image, 0.0);
             }
-            self.version += 1;
         }
     }
 
@@ -226,11 +386,13 @@ impl Nodes {
             return;
         }
         let h = self.worn_part(x).0;
+        let depth = if self.depth.iter().all(|w| *w == 0.0) { 0.0 } else { self.depth_at(x) };
         self.x.insert(j + 1, x);
         self.worn_image.insert(j + 1, h);
+        self.depth.insert(j + 1, depth);
+        self.mesh = None;
         // keeps worn_part usable for the next insertion; update_integrals follows
         self.worn_load.insert(j + 1, f64::NAN);
-        self.version += 1;
     }
 
     /// ∫ 2πr w dr of a field given at the nodes, linear in r² between them (m³ for a depth in m).

@@ -145,7 +145,8 @@ pub(crate) fn worn_depth(
         }
         change = tables.ascend(&update.depth);
         let mut moved = nodes.clone();
-        moved.set_worn_image(nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect(), profile);
+        let image = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
+        moved.set_worn(image, nodes.depth().to_vec(), profile);
         trial.set_worn(Some(moved));
         contact = trial.contact(control, present.control, 2.0 * constants.normal_modulus)?;
         let next = Edge::new(nodes, &contact, profile.outer_radius());

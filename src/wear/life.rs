@@ -1,0 +1,285 @@
+//! The life of a contact under a steady motion: many cycles at constant load, under error control.
+
+use super::Constants;
+use super::mesh::{Region, UnitMesh};
+use super::patch::{Front, Frozen, Motion, Patch, RIM, Rate, State, front_cells, lost};
+use super::rosenbrock;
+use crate::engine::Counters;
+use crate::error::Error;
+use crate::surface::{Contact, MeshPlace, Nodes, Surface};
+
+/// Most steps of one call: a whole life takes some fifty.
+const MOST_STEPS: u32 = 2000;
+
+/// Share of the tolerance that leaving out nodes may take of the largest image.
+const THINNING: f64 = 0.05;
+
+/// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an update of a profile that wears very
+/// fast leaves there by an inexact contact edge.
+const FAINT: f64 = 0.01;
+
+/// How finely to integrate.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Fineness {
+    /// Cells of the mesh.
+    pub(crate) cells: usize,
+    /// Largest error of the image in a step, over the indentation depth.
+    pub(crate) tolerance: f64,
+    /// Cycles of the last step, where it went on from here; 0 at first.
+    pub(crate) last_step: f64,
+}
+
+/// What a number of cycles has left.
+#[derive(Debug, Clone)]
+pub(crate) struct Life {
+    pub(crate) surface: Surface,
+    /// Worn volume by the work of the springs, m³.
+    pub(crate) volume: f64,
+    /// What the worn profile missed of it before it was scaled to it, m³.
+    pub(crate) defect: f64,
+    /// Cycles that the next step should span.
+    pub(crate) next_step: f64,
+}
+
+/// How much of a motion wears the surface.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Amount {
+    /// Cycles, or metres where it slides onward.
+    pub(crate) cycles: f64,
+    /// Volume worn so far by the work of friction, m³.
+    pub(crate) worn: f64,
+    /// Volume that the motion wears, m³, where the springs on the surface of before have told it already.
+    pub(crate) known: Option<f64>,
+}
+
+/// Wears a surface by an amount of a motion.
+///
+/// # Errors
+/// Those of the normal contact; [`Error::TooMuchWear`] where the cycles need too many steps; [`Error::NotFinite`] where the
+/// contact edge is lost.
+pub(crate) fn live(
+    surface: &Surface,
+    motion: &Motion,
+    amount: &Amount,
+    constants: &Constants,
+    fineness: &Fineness,
+    counters: &mut Counters,
+) -> Result<Life, Error> {
+    let mut life = Life { surface: surface.clone(), volume: 0.0, defect: 0.0, next_step: fineness.last_step };
+    let cycles = amount.cycles;
+    let mut left = cycles;
+    let mut steps = 0;
+    while left > 0.0 {
+        counters.contact_solutions += 1;
+        let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
+        let Some((patch, mut state)) = over(&life.surface, &contact, motion, constants, fineness)? else {
+            break;
+        };
+        let mut rate = patch.rate(&state.depth, state.area).ok_or_else(|| lost(motion))?;
+        let mut volume = 0.0;
+        let mut step =
+            if life.next_step > 0.0 { life.next_step } else { first_step(&patch, &rate, fineness) };
+        // a front that has just been looked for is off by the error of laying the mesh: one step is always made
+        let mut fresh = true;
+        while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
+            if steps == MOST_STEPS {
+                let amplitude = motion.sliding.amplitude();
+                return Err(Error::TooMuchWear { cycles, left, amplitude, steps });
+            }
+            steps += 1;
+            let length = step.min(left);
+            let trial = rosenbrock::step(&patch, &state, &rate, length, counters);
+            let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error);
+            let ratio = error / (fineness.tolerance * rate.indentation.abs());
+            let factor = if ratio.is_finite() { (0.9 * ratio.cbrt().recip()).clamp(0.2, 4.0) } else { 0.2 };
+            match trial {
+                Some(trial) if ratio <= 1.0 => {
+                    (state, rate) = (trial.state, trial.rate);
+                    volume += trial.volume;
+                    fresh = false;
+                    counters.profile_updates += 1;
+                    left -= length;
+                    // a step cut short says nothing about a longer one, unless it was all but too long
+                    step = if length == step || factor < 1.0 { length * factor } else { step };
+                }
+                _ => {
+                    counters.rejected_steps += 1;
+                    step = length * factor.min(0.8);
+                }
+            }
+        }
+        life.next_step = step;
+        life.volume += volume;
+        if let (true, Some(known)) = (left <= 0.0, amount.known) {
+            life.volume = known;
+        }
+        let (nodes, defect) =
+            left_behind(&patch, &state, &rate, fineness.tolerance, amount.worn + life.volume);
+        life.defect += defect;
+        if !(life.volume.is_finite() && life.defect.is_finite() && nodes.worn_volume().is_finite()) {
+            return Err(lost(motion));
+        }
+        life.surface.set_worn(Some(nodes));
+    }
+    Ok(life)
+}
+
+/// A first step that changes the image by about the size to which the method's error stays within the tolerance.
+fn first_step(patch: &Patch, rate: &Rate, fineness: &Fineness) -> f64 {
+    let change = patch.largest_image(&rate.growth, rate);
+    0.1 * fineness.tolerance.cbrt() * rate.indentation.abs() / change
+}
+
+/// The slipping region of a contact, with the state that its surface gives it; `None` where nothing slips.
+fn over(
+    surface: &Surface,
+    contact: &Contact,
+    motion: &Motion,
+    constants: &Constants,
+    fineness: &Fineness,
+) -> Result<Option<(Patch, State)>, Error> {
+    if contact.is_open() || motion.sliding.amplitude() == 0.0 {
+        return Ok(None);
+    }
+    let a = contact.radius;
+    let reach = motion.sliding.amplitude() / constants.bound_slope();
+    let (region, front) = if reach >= (contact.depth - surface.image(0.0)) * (1.0 - 1e-7) {
+        (Region::Disc, 0.0)
+    } else {
+        (Region::Annulus, surface.radius_of_image(contact.depth - reach, 0.0, a))
+    };
+    if front >= a * (1.0 - 1e-9) {
+        return Ok(None);
+    }
+    let mesh = UnitMesh::shared(region, fineness.cells);
+    let outer = surface.profile().outer_radius();
+    let rim = a >= outer * (1.0 - RIM);
+    let a = if rim { outer } else { a };
+    let start =
+        |body: Surface, inside: Frozen, front: f64, area: f64, images: &dyn Fn(&[f64]) -> Vec<f64>| {
+            let patch = Patch::new((body, inside), mesh.clone(), front, *motion, rim, constants);
+            let depth = patch.depths(&images(&patch.radii(area)), area);
+            let area = patch.rate(&depth, area)?.area;
+            Some((patch, State { depth, area }))
+        };
+    if let Some(nodes) = surface.worn() {
+        // the mesh goes on where it was left
+        if let Some(place) = nodes.mesh().filter(|place| fits(nodes, place, &mesh, front)) {
+            let (first, end) = (place.first, place.first + place.cells);
+            let (front, edge) = (nodes.x()[first], nodes.x()[end]);
+            let images = |_: &[f64]| nodes.worn_image()[first..=end].to_vec();
+            let kept = start(
+                surface.unworn(),
+                inside(surface, front, fineness.tolerance),
+                front,
+                edge * edge,
+                &images,
+            );
+            if let Some((patch, state)) = kept
+                && rim == (edge == outer)
+                && (state.area - edge * edge).abs() <= 1e-4 * patch.span(state.area)
+            {
+                return Ok(Some((patch, state)));
+            }
+        }
+        // it is laid anew where it can carry all the wear there is, else the wear so far is left to the body
+        let beyond = nodes.x().partition_point(|x| *x <= a);
+        let deepest = nodes.depth().iter().fold(0.0, |most: f64, w| most.max(*w));
+        if nodes.depth()[beyond..].iter().all(|w| *w <= FAINT * deepest) {
+            let images = |x: &[f64]| x.iter().map(|x| nodes.smooth_image(*x)).collect();
+            let laid =
+                start(surface.unworn(), inside(surface, front, fineness.tolerance), front, a * a, &images);
+            let volume = nodes.worn_volume();
+            if let Some((patch, state)) = laid
+                && patch.rate(&state.depth, state.area).is_some_and(|rate| {
+                    (patch.volume(&rate) - volume).abs() <= 0.05 * volume
+                        && (state.area - a * a).abs() <= 1e-2 * patch.span(state.area)
+                })
+            {
+                return Ok(Some((patch, state)));
+            }
+        }
+    }
+    let zero = |x: &[f64]| vec![0.0; x.len()];
+    let inside = if front > 0.0 && surface.worn().is_none() {
+        inside(surface, front, fineness.tolerance)
+    } else {
+        Frozen::default()
+    };
+    start(surface.clone(), inside, front, a * a, &zero).map(Some).ok_or_else(|| lost(motion))
+}
+
+/// Whether a mesh among the nodes is one for this region and front.
+fn fits(nodes: &Nodes, place: &MeshPlace, mesh: &UnitMesh, front: f64) -> bool {
+    let x = &nodes.x()[place.first..];
+    place.region == mesh.region
+        && place.cells == mesh.cells
+        && front >= x[0] * (1.0 - 1e-7)
+        && front <= x[front_cells(place.cells)]
+}
+
+/// What lies inside the front: the surface's nodes up to there, without those that a line through others replaces.
+fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
+    if front == 0.0 {
+        return Frozen::default();
+    }
+    let mut all = Frozen { x: vec![0.0], image: vec![surface.worn_image(0.0)], depth: vec![0.0] };
+    if let Some(nodes) = surface.worn() {
+        all.depth[0] = nodes.depth()[0];
+        for (i, &x) in nodes.x().iter().enumerate().skip(1) {
+            if x < front * (1.0 - 1e-12) {
+                all.x.push(x);
+                all.image.push(nodes.worn_image()[i]);
+                all.depth.push(nodes.depth()[i]);
+            }
+        }
+    }
+    all.x.push(front);
+    all.image.push(surface.worn_image(front));
+    all.depth.push(surface.worn().map_or(0.0, |nodes| nodes.depth_at(front)));
+    all.thinned(THINNING * tolerance)
+}
+
+/// Nodes of the surface that a patch leaves, the wear inside the mesh scaled such that the worn volume is `target` (m³);
+/// and by how much that missed. The depths follow the motion of the mesh, which keeps the volume to second order in the cells;
+/// the work of the springs is exact.
+fn left_behind(patch: &Patch, state: &State, rate: &Rate, tolerance: f64, target: f64) -> (Nodes, f64) {
+    let (mut x, mut image, mut depth) =
+        (patch.inside.x.clone(), patch.inside.image.clone(), patch.inside.depth.clone());
+    // the inner edge is a node of both
+    x.pop();
+    image.pop();
+    let inner_depth = depth.pop().unwrap_or(0.0);
+    if x.is_empty() && patch.inner_radius > 0.0 {
+        x.push(0.0);
+        image.push(0.0);
+        depth.push(0.0);
+    }
+    let first = x.len();
+    for (i, r) in patch.radii(rate.area).into_iter().enumerate() {
+        x.push(r);
+        depth.push(if i == patch.end() {
+            0.0
+        } else if i == 0 && first > 0 {
+            inner_depth
+        } else {
+            (state.depth[i] + patch.depth_from_inside(r)).max(0.0)
+        });
+    }
+    image.extend(patch.worn_image(rate));
+    let (cells, region) = (patch.mesh.cells, patch.mesh.region);
+    let place = MeshPlace { region, cells, first, contact: patch.contact(rate) };
+    let mut nodes = Nodes::assembled(patch.body.profile(), cells, (x, image, depth), place);
+    match patch.body.worn() {
+        None => {
+            let missing = target - nodes.worn_volume();
+            nodes.add_volume(missing, patch.body.profile());
+            (nodes, missing.abs())
+        }
+        Some(base) => {
+            let missing = target - base.worn_volume() - nodes.worn_volume();
+            nodes.add_volume(missing, patch.body.profile());
+            (base.with(&nodes, THINNING * tolerance, patch.body.profile()), missing.abs())
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! Time integration of a [`Patch`]: a linearly implicit method of third order with an embedded one of second.
+//!
+//! ROS34PW2 of Rang and Angermann (BIT 45, 2005, 761): four stages, stiffly accurate and L-stable, and of third order with
+//! any approximation of the Jacobian. Wear relaxes to its final state at rates that span many decades, which an
+//! explicit method would have to follow all; here one small linear system serves the four stages of a step.
+
+use super::patch::{Patch, Rate, State};
+use crate::engine::Counters;
+use crate::transform::dot;
+
+const GAMMA: f64 = 0.435_866_521_508_459;
+
+/// Rows of α below the diagonal.
+const ALPHA: [[f64; 3]; 4] = [
+    [0.0, 0.0, 0.0],
+    [0.871_733_043_016_918, 0.0, 0.0],
+    [0.844_570_600_153_694_2, -0.112_990_642_364_841_85, 0.0],
+    [0.0, 0.0, 1.0],
+];
+
+/// Rows of Γ below the diagonal.
+const COUPLING: [[f64; 3]; 4] = [
+    [0.0, 0.0, 0.0],
+    [-0.871_733_043_016_918, 0.0, 0.0],
+    [-0.903_380_570_130_440_8, 0.054_180_672_388_095_326, 0.0],
+    [0.242_123_807_060_953_46, -1.223_250_583_904_514_7, 0.545_260_255_335_102_1],
+];
+
+const WEIGHTS: [f64; 4] =
+    [0.242_123_807_060_953_46, -1.223_250_583_904_514_7, 1.545_260_255_335_102, 0.435_866_521_508_459];
+
+const EMBEDDED: [f64; 4] = [0.378_109_031_458_193_7, -0.096_042_292_212_423_18, 0.5, 0.217_933_260_754_229_5];
+
+/// A trial step.
+pub(crate) struct Trial {
+    pub(crate) state: State,
+    pub(crate) rate: Rate,
+    /// Worn volume by the work of the springs, m³.
+    pub(crate) volume: f64,
+    /// Largest error of the image, m.
+    pub(crate) error: f64,
+}
+
+/// One step over `cycles`; `None` where a stage has no contact edge or the system cannot be solved.
+pub(crate) fn step(
+    patch: &Patch,
+    state: &State,
+    rate: &Rate,
+    cycles: f64,
+    counters: &mut Counters,
+) -> Option<Trial> {
+    let first = patch.mesh.first();
+    let nodes = state.depth.len();
+    let linear = patch.linearise(&state.depth, rate, GAMMA * cycles);
+    let lu = linear.matrix.lu();
+    counters.factorisations += 1;
+    // increments of the depths, and what they make of the volume rate
+    let mut increments: Vec<Vec<f64>> = Vec::with_capacity(4);
+    let mut changes: Vec<f64> = Vec::with_capacity(4);
+    let mut volume = 0.0;
+    for stage in 0..4 {
+        let (mut right, volume_rate) = if stage == 0 {
+            (rate.growth.clone(), rate.volume_rate)
+        } else {
+            let mut depth = state.depth.clone();
+            for (alpha, increment) in ALPHA[stage].iter().zip(&increments) {
+                add(&mut depth, cycles * alpha, increment);
+            }
+            counters.pressure_transforms += 1;
+            counters.descent_transforms += 2;
+            let here = patch.rate(&depth, rate.area)?;
+            (here.growth, here.volume_rate)
+        };
+        for (coupling, increment) in COUPLING[stage].iter().zip(&increments) {
+            add(&mut right, coupling / GAMMA, increment);
+        }
+        if !patch.rim {
+            right[nodes - 1] = 0.0;
+        }
+        let mut unknowns = nalgebra::DVector::from_column_slice(&right[first..]);
+        if !lu.solve_mut(&mut unknowns) {
+            return None;
+        }
+        let mut increment = patch.stage_depth(unknowns.as_slice());
+        let mut change = dot(&linear.volume_row, unknowns.as_slice());
+        // the volume has no feedback on the rest, but its rate falls with the depths like theirs
+        let volume_increment = volume_rate + cycles * GAMMA * change;
+        for (coupling, (before, change_before)) in COUPLING[stage].iter().zip(increments.iter().zip(&changes))
+        {
+            add(&mut increment, -coupling / GAMMA, before);
+            change -= coupling / GAMMA * change_before;
+        }
+        volume += cycles * WEIGHTS[stage] * volume_increment;
+        increments.push(increment);
+        changes.push(change);
+    }
+    let mut depth = state.depth.clone();
+    let mut error = vec![0.0; nodes];
+    for (stage, increment) in increments.iter().enumerate() {
+        add(&mut depth, cycles * WEIGHTS[stage], increment);
+        add(&mut error, cycles * (WEIGHTS[stage] - EMBEDDED[stage]), increment);
+    }
+    let before = rate;
+    let mut rate = patch.rate(&depth, before.area)?;
+    if patch.hold_front(&mut depth, before, &rate) {
+        rate = patch.rate(&depth, rate.area)?;
+    }
+    counters.pressure_transforms += 1;
+    counters.descent_transforms += 2;
+    // at steps far longer than the relaxation the rate's quadrature is all rounding; then the profile tells the volume
+    let grown = patch.volume(&rate) - patch.volume(before);
+    let volume = if (volume - grown).abs() <= 0.02 * grown.abs() { volume } else { grown }.max(0.0);
+    let error = patch.largest_image(&error, &rate);
+    Some(Trial { state: State { depth, area: rate.area }, rate, volume, error })
+}
+
+fn add(sum: &mut [f64], factor: f64, term: &[f64]) {
+    if factor != 0.0 {
+        for (s, t) in sum.iter_mut().zip(term) {
+            *s += factor * t;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The conditions of the method, from its own coefficients.
+    #[test]
+    fn the_coefficients_are_of_third_order_and_the_embedded_ones_of_second() {
+        let beta = |i: usize, j: usize| {
+            let below = if j < i { ALPHA[i][j] + COUPLING[i][j] } else { 0.0 };
+            if i == j { GAMMA } else { below }
+        };
+        let row = |i: usize| (0..=i).map(|j| beta(i, j)).sum::<f64>();
+        let alpha = |i: usize| ALPHA[i].iter().sum::<f64>();
+        let total =
+            |weights: &[f64; 4], f: &dyn Fn(usize) -> f64| (0..4).map(|i| weights[i] * f(i)).sum::<f64>();
+        for weights in [&WEIGHTS, &EMBEDDED] {
+            assert!((total(weights, &|_| 1.0) - 1.0).abs() < 1e-14);
+            assert!((total(weights, &row) - 0.5).abs() < 1e-14);
+        }
+        assert!((total(&WEIGHTS, &|i| alpha(i).powi(2)) - 1.0 / 3.0).abs() < 1e-14);
+        assert!((total(&WEIGHTS, &|i| (0..=i).map(|j| beta(i, j) * row(j)).sum()) - 1.0 / 6.0).abs() < 1e-14);
+        // whatever the Jacobian: α and γ by themselves
+        assert!((total(&WEIGHTS, &alpha) - 0.5).abs() < 1e-14);
+        let chained = |i: usize| (0..i).map(|j| ALPHA[i][j] * alpha(j)).sum::<f64>();
+        assert!((total(&WEIGHTS, &chained) - 1.0 / 6.0).abs() < 1e-14);
+        // stiffly accurate: the last stage is the result
+        for j in 0..4 {
+            assert!((beta(3, j) - WEIGHTS[j]).abs() < 1e-14, "b{j}");
+        }
+    }
+}
