@@ -117,6 +117,18 @@ impl Surface {
         {
             return x.clamp(low, high);
         }
+        if let Some((x0, x1, h, slope)) =
+            self.worn.as_ref().and_then(|nodes| nodes.cell_of_image(image, low, high))
+        {
+            let (low, high) = (low.max(x0), high.min(x1));
+            let within = |x: f64| {
+                let worn = h + slope * (x - x0) * (x + x0);
+                (self.profile.image(x) + worn - image, self.profile.image_slope(x) + 2.0 * x * slope)
+            };
+            if within(low).0 <= 0.0 && within(high).0 >= 0.0 {
+                return find_root(low, high, within);
+            }
+        }
         find_root(low, high, |x| (self.image(x) - image, self.image_slope(x)))
     }
 

@@ -14,6 +14,8 @@ pub(crate) struct Nodes {
     worn_image: Vec<f64>,
     /// Worn depth at each node, m.
     depth: Vec<f64>,
+    /// Image g of the whole profile at each node, m.
+    whole: Vec<f64>,
     /// ∫₀ ξ h' dξ up to each node, m².
     worn_load: Vec<f64>,
     /// ∫₀ g² dξ up to each node, m³.
@@ -38,8 +40,9 @@ pub(crate) struct MeshPlace {
 /// Nodes kept ready outside the contact, into which it may grow within one update.
 const SPARE: usize = 6;
 
-/// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image.
-pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64) -> Vec<usize> {
+/// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
+/// crowd at the end: there each lies at least a quarter of its distance from the end apart from the next.
+pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: bool) -> Vec<usize> {
     let least = share * image.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
     let mut kept = vec![0];
     let (mut anchor, last) = (0, x.len() - 1);
@@ -51,8 +54,9 @@ pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64) -> Vec<usize> {
                 (line - image[k]).abs() <= least
             })
         };
+        let near = |end: usize| crowd_at_end && x[end] - x[anchor] < 0.25 * (x[last] - x[anchor]);
         let mut end = anchor + 1;
-        while end < last && meets(end + 1) {
+        while end < last && (near(end) || meets(end + 1)) {
             end += 1;
         }
         kept.push(end);
@@ -75,6 +79,7 @@ impl Nodes {
             x: vec![0.0, a],
             worn_image: vec![0.0; 2],
             depth: vec![0.0; 2],
+            whole: Vec::new(),
             worn_load: vec![0.0; 2],
             square: Vec::new(),
             resolution,
@@ -108,8 +113,16 @@ impl Nodes {
         mesh: MeshPlace,
     ) -> Self {
         let worn_load = vec![f64::NAN; x.len()];
-        let mut nodes =
-            Self { x, worn_image, depth, worn_load, square: Vec::new(), resolution, mesh: Some(mesh) };
+        let mut nodes = Self {
+            x,
+            worn_image,
+            depth,
+            whole: Vec::new(),
+            worn_load,
+            square: Vec::new(),
+            resolution,
+            mesh: Some(mesh),
+        };
         nodes.extend_beyond(nodes.x[mesh.first + mesh.cells], profile.outer_radius());
         nodes
     }
@@ -146,7 +159,7 @@ impl Nodes {
         x.sort_by(f64::total_cmp);
         x.dedup_by(|b, a| *b - *a <= 1e-13 * *a);
         let worn_image: Vec<f64> = x.iter().map(|x| self.worn_part(*x).0 + others.worn_part(*x).0).collect();
-        let kept = kept_nodes(&x, &worn_image, share);
+        let kept = kept_nodes(&x, &worn_image, share, false);
         let x: Vec<f64> = kept.iter().map(|&k| x[k]).collect();
         let worn_image: Vec<f64> = kept.iter().map(|&k| worn_image[k]).collect();
         let depth = x.iter().map(|x| self.depth_at(*x) + others.depth_at(*x)).collect();
@@ -155,6 +168,7 @@ impl Nodes {
             x,
             worn_image,
             depth,
+            whole: Vec::new(),
             worn_load,
             square: Vec::new(),
             resolution: self.resolution,
@@ -215,6 +229,18 @@ impl Nodes {
     fn cell(&self, x: f64) -> Option<usize> {
         let above = self.x.partition_point(|&node| node <= x);
         (above < self.x.len()).then(|| above - 1)
+    }
+
+    /// The cell between two radii in which the image takes a value, as its inner node, the image of the wear there and dh/dX.
+    pub(crate) fn cell_of_image(&self, image: f64, low: f64, high: f64) -> Option<(f64, f64, f64, f64)> {
+        let start = self.x.partition_point(|x| *x <= low);
+        let end = self.x.partition_point(|x| *x < high);
+        if self.whole.len() != self.x.len() || start == 0 || start > end {
+            return None;
+        }
+        let above = start + self.whole[start..end].partition_point(|g| *g <= image);
+        let outer = *self.x.get(above)?;
+        Some((self.x[above - 1], outer, self.worn_image[above - 1], self.slope(above - 1)))
     }
 
     /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
@@ -294,6 +320,8 @@ impl Nodes {
     }
 
     fn update_integrals(&mut self, profile: &Profile) {
+        self.whole.clear();
+        self.whole.extend(self.x.iter().zip(&self.worn_image).map(|(x, h)| profile.image(*x) + h));
         self.worn_load.clear();
         self.square.clear();
         let mut load = 0.0;
