@@ -25,38 +25,11 @@ pub use dense::DenseAbel;
 pub use fast::FastAbel;
 pub(crate) use fixed::FixedImage;
 
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::FRAC_2_PI;
 
 /// √(x² − r²) for x ≥ r ≥ 0 without loss of digits; 0 below.
 pub(crate) fn leg(x: f64, r: f64) -> f64 {
     ((x - r).max(0.0) * (x + r)).sqrt()
-}
-
-/// ψ = 2 acos(x/r) and M(ψ) = sin ψ − ψ cos ψ, whose difference over a cell is ∝ ∫ acos(x/r) dX.
-fn angle_and_moment(x: f64, r: f64) -> (f64, f64) {
-    let s = leg(r, x);
-    let psi = 2.0 * s.atan2(x);
-    if psi < 0.05 {
-        // the closed form cancels to third order
-        let p2 = psi * psi;
-        (psi, psi * p2 * (1.0 / 3.0 - p2 * (1.0 / 30.0 - p2 * (1.0 / 840.0 - p2 / 45360.0))))
-    } else {
-        let (c, s) = (x / r, s / r);
-        (psi, 2.0 * s * c - psi * (c * c - s * s))
-    }
-}
-
-/// Mean over the cell [x0, x1] (in X) of (2/π) acos(x/r), for x1 ≤ r, from the ends' [`angle_and_moment`].
-fn cell_mean(x0: f64, x1: f64, r: f64, end0: (f64, f64), end1: (f64, f64)) -> f64 {
-    let (psi0, psi1) = (end0.0, end1.0);
-    if psi0 - psi1 < 2e-3 * psi1 {
-        // a cell that is short against its distance from r: Simpson's rule loses less than the difference
-        let middle = ((x0 * x0 + x1 * x1) / 2.0).sqrt();
-        let psi_middle = 2.0 * leg(r, middle).atan2(middle);
-        (psi0 + 4.0 * psi_middle + psi1) / (6.0 * PI)
-    } else {
-        r * r * (end0.1 - end1.1) / (2.0 * PI * (x1 - x0) * (x1 + x0))
-    }
 }
 
 /// Row of descent weights for radius r: calls `sink(j, C)` for the cells that begin below r. The last of them may be
@@ -65,21 +38,19 @@ pub(crate) fn descent_row(x: &[f64], r: f64, mut sink: impl FnMut(usize, f64)) {
     if r <= 0.0 {
         return;
     }
-    let mut start = angle_and_moment(x[0], r);
+    let mut far = leg(r, x[0]);
     for j in 0..x.len().saturating_sub(1) {
         if x[j] >= r {
             break;
         }
         let end_x = x[j + 1].min(r);
-        let end = angle_and_moment(end_x, r);
-        let mean = cell_mean(x[j], end_x, r, start, end);
-        let share = if end_x < x[j + 1] {
-            (end_x - x[j]) * (end_x + x[j]) / ((x[j + 1] - x[j]) * (x[j + 1] + x[j]))
-        } else {
-            1.0
-        };
+        let (near, width) = (leg(r, end_x), (end_x - x[j]) * (end_x + x[j]));
+        // the mean, integrated by parts: the value at the end, and what the fall towards it adds
+        let (_, rest) = cell::image_weights(width, (x[j], far), (end_x, near));
+        let mean = FRAC_2_PI * near.atan2(end_x) + rest;
+        let share = if end_x < x[j + 1] { width / ((x[j + 1] - x[j]) * (x[j + 1] + x[j])) } else { 1.0 };
         sink(j, mean * share);
-        start = end;
+        far = near;
     }
 }
 

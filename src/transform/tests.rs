@@ -1,4 +1,5 @@
 use super::*;
+use std::f64::consts::PI;
 
 fn nodes(n: usize, a: f64) -> Vec<f64> {
     (0..=n).map(|i| a * i as f64 / n as f64).collect()
@@ -96,4 +97,21 @@ fn a_step_in_the_image_is_a_square_root_cusp() {
     let x = [0.0, c, c * (1.0 + 1e-12), 0.7, 1.0];
     let s = descent_at(&x, &[0.0, 0.0, 1.0, 1.0, 1.0], 0.7);
     assert!((s - FRAC_2_PI * (c / 0.7).acos()).abs() < 1e-6);
+}
+
+#[test]
+fn weights_are_exact_next_to_the_axis_and_next_to_the_radius() {
+    // series of the means of (2/π) acos(x/r) over cells narrow against r; at the axis x = √X is not smooth in X
+    let axis = |x: f64| 1.0 - 4.0 / (3.0 * PI) * x * (1.0 + x * x / 10.0);
+    let rim = |x: f64| ((1.0 - x) * (1.0 + x)).sqrt() * 4.0 / (3.0 * PI) * (1.0 + (1.0 - x) / 5.0);
+    for (x0, x1, exact) in [
+        (0.0, 1e-3, axis(1e-3)),
+        (0.0, 1e-8, axis(1e-8)),
+        (1.0 - 1e-7, 1.0, rim(1.0 - 1e-7)),
+        (1.0 - 1e-12, 1.0, rim(1.0 - 1e-12)),
+    ] {
+        let mut weight = f64::NAN;
+        descent_row(&[x0, x1], 1.0, |_, c| weight = c);
+        assert!((weight / exact - 1.0).abs() < 4e-14, "{x0} {x1}: {weight:.16e} {exact:.16e}");
+    }
 }
