@@ -358,7 +358,7 @@ fn wear_never_heals_at_any_probe() {
             (scene.normal, scene.amplitude * (std::f64::consts::TAU * k as f64 / 20.0).sin())
         });
         println!("{profile:?}, constant load: heals {healing:.1e} d0");
-        assert!(healing <= 2e-3, "{profile:?}: {healing:e}");
+        assert!(healing <= 5e-4, "{profile:?}: {healing:e}");
         let mut random = seeded(11);
         let healing = largest_healing(profile.clone(), 60, |_, scene| {
             (uniform(&mut random, -0.1, 1.0) * FORCE, uniform(&mut random, -1.5, 1.5) * scene.amplitude)

@@ -14,7 +14,7 @@ const LOAD_SHARE: f64 = 0.05;
 
 /// How much more than the limit between two updates may wear in one stroke before the profile follows within it. At a
 /// reversal an update is far more exact, since the stroke can be told for half a cycle there.
-const STROKE: f64 = 20.0;
+pub(super) const STROKE: f64 = 20.0;
 
 /// Most pieces into which wear may split a line.
 const MOST_PIECES: f64 = 512.0;
@@ -101,7 +101,7 @@ impl FrettingContact {
     /// not at the end of the step before, so that a contact that slides is seen sliding.
     fn is_worn_out(&self) -> bool {
         let Some(wear) = &self.wear else { return false };
-        if wear.segment.work == 0.0 || self.contact.is_open() {
+        if wear.segment.work == 0.0 || self.contact.is_open() || self.keeps_calm(&self.contact, 0.0) {
             return false;
         }
         let inner = self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
@@ -130,11 +130,14 @@ impl FrettingContact {
             self.arrive(to, displacement, springs, work);
             return Ok(());
         };
-        let inner = springs.stick_radius(&to, self.constants.bound_slope(), displacement);
-        let limit = |volume| self.exceeds_limit(volume, &to, inner);
-        let volume = self.constants.wear_per_work * work;
+        let limit = || {
+            let inner = springs.stick_radius(&to, self.constants.bound_slope(), displacement);
+            self.exceeds_limit(self.constants.wear_per_work * work, &to, inner)
+        };
         if splits > 0
-            && let Some(ratio) = limit(volume)
+            && work > 0.0
+            && !self.keeps_calm(&to, work)
+            && let Some(ratio) = limit()
         {
             let pieces = ratio.ceil().min(MOST_PIECES) as u32;
             let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };

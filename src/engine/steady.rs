@@ -5,7 +5,9 @@
 //! cycles and asking for cycles give the same, and a cycle costs a comparison.
 
 use super::FrettingContact;
+use super::history::STROKE;
 use crate::error::Error;
+use crate::friction::Springs;
 use crate::surface::Contact;
 use crate::wear::{Sliding, Steady};
 use serde::{Deserialize, Serialize};
@@ -20,6 +22,8 @@ pub(super) struct Rhythm {
     amplitude: f64,
     /// Work of half a cycle, J.
     half_work: f64,
+    /// Whether half a cycle wears so little that the profile need not follow amid it.
+    calm: bool,
 }
 
 fn near(a: f64, b: f64) -> bool {
@@ -49,9 +53,9 @@ impl FrettingContact {
         // a quarter of a cycle dissipates a fourth of its work
         let shares = [(0.5, 0.5 * moved.abs()), (0.25, moved.abs())];
         shares.into_iter().find_map(|(amount, amplitude)| {
-            let half_work = 2.0 * self.quarter(&contact, amplitude).1;
-            near(2.0 * amount * half_work, work).then(|| {
-                self.set_rhythm(Some(Rhythm { contact, amplitude, half_work }));
+            let (springs, quarter_work) = self.quarter(&contact, amplitude);
+            near(4.0 * amount * quarter_work, work).then(|| {
+                self.set_rhythm(Some(self.rhythm_of(contact, amplitude, &springs, quarter_work)));
                 Steady { sliding: Sliding::Cycles(amplitude), amount, work }
             })
         })
@@ -67,6 +71,28 @@ impl FrettingContact {
             sliding: Sliding::Cycles(rhythm.amplitude),
             amount: 0.5 * share,
             work: segment.work,
+        })
+    }
+
+    /// The rhythm of an amplitude, from its springs at the end of a first quarter and their work, J.
+    fn rhythm_of(&self, contact: Contact, amplitude: f64, springs: &Springs, quarter_work: f64) -> Rhythm {
+        let stick = springs.stick_radius(&contact, self.constants.bound_slope(), amplitude);
+        let half_work = 2.0 * quarter_work;
+        let volume = self.constants.wear_per_work * half_work;
+        let annulus = std::f64::consts::PI * (contact.radius - stick) * (contact.radius + stick);
+        let calm = volume <= STROKE * self.parameters.tolerance * annulus * contact.depth.abs();
+        Rhythm { contact, amplitude, half_work, calm }
+    }
+
+    /// Whether `work` (J) more keeps the segment within half a cycle after which there is time enough for the profile to follow.
+    pub(super) fn keeps_calm(&self, contact: &Contact, work: f64) -> bool {
+        let Some(wear) = &self.wear else { return true };
+        let segment = &wear.segment;
+        wear.rhythm.is_some_and(|rhythm| {
+            rhythm.calm
+                && rhythm.contact == *contact
+                && segment.contact == Some(*contact)
+                && segment.work + work <= rhythm.half_work * (1.0 + STEADY)
         })
     }
 
@@ -104,9 +130,9 @@ impl FrettingContact {
     pub(super) fn rest_at_reversal(&mut self, amplitude: f64) {
         let contact = self.contact;
         let (mut springs, quarter_work) = self.quarter(&contact, amplitude);
+        self.set_rhythm(Some(self.rhythm_of(contact, amplitude, &springs, quarter_work)));
         springs.moved_by(self.direction, amplitude, self.displacement);
         self.springs = springs;
-        self.set_rhythm(Some(Rhythm { contact, amplitude, half_work: 2.0 * quarter_work }));
         self.start_segment();
     }
 

@@ -41,7 +41,7 @@ pub(crate) struct MeshPlace {
 const SPARE: usize = 6;
 
 /// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
-/// crowd at the end: there each lies at least a quarter of its distance from the end apart from the next.
+/// crowd at the end: there each lies a quarter of its distance from the end apart from the next, or a hundredth of the radius.
 pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: bool) -> Vec<usize> {
     let least = share * image.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
     let mut kept = vec![0];
@@ -54,7 +54,8 @@ pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: boo
                 (line - image[k]).abs() <= least
             })
         };
-        let near = |end: usize| crowd_at_end && x[end] - x[anchor] < 0.25 * (x[last] - x[anchor]);
+        let close = (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
+        let near = |end: usize| crowd_at_end && x[end] - x[anchor] < close;
         let mut end = anchor + 1;
         while end < last && (near(end) || meets(end + 1)) {
             end += 1;

@@ -14,6 +14,9 @@ const MOST_STEPS: u32 = 2000;
 /// Share of the tolerance that leaving out nodes may take of the largest image.
 const THINNING: f64 = 0.05;
 
+/// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth a mesh.
+const THINNEST: f64 = 1e-5;
+
 /// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an update of a profile that wears very
 /// fast leaves there by an inexact contact edge.
 const FAINT: f64 = 0.01;
@@ -148,7 +151,7 @@ fn over(
     } else {
         (Region::Annulus, surface.radius_of_image(contact.depth - reach, 0.0, a))
     };
-    if front >= a * (1.0 - 1e-9) {
+    if front >= a * (1.0 - THINNEST) {
         return Ok(None);
     }
     let mesh = UnitMesh::shared(region, fineness.cells);
