@@ -1,6 +1,7 @@
 //! Wear by the Reye–Archard–Khrushchov law (paper, eq. (18)): dw = (k/σ₀) τ ds at each radius.
 //!
-//! While nothing but time passes the profile stays frozen and only two fields per node are gathered, one monotone
+//! Where the motion is steady at constant load, cycles or sliding onward, it wears by a law of time, which [`live`] integrates on a
+//! mesh of its own. For any other history the profile stays frozen for a while and only two fields per node are gathered, one monotone
 //! stretch of the history (a *segment*) at a time: the dissipated work per area A = ∫ τ ds and the slip path B = ∫ |ds|.
 //! Within a segment slip goes one way, so s telescopes and one pair of transforms serves however many steps it had.
 //!
