@@ -94,7 +94,7 @@ pub(crate) fn live(
             let trial = rosenbrock::step(&patch, &state, &rate, length, counters);
             let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error);
             let ratio = error / (fineness.tolerance * rate.indentation.abs());
-            let factor = if ratio.is_finite() { (0.9 * ratio.cbrt().recip()).clamp(0.2, 4.0) } else { 0.2 };
+            let factor = if ratio.is_finite() { (0.8 * ratio.cbrt().recip()).clamp(0.2, 4.0) } else { 0.2 };
             match trial {
                 Some(trial) if ratio <= 1.0 => {
                     (state, rate) = (trial.state, trial.rate);

@@ -465,38 +465,36 @@ impl Patch {
         let factor = self.factor * rate.share;
         let mut jacobian = vec![0.0; size * size];
         let mut volume_row = vec![0.0; size];
+        // h = z/b; whether a spring slips; b of those that do
+        let softness: Vec<f64> = rate.scale.iter().map(|b| 1.0 / b).collect();
+        let slipping: Vec<f64> = rate.slip[first..].iter().map(|s| f64::from(u8::from(*s > 0.0))).collect();
+        let sliding: Vec<f64> = slipping.iter().zip(&rate.scale[first..]).map(|(on, b)| on * b).collect();
         for i in first..self.end() {
             let row = &mut jacobian[(i - first) * size..(i - first + 1) * size];
             let (p, s) = (rate.pressure[i], rate.surface_slip[i]);
             if s > 0.0 {
-                let weights = mesh.pressure_row(i);
+                let weights = &mesh.pressure_row(i)[..n - i];
                 let (stiffness, soft) = (factor * s / root, factor * p * self.bound_slope);
-                let mut uniform = 0.0;
-                for j in i..=n {
-                    let weight = match (j == n, self.rim) {
-                        (false, _) => weights[j - i],
-                        (true, true) => mesh.rim[i],
-                        (true, false) => 0.0,
-                    };
-                    row[j - first] -= stiffness * weight / rate.scale[j];
-                    uniform += weight;
+                let springs = row[i - first..].iter_mut().zip(weights).zip(&softness[i..]);
+                springs.for_each(|((entry, weight), soft)| *entry -= stiffness * weight * soft);
+                let mut uniform: f64 = weights.iter().sum();
+                if self.rim {
+                    row[n - first] -= stiffness * mesh.rim[i] * softness[n];
+                    uniform += mesh.rim[i];
                 }
-                let descent = mesh.descent_row(i);
-                let mut moved = 0.0;
-                for j in first..=i {
-                    if rate.slip[j] > 0.0 {
-                        row[j - first] += soft * descent[j];
-                        moved += descent[j] * rate.scale[j];
-                    }
+                let descent = &mesh.descent_row(i)[first..];
+                for ((entry, weight), slips) in row.iter_mut().zip(descent).zip(&slipping) {
+                    *entry += soft * weight * slips;
                 }
+                let moved = dot(descent, &sliding[..descent.len()]);
                 // the body sinks as it wears
                 let sinking = stiffness * uniform - soft * moved;
                 if self.is_force() && self.rim {
-                    for j in first..=n {
-                        row[j - first] += sinking * root * mesh.width[j] / a;
+                    for (entry, width) in row.iter_mut().zip(&mesh.width[first..]) {
+                        *entry += sinking * root * width / a;
                     }
                 } else if self.is_force() {
-                    row[n - first] += sinking / rate.scale[n];
+                    row[n - first] += sinking * softness[n];
                 }
             }
             for (sum, entry) in volume_row.iter_mut().zip(&*row) {
@@ -514,11 +512,12 @@ impl Patch {
         if !self.rim {
             self.add_edge_terms(depth, rate, &mut jacobian, &mut volume_row);
         }
-        let matrix = nalgebra::DMatrix::from_fn(size, size, |row, column| {
-            let (i, j) = (row + first, column + first);
-            let descent = if j <= i { mesh.descent_row(i)[j] } else { 0.0 };
-            descent - gamma_step * jacobian[row * size + column]
-        });
+        jacobian.iter_mut().for_each(|entry| *entry *= -gamma_step);
+        for i in first..=n {
+            let row = &mut jacobian[(i - first) * size..];
+            row.iter_mut().zip(&mesh.descent_row(i)[first..]).for_each(|(entry, weight)| *entry += weight);
+        }
+        let matrix = nalgebra::DMatrix::from_row_slice(size, size, &jacobian);
         Linear { matrix, volume_row }
     }
 
