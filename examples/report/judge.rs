@@ -1,0 +1,145 @@
+//! Judges a contact by what has to hold in every state, and keeps the worst it saw.
+
+use fretting_contact::{Error, FrettingContact};
+
+/// |T| − μF_N allowed, in μF_N: rounding.
+pub(crate) const COULOMB: f64 = 1e-12;
+/// Volume of the profile against (k/σ₀)·work, relative.
+pub(crate) const VOLUME: f64 = 1e-2;
+/// The same where next to nothing is worn, in a² d.
+pub(crate) const ROUNDING: f64 = 1e-12;
+/// Largest result of splitting a line, in μF_N and in the worn volume: without wear, and with it in tolerances.
+pub(crate) const SPLIT_WITHOUT_WEAR: f64 = 1e-9;
+/// See [`SPLIT_WITHOUT_WEAR`].
+pub(crate) const SPLIT_IN_TOLERANCES: f64 = 10.0;
+
+/// An invariant, what was seen of it, and what is allowed.
+#[derive(Debug, Clone)]
+pub(crate) struct Finding {
+    pub(crate) invariant: &'static str,
+    pub(crate) seen: f64,
+    pub(crate) allowed: f64,
+}
+
+impl Finding {
+    /// Broken also by what is not a number.
+    pub(crate) fn broken(&self) -> bool {
+        !matches!(self.seen.partial_cmp(&self.allowed), Some(o) if o.is_le())
+    }
+
+    fn share(&self) -> f64 {
+        match (self.broken(), self.allowed > 0.0) {
+            (false, true) => self.seen / self.allowed,
+            (false, false) => 0.0,
+            (true, true) if self.seen.is_finite() => self.seen / self.allowed,
+            (true, _) => f64::INFINITY,
+        }
+    }
+}
+
+/// The worst of a scene so far.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Judge {
+    pub(crate) worst: Option<Finding>,
+    /// States that were judged.
+    pub(crate) states: u64,
+    work: f64,
+    volume: f64,
+    /// Largest a² d so far, m³.
+    size: f64,
+}
+
+impl Judge {
+    /// Notes an invariant; keeps the one nearest to its bound, or the farthest beyond it.
+    pub(crate) fn note(&mut self, invariant: &'static str, seen: f64, allowed: f64) {
+        let finding = Finding { invariant, seen, allowed };
+        if self.worst.as_ref().is_none_or(|worst| finding.share() > worst.share()) {
+            self.worst = Some(finding);
+        }
+    }
+
+    /// Another contact: its work starts anew.
+    pub(crate) fn anew(&mut self) {
+        (self.work, self.volume) = (0.0, 0.0);
+    }
+
+    /// A call, then its state. A refusal has to leave the contact as it was.
+    pub(crate) fn step(
+        &mut self,
+        contact: &mut FrettingContact,
+        call: impl FnOnce(&mut FrettingContact) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let before = signature(contact);
+        let outcome = call(contact);
+        match outcome {
+            Ok(()) => self.state(contact),
+            Err(_) => {
+                let changed = before.iter().zip(signature(contact)).any(|(a, b)| a.to_bits() != b.to_bits());
+                self.note("a refusal changes nothing", f64::from(u8::from(changed)), 0.0);
+            }
+        }
+        outcome
+    }
+
+    /// Everything that has to hold of one state.
+    pub(crate) fn state(&mut self, contact: &FrettingContact) {
+        self.states += 1;
+        let numbers = signature(contact);
+        let [force, normal, depth, radius, stick, work, volume, profile] = numbers;
+        let others = [contact.wear_depth(), contact.tangential_stiffness(), contact.normal_stiffness()];
+        let infinite = numbers.iter().chain(&others).filter(|x| !x.is_finite()).count();
+        self.note("finite", infinite as f64, 0.0);
+        let limit = contact.parameters().friction_coefficient * normal;
+        self.note(
+            "|T| <= mu F_N",
+            if force.abs() > limit { force.abs() / limit - 1.0 } else { 0.0 },
+            COULOMB,
+        );
+        self.note("stick radius <= contact radius", (stick - radius).max(0.0), 0.0);
+        self.note("work never decreases", (self.work - work).max(0.0), 0.0);
+        self.note("wear never decreases", (self.volume - volume).max(0.0), 0.0);
+        (self.work, self.volume) = (work, volume);
+        self.size = self.size.max(radius * radius * depth);
+        if volume > 0.0 {
+            // the profile cannot hold less than the rounding of the contact's own size
+            let floor = ROUNDING * self.size / VOLUME;
+            self.note("profile volume = (k/s0) work", (profile - volume).abs() / volume.max(floor), VOLUME);
+        }
+        // NaN counts as healed
+        let healed =
+            contact.probe_radii().map(|r| contact.worn_depth_at(r)).iter().filter(|&&w| !(w >= 0.0)).count();
+        self.note("profile never below the unworn one", healed as f64, 0.0);
+    }
+
+    /// The same way in one step and in many ends in the same state.
+    pub(crate) fn split(&mut self, one: &FrettingContact, many: &FrettingContact) {
+        let parameters = one.parameters();
+        let limit = parameters.friction_coefficient * one.normal_reaction().max(many.normal_reaction());
+        let tolerance = if one.wear_volume() > 0.0 {
+            SPLIT_IN_TOLERANCES * parameters.tolerance
+        } else {
+            SPLIT_WITHOUT_WEAR
+        };
+        if limit > 0.0 {
+            let off = (one.tangential_force() - many.tangential_force()).abs() / limit;
+            self.note("T independent of splitting", off, tolerance);
+        }
+        if one.wear_volume() > 0.0 {
+            let off = (many.wear_volume() / one.wear_volume() - 1.0).abs();
+            self.note("worn volume independent of splitting", off, tolerance);
+        }
+    }
+}
+
+fn signature(contact: &FrettingContact) -> [f64; 8] {
+    [
+        contact.tangential_force(),
+        contact.normal_reaction(),
+        contact.indentation_depth(),
+        contact.contact_radius(),
+        contact.stick_radius(),
+        contact.dissipated_energy(),
+        contact.wear_volume(),
+        contact.profile_volume(),
+    ]
+}
