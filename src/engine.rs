@@ -17,7 +17,7 @@ use crate::error::Error;
 use crate::friction::Springs;
 use crate::parameters::{NormalControl, Parameters};
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Constants, Pending, Segment, Sliding, TableCache};
+use crate::wear::{Constants, Pending, Segment, Sliding, TableCache, UnitMesh};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -85,6 +85,8 @@ struct WearState {
     rhythm: Option<steady::Rhythm>,
     /// How much the next step of a steady motion should span, and of which.
     next_step: Option<(Sliding, f64)>,
+    /// Tables of the moving mesh, kept so that they need not be made for each update.
+    mesh: Option<Arc<UnitMesh>>,
     /// Σ |∫A dA − W| over the segments so far, J.
     transform_defect: f64,
 }

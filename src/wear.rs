@@ -21,7 +21,7 @@ mod rosenbrock;
 mod update;
 
 pub(crate) use life::{Amount, Fineness, live};
-pub(crate) use mesh::{Region, depth_volume};
+pub(crate) use mesh::{Region, UnitMesh, depth_volume};
 pub(crate) use patch::{Motion, Sliding};
 pub(crate) use update::{Edge, pressure_nodes, worn_depth};
 

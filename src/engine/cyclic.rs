@@ -120,6 +120,7 @@ impl FrettingContact {
             wear.pending.moved_to(before.x(), now.x());
         }
         wear.next_step = Some((sliding, life.next_step));
+        wear.mesh = life.mesh.or(wear.mesh.take());
         wear.transform_defect += life.defect / per_work;
         self.surface = life.surface;
         Ok(life.volume / per_work)

@@ -99,6 +99,7 @@ impl FrettingContact {
                 tables,
                 rhythm: saved.rhythm,
                 next_step: saved.next_step,
+                mesh: None,
                 transform_defect: saved.transform_defect,
             })
         });

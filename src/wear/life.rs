@@ -7,6 +7,7 @@ use super::rosenbrock;
 use crate::engine::Counters;
 use crate::error::Error;
 use crate::surface::{Contact, MeshPlace, Nodes, Surface};
+use std::sync::Arc;
 
 /// Most steps of one call: a whole life takes some fifty.
 const MOST_STEPS: u32 = 2000;
@@ -42,6 +43,8 @@ pub(crate) struct Life {
     pub(crate) defect: f64,
     /// Cycles that the next step should span.
     pub(crate) next_step: f64,
+    /// The tables last used: whoever keeps them spares the next call making them.
+    pub(crate) mesh: Option<Arc<UnitMesh>>,
 }
 
 /// How much of a motion wears the surface.
@@ -68,7 +71,13 @@ pub(crate) fn live(
     fineness: &Fineness,
     counters: &mut Counters,
 ) -> Result<Life, Error> {
-    let mut life = Life { surface: surface.clone(), volume: 0.0, defect: 0.0, next_step: fineness.last_step };
+    let mut life = Life {
+        surface: surface.clone(),
+        volume: 0.0,
+        defect: 0.0,
+        next_step: fineness.last_step,
+        mesh: None,
+    };
     let cycles = amount.cycles;
     let mut left = cycles;
     let mut steps = 0;
@@ -112,6 +121,7 @@ pub(crate) fn live(
             }
         }
         life.next_step = step;
+        life.mesh = Some(patch.mesh.clone());
         life.volume += volume;
         if let (true, Some(known)) = (left <= 0.0, amount.known) {
             life.volume = known;
