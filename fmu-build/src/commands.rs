@@ -81,6 +81,33 @@ impl Setup<'_> {
         Ok(())
     }
 
+    /// Runs the extreme scenes and the error against run time, and draws the latter.
+    pub(crate) fn report(&self) -> Result<()> {
+        for (title, example) in
+            [("Stability of extreme scenes", "stability"), ("Error against run time", "precision")]
+        {
+            progress::shown(title, || {
+                let mut cargo = self.cargo("run");
+                cargo.args([
+                    "--release",
+                    "--locked",
+                    "--no-default-features",
+                    "--example",
+                    example,
+                    "reports",
+                ]);
+                run_shown(cargo)
+            })?;
+        }
+        progress::shown("Pictures", || {
+            let mut plot = self.venv.python();
+            plot.args(["examples/report/plot.py", "reports"]);
+            run_shown(plot)
+        })?;
+        eprintln!("Reports: {}", self.workspace.file("reports").display());
+        Ok(())
+    }
+
     /// Runs the tests of Rust and Python, the second also after a failure of the first.
     pub(crate) fn test(&self, fmu: &Path) -> Result<()> {
         let started = Instant::now();

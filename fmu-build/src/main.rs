@@ -48,6 +48,8 @@ enum Task {
     },
     /// Build, then drive the FMU through the worked example; plots and CSV go to target/demo
     Demo,
+    /// Error against run time, and stability of extreme scenes; pages and pictures go to reports
+    Report,
     /// Build, then run every test there is: Rust and Python
     Test,
     /// Run rustfmt and clippy, warnings being errors
@@ -81,6 +83,7 @@ fn run(task: Task) -> Result<()> {
             let setup = commands::set_up(&workspace)?;
             setup.demo(&setup.build(Platform::own()?)?)?;
         }
+        Task::Report => commands::set_up(&workspace)?.report()?,
         Task::Test => {
             let setup = commands::set_up(&workspace)?;
             setup.test(&setup.build(Platform::own()?)?)?;
