@@ -326,7 +326,7 @@ fn page(points: &[Point], truths: &[(String, String, f64)]) -> String {
     for (problem, source, error) in truths {
         let _ = writeln!(text, "| {problem} | {source} | {error:.1e} |");
     }
-    text += "\n## Every point\n\nTimes are medians, with the least and the most; counted work is in the CSV.\n\n\
+    text += "\n## Every point\n\nTimes are medians, with the least and the most: a wide spread says that the machine had other work. The published procedure ran once. Counted work is in the CSV.\n\n\
              | problem | method | settings | error | time, s | least | most |\n| --- | --- | --- | --- | --- | --- | --- |\n";
     for Point { problem, method, settings, error, time: [median, least, most], .. } in points {
         let _ = writeln!(
