@@ -106,8 +106,12 @@ impl Judge {
             self.note("profile volume = (k/s0) work", (profile - volume).abs() / volume.max(floor), VOLUME);
         }
         // NaN counts as healed
-        let healed =
-            contact.probe_radii().map(|r| contact.worn_depth_at(r)).iter().filter(|&&w| !(w >= 0.0)).count();
+        let healed = contact
+            .probe_radii()
+            .map(|r| contact.worn_depth_at(r))
+            .iter()
+            .filter(|w| w.is_nan() || **w < 0.0)
+            .count();
         self.note("profile never below the unworn one", healed as f64, 0.0);
     }
 

@@ -6,11 +6,14 @@ use fretting_contact::{
 };
 use std::f64::consts::PI;
 
+/// What a scene does.
+pub(crate) type Run = Box<dyn Fn(&mut Judge) -> Result<(), Error> + Send>;
+
 /// One scene: what is extreme about it, and how to run it.
 pub(crate) struct Scene {
     pub(crate) name: String,
     pub(crate) extreme: String,
-    pub(crate) run: Box<dyn Fn(&mut Judge) -> Result<(), Error> + Send>,
+    pub(crate) run: Run,
 }
 
 type Outcome = Result<(), Error>;

@@ -145,7 +145,8 @@ impl FrettingContact {
         }
         let move_on = displacement - self.displacement;
         let slack = 2.0 * self.constants.bound_slope() * (self.contact.depth - self.surface.image(0.0));
-        if move_on.abs() <= 2.0 * slack {
+        // a body worn flat slips everywhere at once
+        if slack <= 0.0 || move_on.abs() <= 2.0 * slack {
             return None;
         }
         let friction = self.constants.friction_coefficient * self.normal_reaction();

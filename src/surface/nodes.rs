@@ -154,6 +154,19 @@ impl Nodes {
         self.update_integrals(profile);
     }
 
+    /// Adds a small volume (m³) to the wear outside a radius, in proportion to what is there.
+    pub(crate) fn add_volume_beyond(&mut self, radius: f64, volume: f64, profile: &Profile) {
+        let start = self.x.partition_point(|x| *x <= radius);
+        let mut outside = self.depth.clone();
+        outside[..start].fill(0.0);
+        let share = volume / self.volume(&outside);
+        if share.is_finite() && share.abs() < 0.1 {
+            self.worn_image[start..].iter_mut().for_each(|h| *h *= 1.0 + share);
+            self.depth[start..].iter_mut().for_each(|w| *w *= 1.0 + share);
+            self.update_integrals(profile);
+        }
+    }
+
     /// These nodes with the wear of others on top. Nodes that the line between others meets within a share of the largest image are left out.
     pub(crate) fn with(&self, others: &Self, share: f64, profile: &Profile) -> Self {
         let mut x: Vec<f64> = self.x.iter().chain(&others.x).copied().collect();

@@ -10,7 +10,7 @@ use crate::surface::{Contact, MeshPlace, Nodes, Surface};
 use std::sync::Arc;
 
 /// Most steps of one call: a whole life takes some fifty.
-const MOST_STEPS: u32 = 2000;
+const MOST_STEPS: u32 = 1000;
 
 /// Share of the tolerance that leaving out nodes may take of the largest image.
 const THINNING: f64 = 0.05;
@@ -20,7 +20,7 @@ const THINNEST: f64 = 1e-5;
 
 /// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an update of a profile that wears very
 /// fast leaves there by an inexact contact edge.
-const FAINT: f64 = 0.01;
+const FAINT: f64 = 1e-3;
 
 /// How finely to integrate.
 #[derive(Debug, Clone, Copy)]
@@ -206,7 +206,7 @@ fn over(
             if let Some((patch, state)) = laid
                 && patch.rate(&state.depth, state.area).is_some_and(|rate| {
                     (patch.volume(&rate) - volume).abs() <= 0.05 * volume
-                        && (state.area - a * a).abs() <= 1e-2 * patch.span(state.area)
+                        && (state.area - a * a).abs() <= 3e-4 * patch.span(state.area)
                 })
             {
                 return Ok(Some((patch, state)));
@@ -290,9 +290,10 @@ fn left_behind(patch: &Patch, state: &State, rate: &Rate, tolerance: f64, target
             (nodes, missing.abs())
         }
         Some(base) => {
-            let missing = target - base.worn_volume() - nodes.worn_volume();
-            nodes.add_volume(missing, patch.body.profile());
-            (base.with(&nodes, THINNING * tolerance, patch.body.profile()), missing.abs())
+            let mut nodes = base.with(&nodes, THINNING * tolerance, patch.body.profile());
+            let missing = target - nodes.worn_volume();
+            nodes.add_volume_beyond(patch.inner_radius, missing, patch.body.profile());
+            (nodes, missing.abs())
         }
     }
 }
