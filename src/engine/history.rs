@@ -374,11 +374,13 @@ impl FrettingContact {
         let old = self.surface.clone();
         let zone = self.springs.slip_zone(&self.contact, self.constants.bound_slope(), self.displacement);
         let steady = self.wear.as_mut().and_then(|wear| wear.pending.steady.take());
-        if let Some(Steady { sliding, amount, work }) = steady {
-            self.wear_by(self.contact.control, sliding, amount, Some(work))?;
-        } else {
+        let lived = match steady {
+            None => false,
+            Some(steady) => self.live_through(steady)?,
+        };
+        if !lived {
             let Some((worn_image, depth)) = self.pending_image()? else { return Ok(()) };
-            let Some(mut nodes) = old.worn().cloned() else { return Ok(()) };
+            let Some(mut nodes) = self.surface.worn().cloned() else { return Ok(()) };
             nodes.set_worn(worn_image, depth, old.profile());
             self.surface.set_worn(Some(nodes));
             self.counters.descent_transforms += 1;

@@ -8,8 +8,8 @@ use super::FrettingContact;
 use super::history::STROKE;
 use crate::error::Error;
 use crate::friction::Springs;
-use crate::surface::Contact;
-use crate::wear::{Sliding, Steady};
+use crate::surface::{Contact, Nodes};
+use crate::wear::{Edge, Sliding, Steady, pressure_nodes};
 use serde::{Deserialize, Serialize};
 
 /// How near to a steady cycle's a segment's amplitude and work have to be, relative, to be taken for one.
@@ -124,6 +124,64 @@ impl FrettingContact {
         }
         self.start_segment();
         Ok(())
+    }
+
+    /// Wears a steady motion off by its law of time. Where that cannot be followed, on a profile that histories of another kind
+    /// have left rough at the contact edge, it becomes pending like these, for a single implicit update: `false`.
+    pub(super) fn live_through(&mut self, steady: Steady) -> Result<bool, Error> {
+        match self.wear_by(self.contact.control, steady.sliding, steady.amount, Some(steady.work)) {
+            Ok(_) => Ok(true),
+            Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {
+                self.spread(steady);
+                Ok(false)
+            }
+            Err(other) => Err(other),
+        }
+    }
+
+    /// Work per area and slip path of a steady motion at the nodes of the surface as it is.
+    fn spread(&mut self, steady: Steady) {
+        let (contact, bound_slope) = (self.contact, self.constants.bound_slope());
+        let profile = self.surface.profile();
+        let stick = match steady.sliding {
+            Sliding::Onward => 0.0,
+            Sliding::Cycles(amplitude) => {
+                let depth = contact.depth - amplitude / bound_slope;
+                if depth > self.surface.image(0.0) {
+                    self.surface.radius_of_image(depth, 0.0, contact.radius)
+                } else {
+                    0.0
+                }
+            }
+        };
+        if self.surface.worn().is_none() {
+            let nodes = Nodes::around(profile, self.parameters.resolution, contact.radius, stick);
+            self.surface.set_worn(Some(nodes));
+        }
+        let outer = self.surface.profile().outer_radius();
+        let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return };
+        let (tables, made) = wear.tables.get(nodes);
+        let room: Vec<f64> =
+            nodes.x().iter().map(|x| (contact.depth - self.surface.image(*x)).max(0.0)).collect();
+        let load: Vec<f64> = room.iter().map(|q| self.constants.normal_modulus * q).collect();
+        let pressure = pressure_nodes(&tables, nodes.x(), &load, &Edge::new(nodes, &contact, outer));
+        let friction = self.constants.friction_coefficient;
+        let traction: Vec<f64> = pressure.iter().map(|p| friction * p).collect();
+        let path: Vec<f64> = match steady.sliding {
+            Sliding::Onward => vec![steady.amount; room.len()],
+            Sliding::Cycles(amplitude) => {
+                let slip: Vec<f64> = room
+                    .iter()
+                    .zip(nodes.x())
+                    .map(|(q, x)| if *x > stick { (amplitude - bound_slope * q).max(0.0) } else { 0.0 })
+                    .collect();
+                tables.descend(&slip, slip.len()).iter().map(|s| 4.0 * steady.amount * s.max(0.0)).collect()
+            }
+        };
+        wear.transform_defect += wear.pending.add(nodes, &contact, (&traction, &path), steady.work, f64::MAX);
+        self.counters.transform_tables += u64::from(made);
+        self.counters.pressure_transforms += 1;
+        self.counters.descent_transforms += 1;
     }
 
     /// Puts the springs where a steady cycle has them at its end, on a surface that has just worn.
