@@ -43,24 +43,48 @@ impl Clock {
     }
 
     /// The clock after a step of `length` from `point`.
+    #[inline]
     pub(super) fn after(&self, point: f64, length: f64) -> Checked<Self> {
-        if !(length >= 0.0 && length.is_finite()) {
-            let requirement = "a step is finite and not negative";
-            return Err(
-                Refusal::Argument { argument: "communicationStepSize", value: length, requirement }.into()
-            );
+        if !(0.0..f64::INFINITY).contains(&length) {
+            return Err(negative_or_infinite(length));
         }
-        // Also refuses a point that is not a number.
-        let slack = SAME * point.abs().max(length);
-        if !((point - self.time).abs() <= slack && point.is_finite()) {
-            return Err(Refusal::CommunicationPoint { given: point, expected: self.time }.into());
+        if point != self.time || point.is_infinite() {
+            self.check_point(point, length)?;
         }
         let time = point + length;
-        if let Some(stop) = self.stop.filter(|stop| time > stop + SAME * stop.abs().max(length)) {
-            return Err(Refusal::BeyondStopTime { from: point, length, stop }.into());
+        if let Some(stop) = self.stop
+            && time > stop
+        {
+            check_stop(point, length, stop)?;
         }
         Ok(Self { time, ..*self })
     }
+
+    /// Refuses a communication point that differs from the end of the last step by more than rounding.
+    #[cold]
+    fn check_point(&self, point: f64, length: f64) -> Checked {
+        let slack = SAME * point.abs().max(length);
+        // written so that it also refuses a point that is not a number
+        if (point - self.time).abs() <= slack && point.is_finite() {
+            return Ok(());
+        }
+        Err(Refusal::CommunicationPoint { given: point, expected: self.time }.into())
+    }
+}
+
+#[cold]
+fn negative_or_infinite(length: f64) -> Box<Refusal> {
+    let requirement = "a step is finite and not negative";
+    Refusal::Argument { argument: "communicationStepSize", value: length, requirement }.into()
+}
+
+/// Refuses a step that passes the stop time by more than rounding.
+#[cold]
+fn check_stop(point: f64, length: f64, stop: f64) -> Checked {
+    if point + length > stop + SAME * stop.abs().max(length) {
+        return Err(Refusal::BeyondStopTime { from: point, length, stop }.into());
+    }
+    Ok(())
 }
 
 #[cfg(test)]

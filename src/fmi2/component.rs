@@ -79,6 +79,7 @@ impl Component {
     }
 
     /// Whether `call` is allowed now.
+    #[inline]
     pub(super) fn admit(&mut self, call: &Call) -> Checked {
         self.worst = Status::Ok;
         call.check(self.state).map_err(|out_of_order| match &self.failure {
@@ -88,8 +89,16 @@ impl Component {
     }
 
     /// The status of a call with this result; a refusal is told to the importer.
+    #[inline]
     pub(super) fn conclude(&mut self, call: &Call, result: Checked) -> Status {
-        let Err(refusal) = result else { return self.worst };
+        match result {
+            Ok(()) => self.worst,
+            Err(refusal) => self.refuse(call, &refusal),
+        }
+    }
+
+    #[cold]
+    fn refuse(&mut self, call: &Call, refusal: &Refusal) -> Status {
         self.logger.log(refusal.status(), &format!("{}: {refusal}", call.name));
         self.worst.max(refusal.status())
     }

@@ -92,14 +92,20 @@ pub(super) unsafe fn array_out<'a, T>(
     Ok(if length == 0 { &mut [] } else { unsafe { core::slice::from_raw_parts_mut(pointer.cast(), length) } })
 }
 
+#[inline]
 fn check_array<T>(argument: &'static str, pointer: *const T, length: usize) -> Checked {
-    if length > isize::MAX as usize / size_of::<T>() {
-        return Err(Refusal::Length { argument, length }.into());
+    if length <= isize::MAX as usize / size_of::<T>() && (length == 0 || !pointer.is_null()) {
+        return Ok(());
     }
-    if length > 0 && pointer.is_null() {
-        return Err(Refusal::NullPointer(argument).into());
+    Err(refuse_array(argument, length, size_of::<T>()))
+}
+
+#[cold]
+fn refuse_array(argument: &'static str, length: usize, size: usize) -> Box<Refusal> {
+    if length > isize::MAX as usize / size {
+        return Refusal::Length { argument, length }.into();
     }
-    Ok(())
+    Refusal::NullPointer(argument).into()
 }
 
 /// A single result to fill.

@@ -11,21 +11,40 @@ use super::status::State::{self, Failed, InitializationMode, Instantiated, StepC
 pub(super) struct Call {
     pub(super) name: &'static str,
     allowed: &'static [State],
+    /// `allowed` as a set of bits.
+    mask: u8,
 }
 
 impl Call {
-    /// The one gate.
-    pub(super) fn check(&self, state: State) -> Checked {
-        if self.allowed.contains(&state) {
-            return Ok(());
+    const fn new(name: &'static str, allowed: &'static [State]) -> Self {
+        let mut mask = 0;
+        let mut i = 0;
+        while i < allowed.len() {
+            mask |= bit(allowed[i]);
+            i += 1;
         }
+        Self { name, allowed, mask }
+    }
+
+    /// The one gate.
+    #[inline]
+    pub(super) fn check(&self, state: State) -> Checked {
+        if self.mask & bit(state) != 0 { Ok(()) } else { self.refuse(state) }
+    }
+
+    #[cold]
+    fn refuse(&self, state: State) -> Checked {
         Err(Refusal::OutOfOrder { state, allowed: self.allowed }.into())
     }
 }
 
+const fn bit(state: State) -> u8 {
+    1 << state as u8
+}
+
 macro_rules! calls {
     ($($constant:ident = $name:ident in [$($state:ident),*];)*) => {
-        $(pub(super) const $constant: Call = Call { name: stringify!($name), allowed: &[$($state),*] };)*
+        $(pub(super) const $constant: Call = Call::new(stringify!($name), &[$($state),*]);)*
     };
 }
 

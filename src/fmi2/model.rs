@@ -10,30 +10,17 @@ use crate::error::Error;
 use crate::parameters::Parameters;
 
 /// Everything but the contact itself.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Staged {
     pub(super) settings: Settings,
     pub(super) inputs: Inputs,
-    /// Time derivatives of the inputs, for the next step only.
-    pub(super) slopes: Inputs,
+    /// Time derivatives of the inputs, for the next step only; `None` where all are 0.
+    pub(super) slopes: Option<Inputs>,
     pub(super) clock: Clock,
     /// Whether the contact has been brought to its initial state with the present inputs.
     started: bool,
     /// Whether initialization is over: parameters are fixed, and inputs are targets of steps.
     initialized: bool,
-}
-
-impl Default for Staged {
-    fn default() -> Self {
-        Self {
-            settings: Settings::default(),
-            inputs: Inputs::default(),
-            slopes: Inputs::ZERO,
-            clock: Clock::default(),
-            started: false,
-            initialized: false,
-        }
-    }
 }
 
 /// One contact under the importer's control.
@@ -77,26 +64,33 @@ impl Model {
 
     /// The contact in its present state. During initialization that is the start which follows from what has been
     /// set so far.
+    #[inline]
     pub(super) fn contact(&mut self, resources: &Resources) -> Checked<&FrettingContact> {
-        let Self { staged: Staged { settings, inputs, started, .. }, contact } = self;
-        if !*started {
-            // Dropped where it cannot start, so that a profile file that has been corrected is read again.
-            let mut built = match contact.take() {
-                Some(contact) => contact,
-                None => FrettingContact::new(settings.parameters(resources)?)
-                    .map_err(|problem| engine("parameters", problem))?,
-            };
-            let displacement = match settings.loading() {
-                Loading::Transient => inputs.tangential_displacement,
-                Loading::Cyclic => 0.0,
-            };
-            built
-                .start_at(inputs.normal(settings.normal_control()), displacement)
-                .map_err(|problem| engine(&format!("start with {}", inputs.describe(settings)), problem))?;
-            *contact = Some(built);
-            *started = true;
+        if !self.staged.started {
+            self.start(resources)?;
         }
-        Ok(contact.as_ref().expect("a started contact has been built"))
+        Ok(self.contact.as_ref().expect("a started contact has been built"))
+    }
+
+    #[cold]
+    fn start(&mut self, resources: &Resources) -> Checked {
+        let Self { staged: Staged { settings, inputs, started, .. }, contact } = self;
+        // Dropped where it cannot start, so that a profile file that has been corrected is read again.
+        let mut built = match contact.take() {
+            Some(contact) => contact,
+            None => FrettingContact::new(settings.parameters(resources)?)
+                .map_err(|problem| engine("parameters", problem))?,
+        };
+        let displacement = match settings.loading() {
+            Loading::Transient => inputs.tangential_displacement,
+            Loading::Cyclic => 0.0,
+        };
+        built
+            .start_at(inputs.normal(settings.normal_control()), displacement)
+            .map_err(|problem| engine(&format!("start with {}", inputs.describe(settings)), problem))?;
+        *contact = Some(built);
+        *started = true;
+        Ok(())
     }
 
     /// The contact as far as it has been built, and what has been set.
@@ -114,8 +108,9 @@ impl Model {
     /// One step of `length`, s, at whose end the clock is `end`.
     pub(super) fn step(&mut self, end: Clock, length: f64) -> Checked {
         let Self { staged, contact } = self;
-        let (settings, from) = (&staged.settings, staged.inputs);
-        let to = if staged.slopes == Inputs::ZERO { from } else { from.after(&staged.slopes, length) };
+        let (settings, from) = (&staged.settings, &staged.inputs);
+        let moved = staged.slopes.map(|slopes| from.after(&slopes, length));
+        let to = moved.as_ref().unwrap_or(from);
         let contact =
             contact.as_mut().expect("initialization builds the contact, and nothing discards it later");
         let normal = to.normal(settings.normal_control());
@@ -133,7 +128,10 @@ impl Model {
                 problem,
             )
         })?;
-        (staged.clock, staged.inputs, staged.slopes) = (end, to, Inputs::ZERO);
+        staged.clock = end;
+        if let Some(inputs) = moved {
+            (staged.inputs, staged.slopes) = (inputs, None);
+        }
         Ok(())
     }
 

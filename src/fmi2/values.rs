@@ -5,7 +5,7 @@ use super::enumerations::Items;
 use super::model::Model;
 use super::refusal::{Checked, Refusal};
 use super::settings::Inputs;
-use super::variables::{Access, DataType, PROBES, Variable, variables};
+use super::variables::{Access, DataType, PROBES, Range, Variable, variables};
 use core::ffi::CStr;
 use core::fmt::Debug;
 use core::mem::MaybeUninit;
@@ -21,6 +21,7 @@ pub(super) enum Asked {
 }
 
 impl Asked {
+    #[inline]
     fn fits(self, data_type: &DataType) -> bool {
         match self {
             Self::Real => matches!(data_type, DataType::Real { .. }),
@@ -31,22 +32,37 @@ impl Asked {
     }
 }
 
-/// The variable with this reference, if it is of the type asked for.
-fn find(reference: u32, asked: Asked) -> Checked<&'static Variable> {
-    let all = variables();
-    let Some(variable) = all.get(reference as usize) else {
-        return Err(Refusal::UnknownReference { reference, last: all.len() - 1 }.into());
-    };
-    if asked.fits(&variable.data_type) { Ok(variable) } else { Err(wrong_type(variable, reference, asked)) }
-}
+/// The variable table. Calls fetch it once, since even that costs a check each time.
+#[derive(Clone, Copy)]
+struct Table(&'static [Variable]);
 
-/// Access to a variable that [`find`] has found before.
-fn access(reference: u32) -> Access {
-    variables()[reference as usize].access
+impl Table {
+    #[inline]
+    fn get() -> Self {
+        Self(variables())
+    }
+
+    /// The variable with this reference, if it is of the type asked for.
+    #[inline]
+    fn find(self, reference: u32, asked: Asked) -> Checked<&'static Variable> {
+        match self.0.get(reference as usize) {
+            Some(variable) if asked.fits(&variable.data_type) => Ok(variable),
+            found => Err(not_found(found, reference, asked)),
+        }
+    }
+
+    /// Access to a variable that [`Self::find`] has found before.
+    #[inline]
+    fn access(self, reference: u32) -> Access {
+        self.0[reference as usize].access
+    }
 }
 
 #[cold]
-fn wrong_type(variable: &Variable, reference: u32, asked: Asked) -> Box<Refusal> {
+fn not_found(found: Option<&Variable>, reference: u32, asked: Asked) -> Box<Refusal> {
+    let Some(variable) = found else {
+        return Refusal::UnknownReference { reference, last: variables().len() - 1 }.into();
+    };
     let actual = match variable.data_type {
         DataType::Enumeration(_) => "Integer (Enumeration)",
         _ => variable.data_type.name(),
@@ -56,33 +72,41 @@ fn wrong_type(variable: &Variable, reference: u32, asked: Asked) -> Box<Refusal>
 }
 
 /// Refuses values that are not the importer's to set.
-fn check_writable(model: &Model, variable: &Variable, value: &dyn Debug) -> Checked {
-    let name = || variable.name.to_string();
+#[inline]
+fn check_writable(model: &Model, variable: &Variable, value: impl Debug) -> Checked {
     match variable.access {
         Access::Input(_) => Ok(()),
         Access::Parameter(_) | Access::Number(_) | Access::Text(_) if !model.is_initialized() => Ok(()),
-        Access::Parameter(_) | Access::Number(_) | Access::Text(_) => {
-            Err(Refusal::Fixed { name: name(), value: format!("{value:?}") }.into())
-        }
-        Access::Output(_) | Access::Slip(_) | Access::Field { .. } => Err(Refusal::ReadOnly {
-            name: name(),
-            value: format!("{value:?}"),
-            causality: variable.causality(),
-        }
-        .into()),
+        _ => Err(not_writable(variable, &value)),
     }
 }
 
+#[cold]
+fn not_writable(variable: &Variable, value: &dyn Debug) -> Box<Refusal> {
+    let (name, value) = (variable.name.to_string(), format!("{value:?}"));
+    match variable.access {
+        Access::Input(_) | Access::Parameter(_) | Access::Number(_) | Access::Text(_) => {
+            Refusal::Fixed { name, value }
+        }
+        Access::Output(_) | Access::Slip(_) | Access::Field { .. } => {
+            Refusal::ReadOnly { name, value, causality: variable.causality() }
+        }
+    }
+    .into()
+}
+
+#[inline]
 fn check_real(variable: &Variable, value: f64) -> Checked {
     match &variable.data_type {
-        DataType::Real { range, .. } if !range.contains(value) => Err(Refusal::Value {
-            name: variable.name.to_string(),
-            value: format!("{value:?}"),
-            requirement: range.to_string(),
-        }
-        .into()),
+        DataType::Real { range, .. } if !range.contains(value) => Err(out_of_range(variable, range, value)),
         _ => Ok(()),
     }
+}
+
+#[cold]
+fn out_of_range(variable: &Variable, range: &Range, value: f64) -> Box<Refusal> {
+    let (name, requirement) = (variable.name.to_string(), range.to_string());
+    Refusal::Value { name, value: format!("{value:?}"), requirement }.into()
 }
 
 fn check_integer(variable: &Variable, value: i32) -> Checked {
@@ -103,10 +127,13 @@ fn check_integer(variable: &Variable, value: i32) -> Checked {
 
 impl Component {
     pub(super) fn get_real(&mut self, references: &[u32], values: &mut [MaybeUninit<f64>]) -> Checked {
+        let table = Table::get();
         let mut computed = false;
         for &reference in references {
-            computed |=
-                matches!(find(reference, Asked::Real)?.access, Access::Output(_) | Access::Field { .. });
+            computed |= matches!(
+                table.find(reference, Asked::Real)?.access,
+                Access::Output(_) | Access::Field { .. }
+            );
         }
         if computed {
             self.model.contact(&self.resources)?;
@@ -114,7 +141,7 @@ impl Component {
         let (contact, staged) = self.model.parts();
         let mut radii: Option<[f64; PROBES]> = None;
         for (&reference, value) in references.iter().zip(values) {
-            value.write(match (access(reference), contact) {
+            value.write(match (table.access(reference), contact) {
                 (Access::Input(field), _) => *field(&mut staged.inputs),
                 (Access::Parameter(field), _) => *field(&mut staged.settings),
                 (Access::Output(read), Some(contact)) => read(contact),
@@ -129,32 +156,58 @@ impl Component {
     }
 
     pub(super) fn set_real(&mut self, references: &[u32], values: &[f64]) -> Checked {
-        for (&reference, &value) in references.iter().zip(values) {
-            let variable = find(reference, Asked::Real)?;
-            check_writable(&self.model, variable, &value)?;
-            check_real(variable, value)?;
+        // inputs are set while the list is checked, and put back if it is refused
+        let before = self.model.staged().inputs;
+        let parameters =
+            self.set_inputs(references, values).inspect_err(|_| self.model.staged().inputs = before)?;
+        if !references.is_empty() {
+            self.model.change_inputs();
         }
-        for (&reference, &value) in references.iter().zip(values) {
-            match access(reference) {
-                Access::Input(field) => *field(self.model.change_inputs()) = value,
-                Access::Parameter(field) => *field(self.model.change_settings()) = value,
-                other => unreachable!("checked above: {other:?}"),
-            }
+        if parameters {
+            self.set_parameters(references, values);
         }
         Ok(())
     }
 
+    /// Checks a list and sets the inputs in it. Says whether there are parameters, too.
+    #[inline]
+    fn set_inputs(&mut self, references: &[u32], values: &[f64]) -> Checked<bool> {
+        let table = Table::get();
+        let mut parameters = false;
+        for (&reference, &value) in references.iter().zip(values) {
+            let variable = table.find(reference, Asked::Real)?;
+            check_writable(&self.model, variable, value)?;
+            check_real(variable, value)?;
+            match variable.access {
+                Access::Input(field) => *field(&mut self.model.staged().inputs) = value,
+                _ => parameters = true,
+            }
+        }
+        Ok(parameters)
+    }
+
+    /// Sets the parameters in a list that has been checked.
+    #[cold]
+    fn set_parameters(&mut self, references: &[u32], values: &[f64]) {
+        for (&reference, &value) in references.iter().zip(values) {
+            if let Access::Parameter(field) = Table::get().access(reference) {
+                *field(self.model.change_settings()) = value;
+            }
+        }
+    }
+
     pub(super) fn get_integer(&mut self, references: &[u32], values: &mut [MaybeUninit<i32>]) -> Checked {
+        let table = Table::get();
         let mut computed = false;
         for &reference in references {
-            computed |= matches!(find(reference, Asked::Integer)?.access, Access::Slip(_));
+            computed |= matches!(table.find(reference, Asked::Integer)?.access, Access::Slip(_));
         }
         if computed {
             self.model.contact(&self.resources)?;
         }
         let (contact, staged) = self.model.parts();
         for (&reference, value) in references.iter().zip(values) {
-            value.write(match (access(reference), contact) {
+            value.write(match (table.access(reference), contact) {
                 (Access::Number(field), _) => *field(&mut staged.settings),
                 (Access::Slip(read), Some(contact)) => read(contact).number(),
                 other => unreachable!("not an integer variable, or not computed: {:?}", other.0),
@@ -164,13 +217,14 @@ impl Component {
     }
 
     pub(super) fn set_integer(&mut self, references: &[u32], values: &[i32]) -> Checked {
+        let table = Table::get();
         for (&reference, &value) in references.iter().zip(values) {
-            let variable = find(reference, Asked::Integer)?;
-            check_writable(&self.model, variable, &value)?;
+            let variable = table.find(reference, Asked::Integer)?;
+            check_writable(&self.model, variable, value)?;
             check_integer(variable, value)?;
         }
         for (&reference, &value) in references.iter().zip(values) {
-            match access(reference) {
+            match table.access(reference) {
                 Access::Number(field) => *field(self.model.change_settings()) = value,
                 other => unreachable!("checked above: {other:?}"),
             }
@@ -180,7 +234,8 @@ impl Component {
 
     /// There are no Boolean variables, so that any reference is a mistake.
     pub(super) fn no_boolean(&mut self, references: &[u32]) -> Checked {
-        references.iter().try_for_each(|&reference| find(reference, Asked::Boolean).map(|_| ()))
+        let table = Table::get();
+        references.iter().try_for_each(|&reference| table.find(reference, Asked::Boolean).map(|_| ()))
     }
 
     /// The strings belong to the instance and hold until they are set anew.
@@ -189,12 +244,13 @@ impl Component {
         references: &[u32],
         values: &mut [MaybeUninit<*const c_char>],
     ) -> Checked {
+        let table = Table::get();
         for &reference in references {
-            find(reference, Asked::String)?;
+            table.find(reference, Asked::String)?;
         }
         let settings = &mut self.model.staged().settings;
         for (&reference, value) in references.iter().zip(values) {
-            match access(reference) {
+            match table.access(reference) {
                 Access::Text(field) => value.write(field(settings).as_ptr()),
                 other => unreachable!("not a string variable: {other:?}"),
             };
@@ -204,15 +260,16 @@ impl Component {
 
     /// None stands for a null pointer.
     pub(super) fn set_string(&mut self, references: &[u32], values: &[Option<&CStr>]) -> Checked {
+        let table = Table::get();
         for (&reference, value) in references.iter().zip(values) {
-            let variable = find(reference, Asked::String)?;
+            let variable = table.find(reference, Asked::String)?;
             let refuse = |problem| Refusal::Text { name: variable.name.to_string(), problem };
             let value = value.ok_or_else(|| refuse("the string is a null pointer"))?;
-            check_writable(&self.model, variable, &value)?;
+            check_writable(&self.model, variable, value)?;
             value.to_str().map_err(|_| refuse("the string is not UTF-8"))?;
         }
         for (&reference, value) in references.iter().zip(values) {
-            match (access(reference), value) {
+            match (table.access(reference), value) {
                 (Access::Text(field), Some(value)) => {
                     *field(self.model.change_settings()) = (*value).to_owned()
                 }
@@ -228,10 +285,11 @@ impl Component {
         orders: &[i32],
         values: &[f64],
     ) -> Checked {
+        let table = Table::get();
         let given = || references.iter().zip(orders).zip(values);
-        let mut slopes = self.model.staged().slopes;
+        let mut slopes = self.model.staged().slopes.unwrap_or(Inputs::ZERO);
         for ((&reference, &order), &value) in given() {
-            let variable = find(reference, Asked::Real)?;
+            let variable = table.find(reference, Asked::Real)?;
             let name = || variable.name.to_string();
             let Access::Input(field) = variable.access else {
                 return Err(
@@ -248,15 +306,15 @@ impl Component {
             }
             *field(&mut slopes) = value;
         }
-        self.model.staged().slopes = slopes;
+        self.model.staged().slopes = (slopes != Inputs::ZERO).then_some(slopes);
         Ok(())
     }
 
     /// Refuses a step of `length` at whose end a derivative takes an input out of its range.
     pub(super) fn check_targets(&mut self, length: f64) -> Checked {
         let staged = self.model.staged();
-        if staged.slopes != Inputs::ZERO {
-            let mut end = staged.inputs.after(&staged.slopes, length);
+        if let Some(slopes) = &staged.slopes {
+            let mut end = staged.inputs.after(slopes, length);
             for variable in variables() {
                 if let Access::Input(field) = variable.access {
                     check_real(variable, *field(&mut end))?;

@@ -110,6 +110,7 @@ impl Range {
     pub(super) const NOT_NEGATIVE: Self = Self { low: Bound::Included(0.0), high: Bound::Unbounded };
 
     /// Whether `value` is accepted.
+    #[inline]
     pub fn contains(&self, value: f64) -> bool {
         value.is_finite() && (self.low, self.high).contains(&value)
     }
