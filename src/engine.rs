@@ -7,6 +7,7 @@ mod counters;
 mod cyclic;
 mod history;
 mod readout;
+mod slide;
 mod snapshot;
 mod steady;
 
@@ -56,6 +57,8 @@ pub enum SlipState {
 pub struct FrettingContact {
     parameters: Arc<Parameters>,
     constants: Constants,
+    /// m = μE*/G*, from `constants`.
+    bound_slope: f64,
     surface: Surface,
     contact: Contact,
     springs: Springs,
@@ -121,6 +124,7 @@ impl FrettingContact {
             .then(|| Box::new(WearState::default()));
         Ok(Self {
             parameters: Arc::new(parameters),
+            bound_slope: constants.bound_slope(),
             constants,
             surface,
             contact: Contact { control, depth: touch, radius: 0.0, load: 0.0 },

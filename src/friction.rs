@@ -13,9 +13,14 @@
 //! (the stiffness 2E*a rises with the load), so along the line U − e ∓ b is convex or concave and violates the bound
 //! most at an end. Hence a step may be split at will without changing the result.
 
-use crate::parameters::NormalControl;
+mod interval;
+mod slide;
+mod walk;
+
+pub(crate) use walk::Path;
+
 use crate::surface::{Contact, Place, Surface};
-use std::borrow::Cow;
+use interval::Interval;
 
 /// One knot of the spring row.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,130 +36,6 @@ pub(crate) struct Springs {
     knots: Vec<Knot>,
 }
 
-/// A straight line between two states of load and displacement.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Path<'a> {
-    pub(crate) surface: &'a Surface,
-    pub(crate) control: NormalControl,
-    /// m = μE*/G*.
-    pub(crate) bound_slope: f64,
-    pub(crate) from: Contact,
-    pub(crate) to: Contact,
-    pub(crate) start: f64,
-    pub(crate) end: f64,
-    /// Finest spacing of the samples of newly touching springs, as a share of the contact radius.
-    pub(crate) sampling: f64,
-}
-
-impl Path<'_> {
-    /// Friction bound b(g) in a given contact, m of spring deflection.
-    fn bound(&self, contact: &Contact, image: f64) -> f64 {
-        if contact.is_open() { 0.0 } else { self.bound_slope * (contact.depth - image).max(0.0) }
-    }
-
-    /// Displacement at the instant at which the spring at `place` comes into or leaves contact.
-    fn displacement_at_touch(&self, place: &Place) -> f64 {
-        let level = match self.control {
-            NormalControl::Force => place.load,
-            NormalControl::Indentation => place.image,
-        };
-        let span = self.to.control - self.from.control;
-        let share = if span == 0.0 { 1.0 } else { ((level - self.from.control) / span).clamp(0.0, 1.0) };
-        self.start + share * (self.end - self.start)
-    }
-
-    /// Mean bound while the spring slips: between its onset and the end of the path.
-    fn mean_bound(&self, knot: &Knot, trial: f64, final_bound: f64) -> f64 {
-        if self.from == self.to {
-            return final_bound;
-        }
-        let initial_bound = self.bound(&self.from, knot.place.image);
-        let sign = trial.signum();
-        let room = (initial_bound - sign * (self.start - knot.origin)).max(0.0);
-        let excess = (trial.abs() - final_bound).max(0.0);
-        let onset = if room + excess > 0.0 { room / (room + excess) } else { 1.0 };
-        let onset_bound = initial_bound + onset * (final_bound - initial_bound);
-        0.5 * (onset_bound + final_bound)
-    }
-}
-
-/// Integrals over one interval between knots, for functions linear in g.
-struct Interval {
-    width: f64,
-    rise: f64,
-    first: f64,
-    second: f64,
-}
-
-impl Interval {
-    /// Width Δx, rise Δg, ∫(g − g₁) dx and ∫(g − g₁)² dx between two places.
-    fn between(p: &Place, q: &Place) -> Self {
-        let width = q.x - p.x;
-        let rise = q.image - p.image;
-        if rise <= 0.0 {
-            return Self { width, rise: 0.0, first: 0.0, second: 0.0 };
-        }
-        let first = (q.x * rise - (q.load - p.load)).max(0.0).min(rise * width);
-        let second = if width < 3e-4 * q.x {
-            // too narrow for a difference of integrals; g is linear in x² there to a relative 1e-4
-            let (x, d) = (p.x, width);
-            let t = 2.0 * x + d;
-            rise * rise * width * (4.0 * x * x / 3.0 + x * d + d * d / 5.0) / (t * t)
-        } else {
-            q.square - p.square - p.image * (p.image * width + 2.0 * first)
-        };
-        // Cauchy's inequality below, 0 ≤ g − g₁ ≤ Δg above
-        let least = first * first / width.max(f64::MIN_POSITIVE);
-        Self { width, rise, first, second: second.max(least).min(rise * first) }
-    }
-
-    /// ∫ f dx for f linear in g with the given end values.
-    fn linear(&self, f0: f64, f1: f64) -> f64 {
-        if self.rise > 0.0 {
-            f0 * self.width + (f1 - f0) * (self.first / self.rise)
-        } else {
-            0.5 * (f0 + f1) * self.width
-        }
-    }
-
-    /// ∫ f h dx for two such functions.
-    fn product(&self, f: (f64, f64), h: (f64, f64)) -> f64 {
-        if self.rise > 0.0 {
-            let (df, dh) = ((f.1 - f.0) / self.rise, (h.1 - h.0) / self.rise);
-            f.0 * h.0 * self.width + (f.0 * dh + df * h.0) * self.first + df * dh * self.second
-        } else {
-            self.width * (2.0 * f.0 * h.0 + 2.0 * f.1 * h.1 + f.0 * h.1 + f.1 * h.0) / 6.0
-        }
-    }
-}
-
-/// State of a knot at the end of a path, before clipping.
-#[derive(Clone, Copy)]
-struct Trial {
-    knot: Knot,
-    deflection: f64,
-    bound: f64,
-}
-
-impl Trial {
-    fn new(path: &Path, knot: Knot) -> Self {
-        Self { knot, deflection: path.end - knot.origin, bound: path.bound(&path.to, knot.place.image) }
-    }
-
-    /// Slip that brings the deflection back to the bound, signed.
-    fn slip(&self) -> f64 {
-        self.deflection - self.deflection.clamp(-self.bound, self.bound)
-    }
-
-    fn excess(&self, side: f64) -> f64 {
-        side * self.deflection - self.bound
-    }
-
-    fn clipped(&self) -> Knot {
-        Knot { origin: self.knot.origin + self.slip(), ..self.knot }
-    }
-}
-
 impl Springs {
     pub(crate) fn knots(&self) -> &[Knot] {
         &self.knots
@@ -164,125 +45,6 @@ impl Springs {
     pub(crate) fn from_origins(surface: &Surface, origins: &[(f64, f64)]) -> Self {
         let knots = origins.iter().map(|&(x, origin)| Knot { place: surface.place(x), origin }).collect();
         Self { knots }
-    }
-
-    /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³ (half the row).
-    /// `spare` is a row no longer needed whose memory is used again.
-    pub(crate) fn walk(&self, path: &Path, spare: Self) -> (Self, f64) {
-        let reached = self.candidates(path);
-        let mut next = spare;
-        next.knots.clear();
-        next.knots.reserve(reached.len() + 2);
-        let mut work = 0.0;
-        let scale = path.bound_slope * path.to.depth.abs() + path.end.abs();
-        let mut before: Option<Trial> = None;
-        for knot in reached.iter() {
-            let trial = Trial::new(path, *knot);
-            if let Some(inner) = before {
-                work += next.cross(path, inner, trial, scale);
-            }
-            next.push(path, trial, scale);
-            before = Some(trial);
-        }
-        if path.to.is_open() {
-            next.knots.clear();
-        }
-        (next, work)
-    }
-
-    /// The row at the end of a path had it not slipped: extended by springs that touched, cut at the new edge.
-    pub(crate) fn touched(&self, path: &Path) -> Self {
-        let mut knots = self.candidates(path).into_owned();
-        knots.retain(|knot| knot.place.x <= path.to.radius && !path.to.is_open());
-        Self { knots }
-    }
-
-    /// Knots of the old row, extended by those that touch along the path, or with one at the new, smaller edge.
-    fn candidates(&self, path: &Path) -> Cow<'_, [Knot]> {
-        let (old, new) = (path.from.radius, path.to.radius);
-        if new == old {
-            return Cow::Borrowed(&self.knots);
-        }
-        let mut knots = Vec::with_capacity(self.knots.len() + 4);
-        knots.extend_from_slice(&self.knots);
-        if new > old {
-            if knots.is_empty() {
-                let place = path.surface.place(0.0);
-                knots.push(Knot { place, origin: path.displacement_at_touch(&place) });
-            }
-            let moved = path.start != path.end;
-            let samples = if moved { ((new - old) / (path.sampling * new)).ceil().max(1.0) } else { 1.0 };
-            // a ramp in many small steps would leave a knot at each former edge
-            if let [.., inner, edge] = knots[..]
-                && moved
-                && new - inner.place.x <= path.sampling * new
-                && self.is_smooth(edge.origin - inner.origin, path.end - edge.origin)
-            {
-                knots.pop();
-            }
-            for k in 1..=samples as usize {
-                let x = old + (new - old) * k as f64 / samples;
-                let place = path.surface.place(if k as f64 == samples { new } else { x });
-                knots.push(Knot { place, origin: path.displacement_at_touch(&place) });
-            }
-        } else if new < old
-            && !path.to.is_open()
-            && let Some(j) = knots.iter().position(|knot| knot.place.x > new)
-            && j > 0
-        {
-            let place = path.surface.place(new);
-            let origin = interpolate(&knots[j - 1], &knots[j], place.image);
-            knots.insert(j, Knot { place, origin });
-        }
-        Cow::Owned(knots)
-    }
-
-    /// Whether the origin goes on in the same direction, so that the old edge is no kink worth keeping.
-    fn is_smooth(&self, last_rise: f64, next_rise: f64) -> bool {
-        last_rise * next_rise >= 0.0 && last_rise != 0.0
-    }
-
-    /// Inserts the knots where the deflection crosses a bound between two trials; returns the interval's work.
-    fn cross(&mut self, path: &Path, inner: Trial, outer: Trial, scale: f64) -> f64 {
-        if inner.slip() == 0.0 && outer.slip() == 0.0 {
-            return 0.0;
-        }
-        let mut shares = [f64::NAN; 2];
-        let mut count = 0;
-        for side in [1.0, -1.0] {
-            let (e0, e1) = (inner.excess(side), outer.excess(side));
-            if (e0 > 0.0) != (e1 > 0.0) && e0 != e1 {
-                shares[count] = e0 / (e0 - e1);
-                count += 1;
-            }
-        }
-        if count == 2 && shares[0] > shares[1] {
-            shares.swap(0, 1);
-        }
-        let mut work = 0.0;
-        let mut left = inner;
-        for &share in &shares[..count] {
-            let middle = Trial::new(path, between(path.surface, &inner.knot, &outer.knot, share));
-            work += slip_work(path, &left, &middle);
-            self.push(path, middle, scale);
-            left = middle;
-        }
-        work + slip_work(path, &left, &outer)
-    }
-
-    /// Appends a clipped knot that is still in contact; drops its predecessor where that lies on the line.
-    fn push(&mut self, path: &Path, trial: Trial, scale: f64) {
-        if trial.knot.place.x > path.to.radius {
-            return;
-        }
-        let knot = trial.clipped();
-        if let [.., first, second] = self.knots[..]
-            && (interpolate(&first, &knot, second.place.image) - second.origin).abs()
-                <= 4.0 * f64::EPSILON * scale
-        {
-            self.knots.pop();
-        }
-        self.knots.push(knot);
     }
 
     /// ∫ u dx from the axis to the edge, m².
@@ -390,37 +152,11 @@ impl Springs {
     }
 }
 
-/// ∫ |u| |de| dx over an interval in which neither end has left its side.
-fn slip_work(path: &Path, inner: &Trial, outer: &Trial) -> f64 {
-    let slips = (inner.slip().abs(), outer.slip().abs());
-    if slips.0 == 0.0 && slips.1 == 0.0 {
-        return 0.0;
-    }
-    let mean = |t: &Trial| path.mean_bound(&t.knot, t.deflection, t.bound);
-    Interval::between(&inner.knot.place, &outer.knot.place).product((mean(inner), mean(outer)), slips)
-}
-
 /// Origin at image g on the line between two knots.
 fn interpolate(p: &Knot, q: &Knot, image: f64) -> f64 {
     let rise = q.place.image - p.place.image;
     let share = if rise > 0.0 { ((image - p.place.image) / rise).clamp(0.0, 1.0) } else { 0.5 };
     p.origin + share * (q.origin - p.origin)
-}
-
-/// Knot at the given share (in g) of the way between two others.
-fn between(surface: &Surface, p: &Knot, q: &Knot, share: f64) -> Knot {
-    let rise = q.place.image - p.place.image;
-    let origin = p.origin + share * (q.origin - p.origin);
-    if rise > 0.0 {
-        let image = p.place.image + share * rise;
-        let place = surface.place(surface.radius_of_image(image, p.place.x, q.place.x));
-        // at a worn front the image is so steep that the rounding of x would show in it, and move the front from stroke to
-        // stroke
-        let steep = surface.worn().is_some() && (place.image - image).abs() > 1e-12 * q.place.image.abs();
-        Knot { place: if steep { Place { image, ..place } } else { place }, origin }
-    } else {
-        Knot { place: surface.place(p.place.x + share * (q.place.x - p.place.x)), origin }
-    }
 }
 
 #[cfg(test)]

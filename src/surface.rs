@@ -70,6 +70,7 @@ impl Surface {
     }
 
     /// All image values at radius x.
+    #[inline(always)]
     pub(crate) fn place(&self, x: f64) -> Place {
         let mut place =
             Place { x, image: self.profile.image(x), load: self.profile.load_integral(x), square: 0.0 };
@@ -111,6 +112,7 @@ impl Surface {
     }
 
     /// Radius in [low, high] where the image takes the value `image`; the image rises there.
+    #[inline(always)]
     pub(crate) fn radius_of_image(&self, image: f64, low: f64, high: f64) -> f64 {
         if self.worn.is_none()
             && let Some(x) = self.profile.radius_at_depth(image)

@@ -27,7 +27,7 @@ const SOUND: [(&str, &str); 12] = [
     ("input", "displacement 5e-324 m, wear"),
 ];
 /// Scenes beyond double precision, refused with the contact left as it was.
-const REFUSED: [(&str, &str); 2] = [("input", "force 1e300 N, no wear"), ("parameter", "E = 1e-300 Pa")];
+const REFUSED: [(&str, &str); 2] = [("input", "force 1e300 N, wear"), ("parameter", "E = 1e-300 Pa")];
 
 #[test]
 fn extreme_scenes_keep_every_invariant_or_are_refused() {

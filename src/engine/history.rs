@@ -34,6 +34,9 @@ impl FrettingContact {
             self.counters.steps += 1;
             return Ok(());
         }
+        if self.slides_to(value, displacement) {
+            return Ok(());
+        }
         let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
         if self.pieces(&line) == 1 {
             self.walk(value, displacement, 1)?;
@@ -62,6 +65,9 @@ impl FrettingContact {
 
     /// Pieces that the change of load along a line asks for.
     fn pieces(&self, line: &Line) -> u32 {
+        if line.from.0 == line.to.0 {
+            return 1;
+        }
         let touch = self.touch_control();
         let (low, high) = ((line.from.0 - touch).max(0.0), (line.to.0 - touch).max(0.0));
         let rising_in_place = line.from.1 == line.to.1 && high >= low;
@@ -79,10 +85,11 @@ impl FrettingContact {
                 this.slide_on(displacement)
             });
         }
-        let turns = displacement != self.displacement
-            && (displacement - self.displacement).signum() != self.direction
-            || value <= self.touch_control();
-        if turns && self.wear.is_some() {
+        let turns = || {
+            displacement != self.displacement && (displacement - self.displacement).signum() != self.direction
+                || value <= self.touch_control()
+        };
+        if self.wear.is_some() && turns() {
             self.transaction(|this| {
                 this.turn()?;
                 this.walk_on(value, displacement, splits)
@@ -198,7 +205,10 @@ impl FrettingContact {
 
     /// Takes over the state at the end of a path.
     pub(super) fn arrive(&mut self, to: Contact, displacement: f64, springs: Springs, work: f64) {
-        self.view.take();
+        // asked first, since taking moves the whole of it
+        if self.view.get().is_some() {
+            self.view.take();
+        }
         self.spare = std::mem::replace(&mut self.springs, springs);
         if displacement != self.displacement {
             self.direction = (displacement - self.displacement).signum();

@@ -1,4 +1,5 @@
 use super::*;
+use crate::parameters::NormalControl;
 use crate::profile::Profile;
 use crate::quadrature::composite;
 
@@ -195,5 +196,77 @@ fn origins_are_read_between_knots_linearly_in_the_image() {
     for (x, origin) in radii.iter().zip(springs.origins_at(&surface, &radii)) {
         let bound = M * (contact.depth - surface.image(*x)).max(0.0);
         assert!((origin - (u - bound.min(u))).abs() < 1e-12 * u, "{x}");
+    }
+}
+
+/// The short way under a steady contact gives what the general walk gives, over 2,000 random lines, in force, work and
+/// front; a line that it refuses has changed nothing.
+#[test]
+fn a_slide_gives_what_a_walk_gives() {
+    for profile in profiles() {
+        let surface = Surface::new(profile.clone());
+        let (start, contact) = pressed(&surface, 4e-6);
+        let full = M * contact.depth;
+        let (mut short, mut long) = (start.clone(), start);
+        let (mut short_work, mut long_work, mut at, mut state) = (0.0, 0.0, 0.0, 1u32);
+        for n in 0..2000 {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let next = 1.2 * full * (f64::from(state) / f64::from(u32::MAX) - 0.5);
+            short_work += short.slide(&surface, &contact, M, next, 1.0).expect("one zone slips to one side");
+            let (row, work) = moved(&long, &surface, contact, at, next);
+            (long, long_work, at) = (row, long_work + work, next);
+            let what = format!("{profile:?}, line {n} to {next:e}");
+            let scale = full * contact.radius;
+            let integral = |row: &Springs| row.deflection_integral(at) / scale;
+            assert!((integral(&short) - integral(&long)).abs() < 1e-13, "{what}");
+            let front = |row: &Springs| row.stick_radius(&contact, M, at) / contact.radius;
+            assert!(
+                (front(&short) - front(&long)).abs() < 1e-9,
+                "{what}: {} {}",
+                front(&short),
+                front(&long)
+            );
+            assert!(short.knots().len() <= long.knots().len() + 3, "{what}");
+        }
+        assert!((short_work / long_work - 1.0).abs() < 1e-12, "{profile:?}: {short_work:e} {long_work:e}");
+    }
+}
+
+#[test]
+fn a_slide_refuses_zones_that_slip_both_ways_and_work_without_bound() {
+    let surface = Surface::new(Profile::Parabola { radius: 0.01 });
+    let (start, contact) = pressed(&surface, 4e-6);
+    let full = M * contact.depth;
+    // beyond their bound on one side at the axis, on the other in the middle, as no path leaves them
+    let origins = [(0.0, 1.1 * full), (0.5 * contact.radius, -1.1 * full), (contact.radius, -1.1 * full)];
+    let mut twisted = Springs::from_origins(&surface, &origins);
+    let before = twisted.clone();
+    assert_eq!(twisted.slide(&surface, &contact, M, 0.0, 1.0), None);
+    assert_eq!(twisted, before);
+    let mut far = start.clone();
+    assert_eq!(far.slide(&surface, &contact, M, 1e300, 1e100), None);
+    assert_eq!(far, start);
+}
+
+/// W over a loop of amplitude U₀ = θ u_max tends to ½ θ³ μF_N u_max as θ falls (the series of Mindlin's loop for the
+/// sphere; μF_N/2G* is m φ(a) here). What sticks must not add to it: its slip is rounding, but its area is everything.
+#[test]
+fn the_work_of_a_minute_loop_is_that_of_its_minute_annulus() {
+    let surface = Surface::new(Profile::Parabola { radius: 0.01 });
+    let (start, contact) = pressed(&surface, 4e-6);
+    let full = M * contact.depth;
+    for k in 0..20 {
+        let theta = 2e-6 * 1.13f64.powi(k);
+        let crest = theta * full;
+        let mut springs = moved(&start, &surface, contact, 0.0, crest).0;
+        let mut work = 0.0;
+        for k in 1..=100 {
+            let next = crest * (std::f64::consts::TAU * f64::from(k) / 100.0).cos();
+            work += springs.slide(&surface, &contact, M, next, 1.0).expect("one zone slips to one side");
+        }
+        let expected = 0.5 * theta.powi(3) * M * contact.load * full;
+        // the bound is known to eps u_max, the annulus reaches θ u_max below its edge and the slip is of that size, too
+        let tolerance = theta + 1e-14 / (theta * theta);
+        assert!((work / expected - 1.0).abs() < tolerance, "{theta:e}: {work:e} against {expected:e}");
     }
 }

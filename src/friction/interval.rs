@@ -1,0 +1,72 @@
+//! Closed integrals over the interval between two knots.
+
+use crate::surface::Place;
+
+/// Integrals over one interval between knots, for functions linear in g.
+pub(super) struct Interval {
+    pub(super) width: f64,
+    pub(super) rise: f64,
+    pub(super) first: f64,
+    pub(super) second: f64,
+}
+
+impl Interval {
+    /// Width Δx, rise Δg, ∫(g − g₁) dx and ∫(g − g₁)² dx between two places.
+    pub(super) fn between(p: &Place, q: &Place) -> Self {
+        let width = q.x - p.x;
+        let rise = q.image - p.image;
+        if rise <= 0.0 {
+            return Self { width, rise: 0.0, first: 0.0, second: 0.0 };
+        }
+        let first = at_most(at_least(q.x * rise - (q.load - p.load), 0.0), rise * width);
+        let second = if width < 3e-4 * q.x {
+            // too narrow for a difference of integrals; g is linear in x² there to a relative 1e-4
+            let (x, d) = (p.x, width);
+            let t = 2.0 * x + d;
+            rise * rise * width * (4.0 * x * x / 3.0 + x * d + d * d / 5.0) / (t * t)
+        } else {
+            q.square - p.square - p.image * (p.image * width + 2.0 * first)
+        };
+        // Cauchy's inequality below, 0 ≤ g − g₁ ≤ Δg above
+        let second =
+            if second * width >= first * first { at_least(second, 0.0) } else { least(first, width) };
+        Self { width, rise, first, second: at_most(second, rise * first) }
+    }
+
+    /// ∫ f dx for f linear in g with the given end values.
+    pub(super) fn linear(&self, f0: f64, f1: f64) -> f64 {
+        if self.rise > 0.0 {
+            f0 * self.width + (f1 - f0) * (self.first / self.rise)
+        } else {
+            0.5 * (f0 + f1) * self.width
+        }
+    }
+
+    /// ∫ f h dx for two such functions.
+    pub(super) fn product(&self, f: (f64, f64), h: (f64, f64)) -> f64 {
+        if self.rise > 0.0 {
+            let (df, dh) = ((f.1 - f.0) / self.rise, (h.1 - h.0) / self.rise);
+            f.0 * h.0 * self.width + (f.0 * dh + df * h.0) * self.first + df * dh * self.second
+        } else {
+            self.width * (2.0 * f.0 * h.0 + 2.0 * f.1 * h.1 + f.0 * h.1 + f.1 * h.0) / 6.0
+        }
+    }
+}
+
+/// The least that ∫(g − g₁)² dx can be. Rarely needed, and a division.
+#[cold]
+fn least(first: f64, width: f64) -> f64 {
+    first * first / at_least(width, f64::MIN_POSITIVE)
+}
+
+/// `value`, but not below `bound`: `f64::max` without its care for a bound that is no number, which costs as much again.
+#[inline]
+fn at_least(value: f64, bound: f64) -> f64 {
+    if value < bound { bound } else { value }
+}
+
+/// `value`, but not above `bound`.
+#[inline]
+fn at_most(value: f64, bound: f64) -> f64 {
+    if value > bound { bound } else { value }
+}

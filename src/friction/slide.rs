@@ -1,0 +1,69 @@
+//! Slip under a contact that does not change, where the outer springs all slip to one side: nearly every step of nearly
+//! every run, and so done in place.
+
+use super::Springs;
+use super::interval::Interval;
+use super::walk::{Trial, append, between, rounding, share_at_bound};
+use crate::surface::{Contact, Surface};
+
+impl Springs {
+    /// Moves the body to `displacement` under an unchanged contact. Returns the work of friction, J: `work_scale` = 2G*
+    /// times the integral that [`Springs::walk`] gives. `None`, with nothing changed, where the state is of another kind
+    /// or the work is no finite number.
+    ///
+    /// Springs that stick stay as they are. Those that slip end up on one line in g, so that two knots do for all.
+    pub(crate) fn slide(
+        &mut self,
+        surface: &Surface,
+        contact: &Contact,
+        bound_slope: f64,
+        displacement: f64,
+        work_scale: f64,
+    ) -> Option<f64> {
+        let bound = |image: f64| bound_slope * (contact.depth - image).max(0.0);
+        let trial = |knot| Trial::new(knot, displacement, bound(knot.place.image));
+        let sticking = self.knots.iter().take_while(|knot| !trial(knot).slips()).count();
+        let (inner, outer) = self.knots.split_at(sticking);
+        let Some((first, others)) = outer.split_first() else { return Some(0.0) };
+        let first = trial(first);
+        let front;
+        let (start, mut work) = match inner.last() {
+            None => (first.clipped(), 0.0),
+            Some(inner) => {
+                let inner = trial(inner);
+                front = between(surface, &inner, &first, share_at_bound(&inner, &first, first.side()));
+                let front = trial(&front);
+                (front.clipped(), slip_work(&front, &first))
+            }
+        };
+        let mut last = first;
+        for knot in others {
+            let next = trial(knot);
+            if !next.slips_with(&first) {
+                return None;
+            }
+            work += slip_work(&last, &next);
+            last = next;
+        }
+        let work = work_scale * work;
+        if !work.is_finite() {
+            return None;
+        }
+        let end = last.clipped();
+        let alone = inner.is_empty() && others.is_empty();
+        let rounding = rounding(bound_slope, contact, displacement);
+        self.knots.truncate(sticking);
+        append(&mut self.knots, start, rounding);
+        if !alone {
+            append(&mut self.knots, end, rounding);
+        }
+        Some(work)
+    }
+}
+
+/// ∫ |u| |de| dx over an interval.
+#[inline(always)]
+fn slip_work(inner: &Trial, outer: &Trial) -> f64 {
+    let interval = Interval::between(&inner.knot.place, &outer.knot.place);
+    interval.product((inner.bound, outer.bound), (inner.excess, outer.excess))
+}

@@ -1,0 +1,301 @@
+//! The walk of a spring row along a straight line in (load, displacement): springs touch and leave, slip where their
+//! bound is exceeded, and do work.
+
+use super::interval::Interval;
+use super::{Knot, Springs, interpolate};
+use crate::parameters::NormalControl;
+use crate::surface::{Contact, Place, Surface};
+
+/// A straight line between two states of load and displacement.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Path<'a> {
+    pub(crate) surface: &'a Surface,
+    pub(crate) control: NormalControl,
+    /// m = μE*/G*.
+    pub(crate) bound_slope: f64,
+    pub(crate) from: Contact,
+    pub(crate) to: Contact,
+    pub(crate) start: f64,
+    pub(crate) end: f64,
+    /// Finest spacing of the samples of newly touching springs, as a share of the contact radius.
+    pub(crate) sampling: f64,
+}
+
+impl Path<'_> {
+    /// Displacement at the instant at which the spring at `place` comes into or leaves contact.
+    fn displacement_at_touch(&self, place: &Place) -> f64 {
+        let level = match self.control {
+            NormalControl::Force => place.load,
+            NormalControl::Indentation => place.image,
+        };
+        let span = self.to.control - self.from.control;
+        let share = if span == 0.0 { 1.0 } else { ((level - self.from.control) / span).clamp(0.0, 1.0) };
+        self.start + share * (self.end - self.start)
+    }
+
+    #[inline(always)]
+    fn touching(&self, x: f64) -> Knot {
+        let place = self.surface.place(x);
+        Knot { place, origin: self.displacement_at_touch(&place) }
+    }
+
+    /// Friction bound b(g) in a given contact, m of spring deflection.
+    fn bound(&self, contact: &Contact, image: f64) -> f64 {
+        if contact.is_open() { 0.0 } else { self.bound_slope * (contact.depth - image).max(0.0) }
+    }
+
+    fn trial<'k>(&self, knot: &'k Knot) -> Trial<'k> {
+        Trial::new(knot, self.end, self.bound(&self.to, knot.place.image))
+    }
+
+    /// Mean bound while a spring slips: between its onset and the end of the path.
+    #[inline]
+    fn mean_bound(&self, trial: Trial) -> f64 {
+        let initial_bound = self.bound(&self.from, trial.knot.place.image);
+        let sign = trial.deflection.signum();
+        let room = (initial_bound - sign * (self.start - trial.knot.origin)).max(0.0);
+        let onset = if room + trial.excess > 0.0 { room / (room + trial.excess) } else { 1.0 };
+        let onset_bound = initial_bound + onset * (trial.bound - initial_bound);
+        0.5 * (onset_bound + trial.bound)
+    }
+}
+
+/// State of a spring at the end of a path, before it slips.
+#[derive(Clone, Copy)]
+pub(super) struct Trial<'k> {
+    pub(super) knot: &'k Knot,
+    deflection: f64,
+    pub(super) bound: f64,
+    /// How far it is beyond its bound, m ≥ 0.
+    pub(super) excess: f64,
+}
+
+impl<'k> Trial<'k> {
+    #[inline]
+    pub(super) fn new(knot: &'k Knot, displacement: f64, bound: f64) -> Self {
+        let deflection = displacement - knot.origin;
+        let excess = deflection.abs() - bound;
+        // written so that what is no number is taken to slip, and shows in the work
+        Self { knot, deflection, bound, excess: if excess <= 0.0 { 0.0 } else { excess } }
+    }
+
+    #[inline]
+    pub(super) fn slips(&self) -> bool {
+        self.excess != 0.0
+    }
+
+    /// Side of the bound on which it is or would be, ±1.
+    #[inline]
+    pub(super) fn side(&self) -> f64 {
+        1f64.copysign(self.deflection)
+    }
+
+    /// Whether both slip, to the same side.
+    #[inline]
+    pub(super) fn slips_with(&self, other: &Self) -> bool {
+        self.slips() && other.slips() && self.side() == other.side()
+    }
+
+    /// Excess over the bound on a given side, below 0 where it is inside.
+    #[inline]
+    fn excess_on(&self, side: f64) -> f64 {
+        side * self.deflection - self.bound
+    }
+
+    /// The knot after it has slipped back to its bound.
+    #[inline]
+    pub(super) fn clipped(&self) -> Knot {
+        Knot { origin: self.knot.origin + self.excess.copysign(self.deflection), ..*self.knot }
+    }
+}
+
+impl Springs {
+    /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³ (half the row).
+    /// `spare` is a row no longer needed whose memory is used again.
+    pub(crate) fn walk(&self, path: &Path, spare: Self) -> (Self, f64) {
+        let mut row = spare.knots;
+        row.clear();
+        row.reserve(self.knots.len() + 4);
+        let rounding = rounding(path.bound_slope, &path.to, path.end);
+        let mut walk = Walk { path, row, rounding, last: None, work: 0.0 };
+        self.reach(path, |knots| walk.take(knots));
+        if path.to.is_open() {
+            walk.row.clear();
+        }
+        (Self { knots: walk.row }, walk.work)
+    }
+
+    /// The row at the end of a path had it not slipped: extended by springs that touched, cut at the new edge.
+    pub(crate) fn touched(&self, path: &Path) -> Self {
+        let mut knots = Vec::with_capacity(self.knots.len() + 4);
+        if !path.to.is_open() {
+            let inside = |knot: &&Knot| knot.place.x <= path.to.radius;
+            self.reach(path, |reached| knots.extend(reached.iter().filter(inside)));
+        }
+        Self { knots }
+    }
+
+    /// Shows `take` the knots of the old row, extended by those that touch along the path, or with one at the new,
+    /// smaller edge; in turn, from the axis outward.
+    fn reach(&self, path: &Path, mut take: impl FnMut(&[Knot])) {
+        let (old, new) = (path.from.radius, path.to.radius);
+        if new == old {
+            take(&self.knots);
+        } else if new > old {
+            let moved = path.start != path.end;
+            let samples = if moved { ((new - old) / (path.sampling * new)).ceil().max(1.0) } else { 1.0 };
+            match &self.knots[..] {
+                [] => take(&[path.touching(0.0)]),
+                // a ramp in many small steps would leave a knot at each former edge
+                [inner_knots @ .., edge]
+                    if let Some(inner) = inner_knots.last()
+                        && moved
+                        && new - inner.place.x <= path.sampling * new
+                        && is_smooth(edge.origin - inner.origin, path.end - edge.origin) =>
+                {
+                    take(inner_knots);
+                }
+                all => take(all),
+            }
+            for k in 1..=samples as usize {
+                let x = if k as f64 == samples { new } else { old + (new - old) * k as f64 / samples };
+                take(&[path.touching(x)]);
+            }
+        } else if new < old
+            && !path.to.is_open()
+            && let Some(j) = self.knots.iter().position(|knot| knot.place.x > new)
+            && j > 0
+        {
+            let place = path.surface.place(new);
+            let origin = interpolate(&self.knots[j - 1], &self.knots[j], place.image);
+            take(&self.knots[..j]);
+            take(&[Knot { place, origin }]);
+            take(&self.knots[j..]);
+        } else {
+            take(&self.knots);
+        }
+    }
+}
+
+/// Whether the origin goes on in the same direction, so that the old edge is no kink worth keeping.
+fn is_smooth(last_rise: f64, next_rise: f64) -> bool {
+    last_rise * next_rise >= 0.0 && last_rise != 0.0
+}
+
+/// A walk under way, knot by knot from the axis outward.
+struct Walk<'p> {
+    path: &'p Path<'p>,
+    row: Vec<Knot>,
+    rounding: f64,
+    /// The last knot taken.
+    last: Option<Knot>,
+    /// ∫ |u| |de| dx so far, m³.
+    work: f64,
+}
+
+impl Walk<'_> {
+    /// Takes the next knots to the end of the path.
+    fn take(&mut self, knots: &[Knot]) {
+        let last = self.last;
+        let mut before = last.as_ref().map(|knot| self.path.trial(knot));
+        for knot in knots {
+            let outer = self.path.trial(knot);
+            if let Some(inner) = before
+                && (inner.slips() || outer.slips())
+            {
+                self.work += self.cross(inner, outer);
+            }
+            self.push(outer);
+            before = Some(outer);
+        }
+        self.last = knots.last().copied().or(last);
+    }
+
+    /// Work of an interval of which at least one end slips. Inserts the knots where its springs leave the side of the
+    /// bound on which the inner end slips, and where they reach that on which the outer end does.
+    fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
+        if inner.slips_with(&outer) {
+            return slip_work(self.path, inner, outer);
+        }
+        let (end, start);
+        let (mut work, mut left, mut share) = (0.0, inner, 0.0);
+        if inner.slips() {
+            share = share_at_bound(&inner, &outer, inner.side());
+            end = between(self.path.surface, &inner, &outer, share);
+            let end = self.path.trial(&end);
+            work += slip_work(self.path, left, end);
+            self.push(end);
+            left = end;
+        }
+        if outer.slips() {
+            // rounding must not turn the two ends of the sticking part round
+            share = share_at_bound(&inner, &outer, outer.side()).max(share);
+            start = between(self.path.surface, &inner, &outer, share);
+            let start = self.path.trial(&start);
+            work += slip_work(self.path, left, start);
+            self.push(start);
+            left = start;
+        }
+        work + slip_work(self.path, left, outer)
+    }
+
+    /// Appends a knot that is still in contact.
+    #[inline]
+    fn push(&mut self, trial: Trial) {
+        if trial.knot.place.x <= self.path.to.radius {
+            append(&mut self.row, trial.clipped(), self.rounding);
+        }
+    }
+}
+
+/// Share (in g) of the way between two springs at which they are just at their bound on one side.
+pub(super) fn share_at_bound(inner: &Trial, outer: &Trial, side: f64) -> f64 {
+    let (e0, e1) = (inner.excess_on(side), outer.excess_on(side));
+    e0 / (e0 - e1)
+}
+
+/// Deviation below which a knot lies on the line between its neighbours, m.
+pub(super) fn rounding(bound_slope: f64, contact: &Contact, displacement: f64) -> f64 {
+    4.0 * f64::EPSILON * (bound_slope * contact.depth.abs() + displacement.abs())
+}
+
+/// Appends a knot to a row; drops its predecessor where that lies on the line.
+#[inline]
+pub(super) fn append(row: &mut Vec<Knot>, knot: Knot, rounding: f64) {
+    if let [.., first, second] = &row[..]
+        && (interpolate(first, &knot, second.place.image) - second.origin).abs() <= rounding
+    {
+        row.pop();
+    }
+    row.push(knot);
+}
+
+/// ∫ |u| |de| dx over an interval that slips to one side.
+#[inline(always)]
+fn slip_work(path: &Path, inner: Trial, outer: Trial) -> f64 {
+    if !inner.slips() && !outer.slips() {
+        return 0.0;
+    }
+    let interval = Interval::between(&inner.knot.place, &outer.knot.place);
+    let bounds = (path.mean_bound(inner), path.mean_bound(outer));
+    interval.product(bounds, (inner.excess, outer.excess))
+}
+
+/// The spring at the given share (in g) of the way between two others.
+#[inline(always)]
+pub(super) fn between(surface: &Surface, inner: &Trial, outer: &Trial, share: f64) -> Knot {
+    let (p, q) = (inner.knot, outer.knot);
+    let rise = q.place.image - p.place.image;
+    let origin = p.origin + share * (q.origin - p.origin);
+    if rise > 0.0 {
+        let image = p.place.image + share * rise;
+        let place = surface.place(surface.radius_of_image(image, p.place.x, q.place.x));
+        // at a worn front the image is so steep that the rounding of x would show in it, and move the front from stroke to
+        // stroke
+        let steep = surface.worn().is_some() && (place.image - image).abs() > 1e-12 * q.place.image.abs();
+        let image = if steep { image } else { place.image };
+        Knot { place: Place { image, ..place }, origin }
+    } else {
+        Knot { place: surface.place(p.place.x + share * (q.place.x - p.place.x)), origin }
+    }
+}
