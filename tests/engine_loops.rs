@@ -56,6 +56,32 @@ fn loading_and_return_follow_the_closed_forms_at_any_resolution() {
     }
 }
 
+/// T = 2G*aU, to the last digits, for motions that the friction bound does not know from none: the front then lies
+/// nearer to the contact edge than doubles tell.
+#[test]
+fn motions_far_below_full_slip_are_elastic() {
+    for profile in analytic() {
+        for wear_coefficient in [0.0, 1e-4] {
+            let full = exact(&profile, FORCE).full_slip();
+            for share in [1e-10, 1e-13, 1e-15, 3e-16, 1e-17, 1e-30, 1e-200] {
+                let parameters = Parameters { wear_coefficient, ..without_wear(profile.clone()) };
+                let stiffness = 2.0 * parameters.materials.tangential_modulus();
+                let mut contact = contact(parameters);
+                contact.start_at(FORCE, 0.0).expect("the load is carried");
+                for place in [1.0, -1.0, 0.5] {
+                    let u = place * share * full;
+                    to(&mut contact, FORCE, u);
+                    let elastic = stiffness * contact.contact_radius() * u;
+                    let what = format!("{profile:?}, wear {wear_coefficient:e}, {u:e} m");
+                    // on the way back the rounding of the bound shows, 1e-16 of μF_N
+                    let rounding = if place == 1.0 { 0.0 } else { 1e-15 * LIMIT };
+                    close(contact.tangential_force(), elastic, 1e-8 * elastic.abs() + rounding, &what);
+                }
+            }
+        }
+    }
+}
+
 /// The numbers of `physics.md` for steel on steel, to their last digit.
 #[test]
 fn the_steel_ball_gives_the_tabulated_numbers() {

@@ -42,6 +42,12 @@ impl Interval {
         }
     }
 
+    /// ∫ b s dx of bound and slip, both ≥ 0: in a cell in which nearly all the rise is at one end, rounding may deny it.
+    #[inline(always)]
+    pub(super) fn slip_work(&self, bound: (f64, f64), slip: (f64, f64)) -> f64 {
+        at_least(self.product(bound, slip), 0.0)
+    }
+
     /// ∫ f h dx for two such functions.
     pub(super) fn product(&self, f: (f64, f64), h: (f64, f64)) -> f64 {
         if self.rise > 0.0 {

@@ -21,7 +21,8 @@ impl Springs {
         work_scale: f64,
     ) -> Option<f64> {
         let bound = |image: f64| bound_slope * (contact.depth - image).max(0.0);
-        let trial = |knot| Trial::new(knot, displacement, bound(knot.place.image));
+        let rounding = rounding(bound_slope, contact, displacement);
+        let trial = |knot| Trial::new(knot, displacement, bound(knot.place.image), rounding);
         let sticking = self.knots.iter().take_while(|knot| !trial(knot).slips()).count();
         let (inner, outer) = self.knots.split_at(sticking);
         let Some((first, others)) = outer.split_first() else { return Some(0.0) };
@@ -32,8 +33,8 @@ impl Springs {
             Some(inner) => {
                 let inner = trial(inner);
                 front = between(surface, &inner, &first, share_at_bound(&inner, &first, first.side()));
-                let front = trial(&front);
-                (front.clipped(), slip_work(&front, &first))
+                // it is at its bound as it is: clipped, it would put the bound's rounding into the springs that stick
+                (front, slip_work(&trial(&front), &first))
             }
         };
         let mut last = first;
@@ -51,7 +52,6 @@ impl Springs {
         }
         let end = last.clipped();
         let alone = inner.is_empty() && others.is_empty();
-        let rounding = rounding(bound_slope, contact, displacement);
         self.knots.truncate(sticking);
         append(&mut self.knots, start, rounding);
         if !alone {
@@ -65,5 +65,5 @@ impl Springs {
 #[inline(always)]
 fn slip_work(inner: &Trial, outer: &Trial) -> f64 {
     let interval = Interval::between(&inner.knot.place, &outer.knot.place);
-    interval.product((inner.bound, outer.bound), (inner.excess, outer.excess))
+    interval.slip_work((inner.bound, outer.bound), (inner.excess, outer.excess))
 }

@@ -44,8 +44,8 @@ impl Path<'_> {
         if contact.is_open() { 0.0 } else { self.bound_slope * (contact.depth - image).max(0.0) }
     }
 
-    fn trial<'k>(&self, knot: &'k Knot) -> Trial<'k> {
-        Trial::new(knot, self.end, self.bound(&self.to, knot.place.image))
+    fn trial<'k>(&self, knot: &'k Knot, rounding: f64) -> Trial<'k> {
+        Trial::new(knot, self.end, self.bound(&self.to, knot.place.image), rounding)
     }
 
     /// Mean bound while a spring slips: between its onset and the end of the path.
@@ -71,12 +71,14 @@ pub(super) struct Trial<'k> {
 }
 
 impl<'k> Trial<'k> {
+    /// An excess within the `rounding` of the bound is none: else a motion too small for the bound to be told from 0
+    /// would move the whole row's origins.
     #[inline]
-    pub(super) fn new(knot: &'k Knot, displacement: f64, bound: f64) -> Self {
+    pub(super) fn new(knot: &'k Knot, displacement: f64, bound: f64, rounding: f64) -> Self {
         let deflection = displacement - knot.origin;
         let excess = deflection.abs() - bound;
         // written so that what is no number is taken to slip, and shows in the work
-        Self { knot, deflection, bound, excess: if excess <= 0.0 { 0.0 } else { excess } }
+        Self { knot, deflection, bound, excess: if excess <= rounding { 0.0 } else { excess } }
     }
 
     #[inline]
@@ -197,22 +199,23 @@ impl Walk<'_> {
     /// Takes the next knots to the end of the path.
     fn take(&mut self, knots: &[Knot]) {
         let last = self.last;
-        let mut before = last.as_ref().map(|knot| self.path.trial(knot));
+        let mut before = last.as_ref().map(|knot| self.path.trial(knot, self.rounding));
         for knot in knots {
-            let outer = self.path.trial(knot);
+            let outer = self.path.trial(knot, self.rounding);
             if let Some(inner) = before
                 && (inner.slips() || outer.slips())
             {
                 self.work += self.cross(inner, outer);
             }
-            self.push(outer);
+            self.push(outer.clipped());
             before = Some(outer);
         }
         self.last = knots.last().copied().or(last);
     }
 
     /// Work of an interval of which at least one end slips. Inserts the knots where its springs leave the side of the
-    /// bound on which the inner end slips, and where they reach that on which the outer end does.
+    /// bound on which the inner end slips, and where they reach that on which the outer end does. Those are at their
+    /// bound as they are: clipping them would put the bound's rounding into the springs that stick.
     fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
         if inner.slips_with(&outer) {
             return slip_work(self.path, inner, outer);
@@ -222,39 +225,40 @@ impl Walk<'_> {
         if inner.slips() {
             share = share_at_bound(&inner, &outer, inner.side());
             end = between(self.path.surface, &inner, &outer, share);
-            let end = self.path.trial(&end);
-            work += slip_work(self.path, left, end);
+            let at_bound = self.path.trial(&end, self.rounding);
+            work += slip_work(self.path, left, at_bound);
             self.push(end);
-            left = end;
+            left = at_bound;
         }
         if outer.slips() {
             // rounding must not turn the two ends of the sticking part round
             share = share_at_bound(&inner, &outer, outer.side()).max(share);
             start = between(self.path.surface, &inner, &outer, share);
-            let start = self.path.trial(&start);
-            work += slip_work(self.path, left, start);
+            let at_bound = self.path.trial(&start, self.rounding);
+            work += slip_work(self.path, left, at_bound);
             self.push(start);
-            left = start;
+            left = at_bound;
         }
         work + slip_work(self.path, left, outer)
     }
 
     /// Appends a knot that is still in contact.
     #[inline]
-    fn push(&mut self, trial: Trial) {
-        if trial.knot.place.x <= self.path.to.radius {
-            append(&mut self.row, trial.clipped(), self.rounding);
+    fn push(&mut self, knot: Knot) {
+        if knot.place.x <= self.path.to.radius {
+            append(&mut self.row, knot, self.rounding);
         }
     }
 }
 
-/// Share (in g) of the way between two springs at which they are just at their bound on one side.
+/// Share (in g) of the way between two springs at which they are just at their bound on one side, of which one is beyond it
+/// and the other, but for rounding, is not.
 pub(super) fn share_at_bound(inner: &Trial, outer: &Trial, side: f64) -> f64 {
     let (e0, e1) = (inner.excess_on(side), outer.excess_on(side));
-    e0 / (e0 - e1)
+    (e0 / (e0 - e1)).clamp(0.0, 1.0)
 }
 
-/// Deviation below which a knot lies on the line between its neighbours, m.
+/// Deviation below which a knot lies on the line between its neighbours, and a spring is not beyond its bound, m.
 pub(super) fn rounding(bound_slope: f64, contact: &Contact, displacement: f64) -> f64 {
     4.0 * f64::EPSILON * (bound_slope * contact.depth.abs() + displacement.abs())
 }
@@ -278,7 +282,7 @@ fn slip_work(path: &Path, inner: Trial, outer: Trial) -> f64 {
     }
     let interval = Interval::between(&inner.knot.place, &outer.knot.place);
     let bounds = (path.mean_bound(inner), path.mean_bound(outer));
-    interval.product(bounds, (inner.excess, outer.excess))
+    interval.slip_work(bounds, (inner.excess, outer.excess))
 }
 
 /// The spring at the given share (in g) of the way between two others.
