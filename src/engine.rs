@@ -10,6 +10,7 @@ mod readout;
 mod slide;
 mod snapshot;
 mod steady;
+mod undo;
 
 pub use counters::Counters;
 pub use snapshot::Snapshot;
@@ -64,6 +65,8 @@ pub struct FrettingContact {
     springs: Springs,
     /// A former row, kept for its memory.
     spare: Springs,
+    /// The row before a change that may fail, likewise.
+    undo: Springs,
     displacement: f64,
     /// Sign of the last movement, 0 before the first.
     direction: f64,
@@ -83,6 +86,8 @@ pub struct FrettingContact {
 struct WearState {
     pending: Pending,
     segment: Segment,
+    /// The row of a former segment, kept for its memory.
+    spare_row: Springs,
     tables: TableCache,
     /// The cycle that a transient history keeps to.
     rhythm: Option<steady::Rhythm>,
@@ -130,6 +135,7 @@ impl FrettingContact {
             contact: Contact { control, depth: touch, radius: 0.0, load: 0.0 },
             springs: Springs::default(),
             spare: Springs::default(),
+            undo: Springs::default(),
             displacement: 0.0,
             direction: 0.0,
             work: 0.0,
@@ -204,11 +210,5 @@ impl FrettingContact {
             return Err(Error::NotFinite { what: "the load integral", normal, displacement });
         }
         Ok((value, displacement))
-    }
-
-    /// Runs a change; where it fails, the state is as before.
-    fn transaction(&mut self, change: impl FnOnce(&mut Self) -> Result<(), Error>) -> Result<(), Error> {
-        let before = self.clone();
-        change(self).inspect_err(|_| *self = before)
     }
 }

@@ -41,6 +41,11 @@ impl Springs {
         &self.knots
     }
 
+    /// Becomes a copy of another row in its own memory.
+    pub(crate) fn copy_from(&mut self, other: &Self) {
+        self.knots.clone_from(&other.knots);
+    }
+
     /// Springs from saved knots (radius and origin) on the present surface.
     pub(crate) fn from_origins(surface: &Surface, origins: &[(f64, f64)]) -> Self {
         let knots = origins.iter().map(|&(x, origin)| Knot { place: surface.place(x), origin }).collect();

@@ -142,3 +142,35 @@ fn a_state_saved_with_wear_does_not_fit_a_contact_without_nor_the_other_way() {
         assert_eq!((target.snapshot(), readings(&target)), before);
     }
 }
+
+/// Steps that fail amid their way: the state is as before, to the bit, and what follows is, too.
+#[test]
+fn a_refused_step_leaves_no_trace() {
+    let table = Profile::Table(sampled_sphere(30));
+    for wear in [0.0, 1e-9, 0.1] {
+        let mut refused = contact(Parameters { wear_coefficient: wear, ..without_wear(table.clone()) });
+        let mut spared = refused.clone();
+        // half cycles of a rhythm, whose reversals take a way of their own
+        for k in 0..9 {
+            let displacement = if k % 2 == 0 { 1e-6 } else { -1e-6 };
+            to(&mut refused, 100.0, displacement);
+            to(&mut spared, 100.0, displacement);
+            let before = (refused.snapshot(), readings(&refused));
+            for (normal, displacement) in [
+                (1e6, -displacement),
+                (1e6, displacement),
+                (1e6, 0.0),
+                (100.0, -f64::MAX.copysign(displacement)),
+                (100.0, f64::MAX.copysign(displacement)),
+                (50.0, -f64::MAX.copysign(displacement)),
+            ] {
+                let error = refused.advance_to(normal, displacement).expect_err("it cannot be done");
+                let what = format!("wear {wear}, {normal} N, {displacement} m: {error}");
+                assert_eq!((refused.snapshot(), readings(&refused)), before, "{what}");
+            }
+        }
+        transient(&mut refused, 5);
+        transient(&mut spared, 5);
+        assert_eq!((state(&refused), readings(&refused)), (state(&spared), readings(&spared)), "wear {wear}");
+    }
+}

@@ -7,6 +7,7 @@ mod host;
 use core::ptr::{null, null_mut};
 use fmi_sys::fmi2::{fmi2Component, fmi2Status};
 use fretting_contact::fmi2::exports::*;
+use fretting_contact::{FrettingContact, Parameters};
 use host::{DISCARD, ERROR, Fmu, OK};
 
 #[test]
@@ -245,5 +246,47 @@ fn the_status_functions_answer() {
         assert_eq!(fmi2SetDebugLogging(c, 1, 1, [c"logStatusDiscard".as_ptr()].as_ptr()), OK);
         assert_eq!(fmi2GetRealStatus(c, 7, &raw mut time), DISCARD);
         assert!(fmu.message().contains("status kind 7"));
+    }
+}
+
+/// A run with profile updates, and how the importer wants to hear of it: the messages at its end.
+fn messages_at_the_end(logging_on: bool, categories: &[&core::ffi::CStr]) -> Vec<String> {
+    let fmu = Fmu::started(|fmu| assert_eq!(fmu.set_real("wear_coefficient", 0.1), OK));
+    for (k, displacement) in [3e-6, -3e-6, 1e-6, 3e-6].into_iter().enumerate() {
+        fmu.step_with(&[("tangential_displacement", displacement)], k as f64, 1.0);
+    }
+    let names: Vec<_> = categories.iter().map(|name| name.as_ptr()).collect();
+    // SAFETY: the names end with a null character, and there are as many as said.
+    let status =
+        unsafe { fmi2SetDebugLogging(fmu.component, logging_on.into(), names.len(), names.as_ptr()) };
+    assert_eq!((status, fmu.messages(), fmu.terminate()), (OK, vec![], OK));
+    fmu.messages()
+}
+
+#[test]
+fn the_end_of_a_run_tells_its_work_as_an_event() {
+    let mut engine =
+        FrettingContact::new(Parameters { wear_coefficient: 0.1, ..Parameters::default() }).unwrap();
+    engine.start_at(100.0, 0.0).unwrap();
+    for displacement in [3e-6, -3e-6, 1e-6, 3e-6] {
+        engine.advance_to(100.0, displacement).unwrap();
+    }
+    let counters = engine.counters();
+    assert!(counters.steps == 5 && counters.profile_updates > 0 && counters.descent_transforms > 0);
+    assert!(counters.factorisations > 0 && counters.spring_walks > 0);
+    for categories in [&[][..], &[c"logEvents"], &[c"logAll"]] {
+        let messages = messages_at_the_end(true, categories);
+        assert_eq!(messages, [format!("INFO: terminated after this work: {counters}")]);
+    }
+    assert_eq!(messages_at_the_end(false, &[]), Vec::<String>::new());
+    assert_eq!(messages_at_the_end(true, &[c"logStatusDiscard"]), Vec::<String>::new());
+    for number in [
+        counters.factorisations,
+        counters.profile_updates,
+        counters.rejected_steps,
+        counters.descent_transforms,
+        counters.pressure_transforms,
+    ] {
+        assert!(counters.to_string().contains(&format!(" {number} ")), "{counters}");
     }
 }

@@ -42,7 +42,7 @@ impl FrettingContact {
             self.walk(value, displacement, 1)?;
         } else {
             // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
-            self.surface.contact(self.parameters.normal_control, value, self.force_scale())?;
+            self.solve_contact(value)?;
             self.transaction(|this| this.walk_line(&line))?;
         }
         self.counters.steps += 1;
@@ -90,6 +90,13 @@ impl FrettingContact {
                 || value <= self.touch_control()
         };
         if self.wear.is_some() && turns() {
+            if let Some(steady) = self.half_cycle_in_rhythm() {
+                let limit = self.update_limit();
+                let walk_on = |this: &mut Self| this.walk_on(value, displacement, splits);
+                if let Some(result) = self.turn_in_rhythm(steady, limit, walk_on) {
+                    return result;
+                }
+            }
             self.transaction(|this| {
                 this.turn()?;
                 this.walk_on(value, displacement, splits)
@@ -122,17 +129,18 @@ impl FrettingContact {
     }
 
     fn walk_on(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
-        let to = if value == self.contact.control { self.contact } else { self.contact_at(value)? };
+        let to = if value == self.contact.control { self.contact } else { self.solve_contact(value)? };
         let spare = std::mem::take(&mut self.spare);
         let path = self.path_to(to, displacement);
         let (springs, half_work) = self.springs.walk(&path, spare);
-        self.counters.spring_walks += 1;
         let work = 2.0 * self.constants.tangential_modulus * half_work;
         let force = to.load * self.force_scale();
         if !(work.is_finite() && to.depth.is_finite() && to.radius.is_finite() && force.is_finite()) {
             let normal = if self.constants.force_control { value * self.force_scale() } else { value };
             return Err(Error::NotFinite { what: "the state of the contact", normal, displacement });
         }
+        self.counters.spring_walks += 1;
+        self.counters.contact_solutions += u64::from(value != self.contact.control);
         let Some(wear) = &self.wear else {
             self.arrive(to, displacement, springs, work);
             return Ok(());
@@ -322,8 +330,9 @@ impl FrettingContact {
             self.springs.slip_zone(&self.contact, self.constants.bound_slope(), self.displacement);
         let sliding = if inner == 0.0 { side } else { 0.0 };
         if let Some(wear) = &mut self.wear {
-            let start = self.displacement;
-            wear.segment = Segment { unslipped: self.springs.clone(), contact, start, sliding, work: 0.0 };
+            let mut unslipped = std::mem::take(&mut wear.segment.unslipped);
+            unslipped.copy_from(&self.springs);
+            wear.segment = Segment { unslipped, contact, start: self.displacement, sliding, work: 0.0 };
         }
     }
 
@@ -460,6 +469,10 @@ impl FrettingContact {
     /// Contact of the present surface at another value of the control.
     pub(super) fn contact_at(&mut self, value: f64) -> Result<Contact, Error> {
         self.counters.contact_solutions += 1;
+        self.solve_contact(value)
+    }
+
+    fn solve_contact(&self, value: f64) -> Result<Contact, Error> {
         self.surface.contact(self.parameters.normal_control, value, self.force_scale())
     }
 }

@@ -96,6 +96,7 @@ impl FrettingContact {
             Box::new(WearState {
                 pending: saved.pending.clone(),
                 segment,
+                spare_row: Springs::default(),
                 tables,
                 rhythm: saved.rhythm,
                 next_step: saved.next_step,

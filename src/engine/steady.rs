@@ -34,7 +34,7 @@ impl FrettingContact {
     /// What the segment is of a steady motion: half a cycle or, from rest, its first quarter, or sliding onward.
     pub(super) fn steady_segment(&mut self) -> Option<Steady> {
         let wear = self.wear.as_ref()?;
-        let (segment, rhythm) = (&wear.segment, wear.rhythm);
+        let segment = &wear.segment;
         let (work, moved) = (segment.work, self.displacement - segment.start);
         if segment.contact != Some(self.contact) || work == 0.0 {
             return None;
@@ -42,14 +42,11 @@ impl FrettingContact {
         if segment.sliding == moved.signum() {
             return Some(Steady { sliding: Sliding::Onward, amount: moved.abs(), work });
         }
-        let contact = self.contact;
-        if let Some(rhythm) = rhythm
-            && rhythm.contact == contact
-            && near(0.5 * moved.abs(), rhythm.amplitude)
-            && near(work, rhythm.half_work)
-        {
-            return Some(Steady { sliding: Sliding::Cycles(rhythm.amplitude), amount: 0.5, work });
+        let in_rhythm = self.half_cycle_in_rhythm();
+        if in_rhythm.is_some() {
+            return in_rhythm;
         }
+        let contact = self.contact;
         // a quarter of a cycle dissipates a fourth of its work
         let shares = [(0.5, 0.5 * moved.abs()), (0.25, moved.abs())];
         shares.into_iter().find_map(|(amount, amplitude)| {
@@ -59,6 +56,20 @@ impl FrettingContact {
                 Steady { sliding: Sliding::Cycles(amplitude), amount, work }
             })
         })
+    }
+
+    /// The segment, where it is half a cycle of the rhythm that the motion keeps to.
+    pub(super) fn half_cycle_in_rhythm(&self) -> Option<Steady> {
+        let wear = self.wear.as_ref()?;
+        let (segment, rhythm) = (&wear.segment, wear.rhythm?);
+        let (work, moved) = (segment.work, self.displacement - segment.start);
+        (work > 0.0
+            && segment.contact == Some(self.contact)
+            && rhythm.contact == self.contact
+            && segment.sliding != moved.signum()
+            && near(0.5 * moved.abs(), rhythm.amplitude)
+            && near(work, rhythm.half_work))
+        .then_some(Steady { sliding: Sliding::Cycles(rhythm.amplitude), amount: 0.5, work })
     }
 
     /// The part of a steady half cycle that an unfinished segment is, by its work.
