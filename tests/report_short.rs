@@ -4,7 +4,8 @@
 #[path = "../examples/report/judge.rs"]
 #[allow(dead_code, reason = "the report prints more of a finding than the test asks for")]
 mod judge;
-#[path = "../examples/report/scenes.rs"]
+#[path = "../examples/report/scenes/mod.rs"]
+#[allow(dead_code, reason = "scenes are looked up by name and extreme here")]
 mod scenes;
 
 use fretting_contact::problems::Problem;
@@ -41,9 +42,9 @@ fn extreme_scenes_keep_every_invariant_or_are_refused() {
         let scene = scene.unwrap_or_else(|| panic!("no scene {name}, {extreme}"));
         let mut judge = Judge::default();
         let outcome = (scene.run)(&mut judge);
-        println!("{name}, {extreme}: {outcome:?}, {:?}", judge.worst);
+        println!("{name}, {extreme}: {outcome:?}, {:?}", judge.worst());
         assert_eq!(outcome.is_ok(), runs, "{name}, {extreme}: {outcome:?}");
-        if let Some(worst) = judge.worst.filter(|worst| worst.broken()) {
+        if let Some(worst) = judge.worst().filter(|worst| worst.broken()) {
             panic!("{name}, {extreme}: {worst:?}");
         }
     }

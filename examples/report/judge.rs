@@ -1,13 +1,12 @@
 //! Judges a contact by what has to hold in every state, and keeps the worst it saw.
 
 use fretting_contact::{Error, FrettingContact};
+use std::f64::consts::PI;
 
 /// |T| − μF_N allowed, in μF_N: rounding.
 pub(crate) const COULOMB: f64 = 1e-12;
-/// Volume of the profile against (k/σ₀)·work, relative.
-pub(crate) const VOLUME: f64 = 1e-2;
-/// The same where next to nothing is worn, in a² d.
-pub(crate) const ROUNDING: f64 = 1e-12;
+/// T against its closed form, relative: what the README promises at constant load.
+pub(crate) const CLOSED: f64 = 1e-9;
 /// Largest result of splitting a line, in μF_N and in the worn volume: without wear, and with it in tolerances.
 pub(crate) const SPLIT_WITHOUT_WEAR: f64 = 1e-9;
 /// See [`SPLIT_WITHOUT_WEAR`].
@@ -27,7 +26,8 @@ impl Finding {
         !matches!(self.seen.partial_cmp(&self.allowed), Some(o) if o.is_le())
     }
 
-    fn share(&self) -> f64 {
+    /// What was seen, in what is allowed; infinite where nothing is.
+    pub(crate) fn share(&self) -> f64 {
         match (self.broken(), self.allowed > 0.0) {
             (false, true) => self.seen / self.allowed,
             (false, false) => 0.0,
@@ -40,22 +40,35 @@ impl Finding {
 /// The worst of a scene so far.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Judge {
-    pub(crate) worst: Option<Finding>,
+    /// The worst of each invariant.
+    findings: Vec<Finding>,
     /// States that were judged.
     pub(crate) states: u64,
     work: f64,
     volume: f64,
-    /// Largest a² d so far, m³.
+    /// Largest πa²d so far, m³.
     size: f64,
 }
 
 impl Judge {
-    /// Notes an invariant; keeps the one nearest to its bound, or the farthest beyond it.
+    /// Notes an invariant; keeps of each what came nearest to its bound, or farthest beyond it.
     pub(crate) fn note(&mut self, invariant: &'static str, seen: f64, allowed: f64) {
         let finding = Finding { invariant, seen, allowed };
-        if self.worst.as_ref().is_none_or(|worst| finding.share() > worst.share()) {
-            self.worst = Some(finding);
+        match self.findings.iter_mut().find(|kept| kept.invariant == invariant) {
+            None => self.findings.push(finding),
+            Some(kept) if finding.share() > kept.share() => *kept = finding,
+            Some(_) => {}
         }
+    }
+
+    /// The worst of each invariant, in the order in which they were judged.
+    pub(crate) fn findings(&self) -> &[Finding] {
+        &self.findings
+    }
+
+    /// The worst of all.
+    pub(crate) fn worst(&self) -> Option<&Finding> {
+        self.findings.iter().reduce(|worst, other| if other.share() > worst.share() { other } else { worst })
     }
 
     /// Another contact: its work starts anew.
@@ -99,11 +112,11 @@ impl Judge {
         self.note("work never decreases", (self.work - work).max(0.0), 0.0);
         self.note("wear never decreases", (self.volume - volume).max(0.0), 0.0);
         (self.work, self.volume) = (work, volume);
-        self.size = self.size.max(radius * radius * depth);
+        self.size = self.size.max(PI * radius * radius * depth);
         if volume > 0.0 {
-            // the profile cannot hold less than the rounding of the contact's own size
-            let floor = ROUNDING * self.size / VOLUME;
-            self.note("profile volume = (k/s0) work", (profile - volume).abs() / volume.max(floor), VOLUME);
+            // the tolerance holds for the image in depths d: over the disc that is a volume, and a life's volume keeps it, too
+            let off = (profile - volume).abs() / (volume + self.size);
+            self.note("profile volume = (k/s0) work", off, contact.parameters().tolerance);
         }
         // NaN counts as healed
         let healed = contact
