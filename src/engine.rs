@@ -123,7 +123,7 @@ impl FrettingContact {
             }
         }
         let surface = Surface::new(parameters.profile.clone());
-        let touch = surface.image(0.0);
+        let touch = surface.tip();
         let control = if constants.force_control { 0.0 } else { touch };
         let wear = (constants.wear_per_work > 0.0 && constants.friction_coefficient > 0.0)
             .then(|| Box::new(WearState::default()));
@@ -189,7 +189,7 @@ impl FrettingContact {
     fn touch_control(&self) -> f64 {
         match self.parameters.normal_control {
             NormalControl::Force => 0.0,
-            NormalControl::Indentation => self.surface.image(0.0),
+            NormalControl::Indentation => self.surface.tip(),
         }
     }
 

@@ -77,10 +77,10 @@ impl Surface {
         match &self.worn {
             None => place.square = self.profile.square_integral(x),
             Some(nodes) => {
-                let (image, load) = nodes.worn_part(x);
+                let (image, load, square) = nodes.parts(&self.profile, x);
                 place.image += image;
                 place.load += load;
-                place.square = nodes.square_integral(&self.profile, x);
+                place.square = square;
             }
         }
         place
@@ -89,6 +89,12 @@ impl Surface {
     /// Image g(x), m.
     pub(crate) fn image(&self, x: f64) -> f64 {
         self.profile.image(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).0)
+    }
+
+    /// Image at the axis, m.
+    pub(crate) fn tip(&self) -> f64 {
+        // the first node lies there
+        self.profile.image(0.0) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_image()[0])
     }
 
     /// Image of the wear alone at x, m.
@@ -119,17 +125,10 @@ impl Surface {
         {
             return x.clamp(low, high);
         }
-        if let Some((x0, x1, h, slope)) =
-            self.worn.as_ref().and_then(|nodes| nodes.cell_of_image(image, low, high))
+        if let Some(x) =
+            self.worn.as_ref().and_then(|nodes| nodes.radius_of_image(&self.profile, image, low, high))
         {
-            let (low, high) = (low.max(x0), high.min(x1));
-            let within = |x: f64| {
-                let worn = h + slope * (x - x0) * (x + x0);
-                (self.profile.image(x) + worn - image, self.profile.image_slope(x) + 2.0 * x * slope)
-            };
-            if within(low).0 <= 0.0 && within(high).0 >= 0.0 {
-                return find_root(low, high, within);
-            }
+            return x;
         }
         find_root(low, high, |x| (self.image(x) - image, self.image_slope(x)))
     }

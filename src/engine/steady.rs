@@ -97,14 +97,21 @@ impl FrettingContact {
 
     /// Whether `work` (J) more keeps the segment within half a cycle after which there is time enough for the profile to follow.
     pub(super) fn keeps_calm(&self, contact: &Contact, work: f64) -> bool {
-        let Some(wear) = &self.wear else { return true };
+        self.wear.is_none() || (self.contact == *contact && work <= self.calm_work())
+    }
+
+    /// Work (J) that the segment may still do within such a half cycle at the present load; below 0 where it is in none.
+    pub(super) fn calm_work(&self) -> f64 {
+        let Some(wear) = &self.wear else { return f64::MAX };
         let segment = &wear.segment;
-        wear.rhythm.is_some_and(|rhythm| {
-            rhythm.calm
-                && rhythm.contact == *contact
-                && segment.contact == Some(*contact)
-                && segment.work + work <= rhythm.half_work * (1.0 + STEADY)
-        })
+        match &wear.rhythm {
+            Some(rhythm)
+                if rhythm.calm && rhythm.contact == self.contact && segment.contact == Some(self.contact) =>
+            {
+                rhythm.half_work * (1.0 + STEADY) - segment.work
+            }
+            _ => -1.0,
+        }
     }
 
     pub(super) fn set_rhythm(&mut self, rhythm: Option<Rhythm>) {
@@ -158,7 +165,7 @@ impl FrettingContact {
             Sliding::Onward => 0.0,
             Sliding::Cycles(amplitude) => {
                 let depth = contact.depth - amplitude / bound_slope;
-                if depth > self.surface.image(0.0) {
+                if depth > self.surface.tip() {
                     self.surface.radius_of_image(depth, 0.0, contact.radius)
                 } else {
                     0.0
@@ -213,7 +220,7 @@ impl FrettingContact {
             return None;
         }
         let move_on = displacement - self.displacement;
-        let slack = 2.0 * self.constants.bound_slope() * (self.contact.depth - self.surface.image(0.0));
+        let slack = 2.0 * self.constants.bound_slope() * (self.contact.depth - self.surface.tip());
         // a body worn flat slips everywhere at once
         if slack <= 0.0 || move_on.abs() <= 2.0 * slack {
             return None;

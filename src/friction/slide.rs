@@ -9,7 +9,7 @@ use crate::surface::{Contact, Surface};
 impl Springs {
     /// Moves the body to `displacement` under an unchanged contact. Returns the work of friction, J: `work_scale` = 2G*
     /// times the integral that [`Springs::walk`] gives. `None`, with nothing changed, where the state is of another kind
-    /// or the work is no finite number.
+    /// or the work is more than `most_work`.
     ///
     /// Springs that stick stay as they are. Those that slip end up on one line in g, so that two knots do for all.
     pub(crate) fn slide(
@@ -18,7 +18,7 @@ impl Springs {
         contact: &Contact,
         bound_slope: f64,
         displacement: f64,
-        work_scale: f64,
+        (work_scale, most_work): (f64, f64),
     ) -> Option<f64> {
         let bound = |image: f64| bound_slope * (contact.depth - image).max(0.0);
         let rounding = rounding(bound_slope, contact, displacement);
@@ -47,7 +47,9 @@ impl Springs {
             last = next;
         }
         let work = work_scale * work;
-        if !work.is_finite() {
+        let allowed = work <= most_work;
+        // so that it also refuses what is no number
+        if !allowed {
             return None;
         }
         let end = last.clipped();

@@ -212,7 +212,9 @@ fn a_slide_gives_what_a_walk_gives() {
         for n in 0..2000 {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let next = 1.2 * full * (f64::from(state) / f64::from(u32::MAX) - 0.5);
-            short_work += short.slide(&surface, &contact, M, next, 1.0).expect("one zone slips to one side");
+            short_work += short
+                .slide(&surface, &contact, M, next, (1.0, f64::MAX))
+                .expect("one zone slips to one side");
             let (row, work) = moved(&long, &surface, contact, at, next);
             (long, long_work, at) = (row, long_work + work, next);
             let what = format!("{profile:?}, line {n} to {next:e}");
@@ -241,10 +243,10 @@ fn a_slide_refuses_zones_that_slip_both_ways_and_work_without_bound() {
     let origins = [(0.0, 1.1 * full), (0.5 * contact.radius, -1.1 * full), (contact.radius, -1.1 * full)];
     let mut twisted = Springs::from_origins(&surface, &origins);
     let before = twisted.clone();
-    assert_eq!(twisted.slide(&surface, &contact, M, 0.0, 1.0), None);
+    assert_eq!(twisted.slide(&surface, &contact, M, 0.0, (1.0, f64::MAX)), None);
     assert_eq!(twisted, before);
     let mut far = start.clone();
-    assert_eq!(far.slide(&surface, &contact, M, 1e300, 1e100), None);
+    assert_eq!(far.slide(&surface, &contact, M, 1e300, (1e100, f64::MAX)), None);
     assert_eq!(far, start);
 }
 
@@ -262,7 +264,9 @@ fn the_work_of_a_minute_loop_is_that_of_its_minute_annulus() {
         let mut work = 0.0;
         for k in 1..=100 {
             let next = crest * (std::f64::consts::TAU * f64::from(k) / 100.0).cos();
-            work += springs.slide(&surface, &contact, M, next, 1.0).expect("one zone slips to one side");
+            work += springs
+                .slide(&surface, &contact, M, next, (1.0, f64::MAX))
+                .expect("one zone slips to one side");
         }
         let expected = 0.5 * theta.powi(3) * M * contact.load * full;
         // the bound is known to eps u_max, the annulus reaches θ u_max below its edge and the slip is of that size, too

@@ -40,6 +40,9 @@ pub(crate) struct MeshPlace {
 /// Nodes kept ready outside the contact, into which it may grow within one update.
 const SPARE: usize = 6;
 
+/// Most iterations in the search for a radius: from the line in X Newton's method is far from needing them.
+const MOST_ITERATIONS: usize = 20;
+
 /// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
 /// crowd at the end: there each lies a quarter of its distance from the end apart from the next, or a hundredth of the radius.
 pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: bool) -> Vec<usize> {
@@ -245,21 +248,54 @@ impl Nodes {
         (above < self.x.len()).then(|| above - 1)
     }
 
-    /// The cell between two radii in which the image takes a value, as its inner node, the image of the wear there and dh/dX.
-    pub(crate) fn cell_of_image(&self, image: f64, low: f64, high: f64) -> Option<(f64, f64, f64, f64)> {
+    /// Radius between two others at which the whole image takes a value, where a cell between nodes holds it and it rises there:
+    /// Newton's method from the line in X between the nodes, which for a sphere is the image itself.
+    pub(crate) fn radius_of_image(&self, profile: &Profile, image: f64, low: f64, high: f64) -> Option<f64> {
         let start = self.x.partition_point(|x| *x <= low);
         let end = self.x.partition_point(|x| *x < high);
         if self.whole.len() != self.x.len() || start == 0 || start > end {
             return None;
         }
         let above = start + self.whole[start..end].partition_point(|g| *g <= image);
-        let outer = *self.x.get(above)?;
-        Some((self.x[above - 1], outer, self.worn_image[above - 1], self.slope(above - 1)))
+        let (x1, g1) = (*self.x.get(above)?, self.whole[above]);
+        let j = above - 1;
+        let (x0, g0, slope) = (self.x[j], self.whole[j], self.slope(j));
+        // written so that it also refuses what is no number
+        if !(g0 <= image && image <= g1 && g0 < g1) {
+            return None;
+        }
+        let mut x = (x0 * x0 + (image - g0) / (g1 - g0) * (x1 - x0) * (x1 + x0)).sqrt().clamp(x0, x1);
+        let mut last_change = f64::INFINITY;
+        for _ in 0..MOST_ITERATIONS {
+            let excess = profile.image(x) + self.worn_image[j] + slope * (x - x0) * (x + x0) - image;
+            let next = (x - excess / (profile.image_slope(x) + 2.0 * x * slope)).clamp(x0, x1);
+            let change = (next - x).abs();
+            // where the image is flat, rounding ends the search before the last digits of x
+            let settled = change <= 2.0 * f64::EPSILON * x || change >= last_change;
+            if settled {
+                return Some(x.max(low).min(high));
+            }
+            (x, last_change) = (next, change);
+        }
+        None
     }
 
     /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
     pub(crate) fn worn_part(&self, x: f64) -> (f64, f64) {
-        match self.cell(x) {
+        self.worn_part_in(self.cell(x), x)
+    }
+
+    /// These and ∫₀ˣ g² dξ of the worn image, m³.
+    pub(crate) fn parts(&self, profile: &Profile, x: f64) -> (f64, f64, f64) {
+        let cell = self.cell(x);
+        let (image, load) = self.worn_part_in(cell, x);
+        let start = cell.unwrap_or(self.last());
+        (image, load, self.square[start] + self.square_between(profile, cell, self.x[start], x))
+    }
+
+    /// Worn parts at a radius in a given cell, or behind the last node.
+    fn worn_part_in(&self, cell: Option<usize>, x: f64) -> (f64, f64) {
+        match cell {
             Some(j) => {
                 let (x0, slope) = (self.x[j], self.slope(j));
                 let image = self.worn_image[j] + slope * (x - x0) * (x + x0);
@@ -311,16 +347,10 @@ impl Nodes {
         (self.worn_image[j + 1] - self.worn_image[j]) / ((x1 - x0) * (x1 + x0))
     }
 
-    /// ∫₀ˣ g² dξ of the worn image, m³.
-    pub(crate) fn square_integral(&self, profile: &Profile, x: f64) -> f64 {
-        let j = self.cell(x).unwrap_or(self.last());
-        self.square[j] + self.square_between(profile, self.x[j], x)
-    }
-
     /// ∫ g² between two radii of one cell, by three-point Gauss.
-    fn square_between(&self, profile: &Profile, x0: f64, x1: f64) -> f64 {
+    fn square_between(&self, profile: &Profile, cell: Option<usize>, x0: f64, x1: f64) -> f64 {
         let (middle, half) = (0.5 * (x0 + x1), 0.5 * (x1 - x0));
-        let g2 = |x: f64| (profile.image(x) + self.worn_part(x).0).powi(2);
+        let g2 = |x: f64| (profile.image(x) + self.worn_part_in(cell, x).0).powi(2);
         let node = half * 0.6f64.sqrt();
         half * (5.0 / 9.0 * (g2(middle - node) + g2(middle + node)) + 8.0 / 9.0 * g2(middle))
     }
@@ -346,12 +376,12 @@ impl Nodes {
                 load += 2.0 / 3.0 * self.slope(j) * (x1 - x0) * (x1 * x1 + x1 * x0 + x0 * x0);
             }
         }
-        // after the loads: rounding may put an inner point of a narrow cell into the next one
+        // after the loads, of which the parts at a radius are made
         let mut square = 0.0;
         for j in 0..self.x.len() {
             self.square.push(square);
             if j < self.last() {
-                square += self.square_between(profile, self.x[j], self.x[j + 1]);
+                square += self.square_between(profile, Some(j), self.x[j], self.x[j + 1]);
             }
         }
     }

@@ -159,6 +159,13 @@ impl Fmu {
         // SAFETY: see above.
         unsafe { fmi2Terminate(self.component) }
     }
+    /// Ends the simulation with logging on; what the instance tells.
+    pub(crate) fn terminated_aloud(&self) -> Vec<String> {
+        // SAFETY: see above.
+        assert_eq!(unsafe { fmi2SetDebugLogging(self.component, 1, 0, null()) }, OK);
+        assert_eq!(self.terminate(), OK);
+        self.messages()
+    }
     pub(crate) fn reset(&self) -> fmi2Status {
         // SAFETY: see above.
         unsafe { fmi2Reset(self.component) }
