@@ -40,8 +40,8 @@ pub(crate) struct MeshPlace {
 /// Nodes kept ready outside the contact, into which it may grow within one update.
 const SPARE: usize = 6;
 
-/// Most iterations in the search for a radius: from the line in X Newton's method is far from needing them.
-const MOST_ITERATIONS: usize = 20;
+/// Most iterations in the search for a radius; bisection alone would need 60.
+const MOST_ITERATIONS: usize = 100;
 
 /// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
 /// crowd at the end: there each lies a quarter of its distance from the end apart from the next, or a hundredth of the radius.
@@ -249,7 +249,8 @@ impl Nodes {
     }
 
     /// Radius between two others at which the whole image takes a value, where a cell between nodes holds it and it rises there:
-    /// Newton's method from the line in X between the nodes, which for a sphere is the image itself.
+    /// Newton's method, kept inside the cell by bisection, from the line in X between the nodes, which for a sphere is the
+    /// image itself.
     pub(crate) fn radius_of_image(&self, profile: &Profile, image: f64, low: f64, high: f64) -> Option<f64> {
         let start = self.x.partition_point(|x| *x <= low);
         let end = self.x.partition_point(|x| *x < high);
@@ -265,19 +266,27 @@ impl Nodes {
             return None;
         }
         let mut x = (x0 * x0 + (image - g0) / (g1 - g0) * (x1 - x0) * (x1 + x0)).sqrt().clamp(x0, x1);
-        let mut last_change = f64::INFINITY;
+        let (mut least, mut most) = (x0, x1);
         for _ in 0..MOST_ITERATIONS {
             let excess = profile.image(x) + self.worn_image[j] + slope * (x - x0) * (x + x0) - image;
-            let next = (x - excess / (profile.image_slope(x) + 2.0 * x * slope)).clamp(x0, x1);
-            let change = (next - x).abs();
             // where the image is flat, rounding ends the search before the last digits of x
-            let settled = change <= 2.0 * f64::EPSILON * x || change >= last_change;
-            if settled {
-                return Some(x.max(low).min(high));
+            if excess.abs() <= 2.0 * f64::EPSILON * image.abs() {
+                break;
             }
-            (x, last_change) = (next, change);
+            if excess > 0.0 {
+                most = x;
+            } else {
+                least = x;
+            }
+            let newton = x - excess / (profile.image_slope(x) + 2.0 * x * slope);
+            let next = if newton > least && newton < most { newton } else { 0.5 * (least + most) };
+            let change = (next - x).abs();
+            x = next;
+            if change <= 2.0 * f64::EPSILON * x {
+                break;
+            }
         }
-        None
+        Some(x.max(low).min(high))
     }
 
     /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
