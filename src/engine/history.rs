@@ -89,7 +89,9 @@ impl FrettingContact {
             displacement != self.displacement && (displacement - self.displacement).signum() != self.direction
                 || value <= self.touch_control()
         };
-        if self.wear.is_some() && turns() {
+        if self.stays_apart(value) {
+            self.walk_on(value, displacement, splits)
+        } else if self.wear.is_some() && turns() {
             if let Some(steady) = self.half_cycle_in_rhythm() {
                 let limit = self.update_limit();
                 let walk_on = |this: &mut Self| this.walk_on(value, displacement, splits);
@@ -109,6 +111,13 @@ impl FrettingContact {
         } else {
             self.walk_on(value, displacement, splits)
         }
+    }
+
+    /// Whether the bodies are apart and stay so, after the last segment has been closed: there is nothing to turn.
+    fn stays_apart(&self, value: f64) -> bool {
+        self.contact.is_open()
+            && value <= self.touch_control()
+            && self.wear.as_ref().is_some_and(|wear| wear.segment.contact.is_none())
     }
 
     /// Whether the segment has worn so much that the profile has to follow before the motion goes on. It is done then,
@@ -195,6 +204,13 @@ impl FrettingContact {
     /// Adds a path to the segment: springs that touch along it, and its work.
     fn extend_segment(&mut self, to: &Contact, displacement: f64, work: f64) {
         let from = self.contact;
+        if from.is_open() && to.is_open() {
+            // in the air only the place changes from which a segment will begin
+            if let Some(wear) = &mut self.wear {
+                wear.segment.start = displacement;
+            }
+            return;
+        }
         let touched = (to.radius != from.radius).then(|| {
             let path = self.path_to(*to, displacement);
             self.wear.as_ref().map(|wear| wear.segment.unslipped.touched(&path))
