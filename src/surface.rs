@@ -72,18 +72,12 @@ impl Surface {
     /// All image values at radius x.
     #[inline(always)]
     pub(crate) fn place(&self, x: f64) -> Place {
-        let mut place =
-            Place { x, image: self.profile.image(x), load: self.profile.load_integral(x), square: 0.0 };
-        match &self.worn {
-            None => place.square = self.profile.square_integral(x),
-            Some(nodes) => {
-                let (image, load, square) = nodes.parts(&self.profile, x);
-                place.image += image;
-                place.load += load;
-                place.square = square;
-            }
-        }
-        place
+        let Some(nodes) = &self.worn else {
+            let (image, load, square) = self.profile.image_and_integrals(x);
+            return Place { x, image, load, square };
+        };
+        let (image, load, square) = nodes.parts(&self.profile, x);
+        Place { x, image: self.profile.image(x) + image, load: self.profile.load_integral(x) + load, square }
     }
 
     /// Image g(x), m.

@@ -2,8 +2,7 @@
 //! every run, and so done in place.
 
 use super::Springs;
-use super::interval::Interval;
-use super::walk::{Trial, append, between, rounding, share_at_bound};
+use super::walk::{Trial, append, between, rounding, share_at_bound, slip_work};
 use crate::surface::{Contact, Surface};
 
 impl Springs {
@@ -61,11 +60,4 @@ impl Springs {
         }
         Some(work)
     }
-}
-
-/// ∫ |u| |de| dx over an interval.
-#[inline(always)]
-fn slip_work(inner: &Trial, outer: &Trial) -> f64 {
-    let interval = Interval::between(&inner.knot.place, &outer.knot.place);
-    interval.slip_work((inner.bound, outer.bound), (inner.excess, outer.excess))
 }

@@ -44,18 +44,19 @@ impl Path<'_> {
         if contact.is_open() { 0.0 } else { self.bound_slope * (contact.depth - image).max(0.0) }
     }
 
+    /// State of a spring at the end, before it slips.
+    #[inline]
     fn trial<'k>(&self, knot: &'k Knot, rounding: f64) -> Trial<'k> {
-        Trial::new(knot, self.end, self.bound(&self.to, knot.place.image), rounding)
+        let trial = Trial::new(knot, self.end, self.bound(&self.to, knot.place.image), rounding);
+        if trial.slips() { Trial { mean_bound: self.mean_bound(&trial), ..trial } } else { trial }
     }
 
     /// Mean bound while a spring slips: between its onset and the end of the path.
     #[inline]
-    fn mean_bound(&self, trial: Trial) -> f64 {
+    fn mean_bound(&self, trial: &Trial) -> f64 {
         let initial_bound = self.bound(&self.from, trial.knot.place.image);
-        let sign = trial.deflection.signum();
-        let room = (initial_bound - sign * (self.start - trial.knot.origin)).max(0.0);
-        let onset = if room + trial.excess > 0.0 { room / (room + trial.excess) } else { 1.0 };
-        let onset_bound = initial_bound + onset * (trial.bound - initial_bound);
+        let room = (initial_bound - trial.side() * (self.start - trial.knot.origin)).max(0.0);
+        let onset_bound = initial_bound + room / (room + trial.excess) * (trial.bound - initial_bound);
         0.5 * (onset_bound + trial.bound)
     }
 }
@@ -66,6 +67,8 @@ pub(super) struct Trial<'k> {
     pub(super) knot: &'k Knot,
     deflection: f64,
     pub(super) bound: f64,
+    /// Mean bound while it slips, m.
+    pub(super) mean_bound: f64,
     /// How far it is beyond its bound, m ≥ 0.
     pub(super) excess: f64,
 }
@@ -78,7 +81,8 @@ impl<'k> Trial<'k> {
         let deflection = displacement - knot.origin;
         let excess = deflection.abs() - bound;
         // written so that what is no number is taken to slip, and shows in the work
-        Self { knot, deflection, bound, excess: if excess <= rounding { 0.0 } else { excess } }
+        let excess = if excess <= rounding { 0.0 } else { excess };
+        Self { knot, deflection, bound, mean_bound: bound, excess }
     }
 
     #[inline]
@@ -218,7 +222,7 @@ impl Walk<'_> {
     /// bound as they are: clipping them would put the bound's rounding into the springs that stick.
     fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
         if inner.slips_with(&outer) {
-            return slip_work(self.path, inner, outer);
+            return slip_work(&inner, &outer);
         }
         let (end, start);
         let (mut work, mut left, mut share) = (0.0, inner, 0.0);
@@ -226,7 +230,7 @@ impl Walk<'_> {
             share = share_at_bound(&inner, &outer, inner.side());
             end = between(self.path.surface, &inner, &outer, share);
             let at_bound = self.path.trial(&end, self.rounding);
-            work += slip_work(self.path, left, at_bound);
+            work += slip_work(&left, &at_bound);
             self.push(end);
             left = at_bound;
         }
@@ -235,11 +239,11 @@ impl Walk<'_> {
             share = share_at_bound(&inner, &outer, outer.side()).max(share);
             start = between(self.path.surface, &inner, &outer, share);
             let at_bound = self.path.trial(&start, self.rounding);
-            work += slip_work(self.path, left, at_bound);
+            work += slip_work(&left, &at_bound);
             self.push(start);
             left = at_bound;
         }
-        work + slip_work(self.path, left, outer)
+        work + slip_work(&left, &outer)
     }
 
     /// Appends a knot that is still in contact.
@@ -276,13 +280,12 @@ pub(super) fn append(row: &mut Vec<Knot>, knot: Knot, rounding: f64) {
 
 /// ∫ |u| |de| dx over an interval that slips to one side.
 #[inline(always)]
-fn slip_work(path: &Path, inner: Trial, outer: Trial) -> f64 {
+pub(super) fn slip_work(inner: &Trial, outer: &Trial) -> f64 {
     if !inner.slips() && !outer.slips() {
         return 0.0;
     }
     let interval = Interval::between(&inner.knot.place, &outer.knot.place);
-    let bounds = (path.mean_bound(inner), path.mean_bound(outer));
-    interval.slip_work(bounds, (inner.excess, outer.excess))
+    interval.slip_work((inner.mean_bound, outer.mean_bound), (inner.excess, outer.excess))
 }
 
 /// The spring at the given share (in g) of the way between two others.

@@ -204,7 +204,7 @@ impl Profile {
     /// Load integral φ(x) = ∫₀ˣ ξ g'(ξ) dξ = x g(x) − ∫₀ˣ g dξ, m².
     pub fn load_integral(&self, x: f64) -> f64 {
         match self {
-            Self::Parabola { radius } => 2.0 / 3.0 * x * x * x / radius,
+            Self::Parabola { radius } => 2.0 / 3.0 * x * (x * x / radius),
             Self::Cone { slope } => PI / 4.0 * slope.tan() * x * x,
             Self::PowerLaw { exponent: n, .. } => n / (n + 1.0) * x * self.image(x),
             Self::BluntedSphere { radius, flat_radius: b } => {
@@ -219,7 +219,7 @@ impl Profile {
     /// Square integral Q(x) = ∫₀ˣ g² dξ, m³.
     pub fn square_integral(&self, x: f64) -> f64 {
         match self {
-            Self::Parabola { radius } => x.powi(5) / (5.0 * radius * radius),
+            Self::Parabola { .. } => 0.2 * x * self.image(x).powi(2),
             Self::Cone { .. } => self.image(x).powi(2) * x / 3.0,
             Self::PowerLaw { exponent: n, .. } => self.image(x).powi(2) * x / (2.0 * n + 1.0),
             Self::BluntedSphere { radius, flat_radius: b } => {
@@ -231,6 +231,17 @@ impl Profile {
             Self::RoundedPunch { radius, flat_radius } => rounded::square_integral(x, *radius, *flat_radius),
             Self::FlatPunch { .. } => 0.0,
             Self::Table(table) => table.square_integral(x),
+        }
+    }
+
+    /// Image, load integral and square integral at one radius, which a sphere has at the price of one.
+    #[inline]
+    pub(crate) fn image_and_integrals(&self, x: f64) -> (f64, f64, f64) {
+        if let Self::Parabola { radius } = self {
+            let image = x * x / radius;
+            (image, 2.0 / 3.0 * x * image, 0.2 * x * (image * image))
+        } else {
+            (self.image(x), self.load_integral(x), self.square_integral(x))
         }
     }
 
