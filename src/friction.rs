@@ -129,6 +129,13 @@ impl Springs {
         }
     }
 
+    /// Takes the springs at `front` and outside from another row.
+    pub(crate) fn take_outer(&mut self, front: f64, other: &Self) {
+        let start = front * (1.0 - 1e-9);
+        self.knots.retain(|knot| knot.place.x < start);
+        self.knots.extend(other.knots.iter().filter(|knot| knot.place.x >= start));
+    }
+
     /// Inner edge of the outer zone in which all springs are at their bound on one side: the stick radius, m.
     pub(crate) fn stick_radius(&self, contact: &Contact, bound_slope: f64, displacement: f64) -> f64 {
         self.slip_zone(contact, bound_slope, displacement).0

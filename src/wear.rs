@@ -61,6 +61,8 @@ pub(crate) struct Steady {
     pub(crate) amount: f64,
     /// Its work, J.
     pub(crate) work: f64,
+    /// Whether it has been seen twice. A single stroke from anywhere to anywhere looks like half a cycle.
+    pub(crate) repeated: bool,
 }
 
 /// What slip has done to the surface since the profile was last updated.

@@ -249,18 +249,22 @@ impl FrettingContact {
     fn turn(&mut self) -> Result<(), Error> {
         let limit = self.update_limit();
         let last = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
-        let steady = self.steady_segment();
-        match steady {
-            Some(steady) => self.add_steady(steady)?,
+        match self.steady_segment() {
+            Some(steady) if self.is_steady(&steady) => self.add_steady(steady)?,
+            // it may be the first of many
+            Some(_) => self.close_segment()?,
             None => {
                 self.set_rhythm(None);
                 self.close_segment()?;
             }
         }
         if self.constants.wear_per_work * (self.pending_work() + last) > limit {
+            let steady = self.wear.as_ref().and_then(|wear| wear.pending.steady);
+            let stick =
+                self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
             self.update_profile()?;
-            if let Some(Steady { sliding: Sliding::Cycles(amplitude), .. }) = steady {
-                self.rest_at_reversal(amplitude);
+            if let Some(Steady { sliding: Sliding::Cycles(amplitude), repeated: true, .. }) = steady {
+                self.rest_at_reversal(amplitude, stick);
             }
         }
         Ok(())
@@ -270,6 +274,10 @@ impl FrettingContact {
     fn pending_work(&self) -> f64 {
         let Some(wear) = &self.wear else { return 0.0 };
         wear.pending.work + wear.pending.steady.map_or(0.0, |steady| steady.work)
+    }
+
+    fn take_pending_steady(&mut self) -> Option<Steady> {
+        self.wear.as_mut().and_then(|wear| wear.pending.steady.take())
     }
 
     /// Volume that may wear before the profile is updated, m³.
@@ -291,8 +299,8 @@ impl FrettingContact {
             begun => begun,
         };
         match begun {
-            Some(steady) => self.add_steady(steady)?,
-            None => self.close_segment()?,
+            Some(steady) if self.is_steady(&steady) => self.add_steady(steady)?,
+            _ => self.close_segment()?,
         }
         self.update_profile()
     }
@@ -301,8 +309,13 @@ impl FrettingContact {
     pub(super) fn close_segment(&mut self) -> Result<(), Error> {
         let Some(wear) = &self.wear else { return Ok(()) };
         if wear.segment.work > 0.0 {
-            if wear.pending.steady.is_some() {
-                self.update_under_segment()?;
+            match wear.pending.steady {
+                Some(steady) if !steady.repeated => {
+                    self.take_pending_steady();
+                    self.spread(steady);
+                }
+                Some(_) => self.update_under_segment()?,
+                None => {}
             }
             self.prepare_nodes()?;
             let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(()) };
@@ -408,7 +421,7 @@ impl FrettingContact {
     pub(super) fn update_profile(&mut self) -> Result<(), Error> {
         let old = self.surface.clone();
         let zone = self.springs.slip_zone(&self.contact, self.constants.bound_slope(), self.displacement);
-        let steady = self.wear.as_mut().and_then(|wear| wear.pending.steady.take());
+        let steady = self.take_pending_steady();
         let lived = match steady {
             None => false,
             Some(steady) => self.live_through(steady)?,

@@ -9,7 +9,7 @@ use super::history::STROKE;
 use crate::error::Error;
 use crate::friction::Springs;
 use crate::surface::{Contact, Nodes};
-use crate::wear::{Edge, Sliding, Steady, pressure_nodes};
+use crate::wear::{Edge, Pending, Sliding, Steady, pressure_nodes};
 use serde::{Deserialize, Serialize};
 
 /// How near to a steady cycle's a segment's amplitude and work have to be, relative, to be taken for one.
@@ -40,20 +40,22 @@ impl FrettingContact {
             return None;
         }
         if segment.sliding == moved.signum() {
-            return Some(Steady { sliding: Sliding::Onward, amount: moved.abs(), work });
+            return Some(Steady { sliding: Sliding::Onward, amount: moved.abs(), work, repeated: true });
         }
         let in_rhythm = self.half_cycle_in_rhythm();
         if in_rhythm.is_some() {
             return in_rhythm;
         }
         let contact = self.contact;
+        // on the unworn body nothing speaks against it
+        let repeated = self.surface.worn().is_none();
         // a quarter of a cycle dissipates a fourth of its work
         let shares = [(0.5, 0.5 * moved.abs()), (0.25, moved.abs())];
         shares.into_iter().find_map(|(amount, amplitude)| {
             let (springs, quarter_work) = self.quarter(&contact, amplitude);
             near(4.0 * amount * quarter_work, work).then(|| {
                 self.set_rhythm(Some(self.rhythm_of(contact, amplitude, &springs, quarter_work)));
-                Steady { sliding: Sliding::Cycles(amplitude), amount, work }
+                Steady { sliding: Sliding::Cycles(amplitude), amount, work, repeated }
             })
         })
     }
@@ -69,7 +71,7 @@ impl FrettingContact {
             && segment.sliding != moved.signum()
             && near(0.5 * moved.abs(), rhythm.amplitude)
             && near(work, rhythm.half_work))
-        .then_some(Steady { sliding: Sliding::Cycles(rhythm.amplitude), amount: 0.5, work })
+        .then_some(Steady { sliding: Sliding::Cycles(rhythm.amplitude), amount: 0.5, work, repeated: true })
     }
 
     /// The part of a steady half cycle that an unfinished segment is, by its work.
@@ -82,6 +84,7 @@ impl FrettingContact {
             sliding: Sliding::Cycles(rhythm.amplitude),
             amount: 0.5 * share,
             work: segment.work,
+            repeated: true,
         })
     }
 
@@ -120,6 +123,12 @@ impl FrettingContact {
         }
     }
 
+    /// Whether a segment is taken for part of a steady motion: one seen twice, or one that nothing yet speaks against.
+    pub(super) fn is_steady(&self, segment: &Steady) -> bool {
+        let pending = self.wear.as_ref().map(|wear| &wear.pending);
+        segment.repeated || pending.is_some_and(Pending::is_empty)
+    }
+
     /// Counts a steady segment, after what is pending of another kind has been worn off.
     pub(super) fn add_steady(&mut self, segment: Steady) -> Result<(), Error> {
         let Some(wear) = &self.wear else { return Ok(()) };
@@ -136,6 +145,7 @@ impl FrettingContact {
                 Some(steady) => {
                     steady.amount += segment.amount;
                     steady.work += work;
+                    steady.repeated = true;
                 }
                 none => *none = Some(Steady { work, ..segment }),
             }
@@ -144,9 +154,14 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// Wears a steady motion off by its law of time. Where that cannot be followed, on a profile that histories of another kind
-    /// have left rough at the contact edge, it becomes pending like these, for a single implicit update: `false`.
+    /// Wears a steady motion off by its law of time. What has not been seen twice, and what cannot be followed on a profile that
+    /// histories of another kind have left rough at the contact edge, becomes pending like these, for a single implicit
+    /// update: `false`.
     pub(super) fn live_through(&mut self, steady: Steady) -> Result<bool, Error> {
+        if !steady.repeated {
+            self.spread(steady);
+            return Ok(false);
+        }
         match self.wear_by(self.contact.control, steady.sliding, steady.amount, Some(steady.work)) {
             Ok(_) => Ok(true),
             Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {
@@ -158,7 +173,7 @@ impl FrettingContact {
     }
 
     /// Work per area and slip path of a steady motion at the nodes of the surface as it is.
-    fn spread(&mut self, steady: Steady) {
+    pub(super) fn spread(&mut self, steady: Steady) {
         let (contact, bound_slope) = (self.contact, self.constants.bound_slope());
         let profile = self.surface.profile();
         let stick = match steady.sliding {
@@ -202,13 +217,15 @@ impl FrettingContact {
         self.counters.descent_transforms += 1;
     }
 
-    /// Puts the springs where a steady cycle has them at its end, on a surface that has just worn.
-    pub(super) fn rest_at_reversal(&mut self, amplitude: f64) {
+    /// Puts the slipping springs where a steady cycle has them at its end, on a surface that has just worn. Those that stuck
+    /// all the time keep what they remember: the cycle need not be about the place where they are relaxed.
+    pub(super) fn rest_at_reversal(&mut self, amplitude: f64, stick_before: f64) {
         let contact = self.contact;
         let (mut springs, quarter_work) = self.quarter(&contact, amplitude);
         self.set_rhythm(Some(self.rhythm_of(contact, amplitude, &springs, quarter_work)));
+        let front = springs.stick_radius(&contact, self.constants.bound_slope(), amplitude);
         springs.moved_by(self.direction, amplitude, self.displacement);
-        self.springs = springs;
+        self.springs.take_outer(front.min(stick_before), &springs);
         self.start_segment();
     }
 
