@@ -86,8 +86,7 @@ impl FrettingContact {
     }
 
     fn wear_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
-        self.work += self.wear_by(value, Sliding::Cycles(amplitude), cycles, None)?;
-        self.contact = self.contact_at(value)?;
+        self.wear_steadily(value, Sliding::Cycles(amplitude), cycles)?;
         let contact = self.contact;
         (self.springs, _) = self.quarter(&contact, amplitude);
         self.reach = self.reach.max(self.contact.radius);

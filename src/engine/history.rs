@@ -426,21 +426,27 @@ impl FrettingContact {
             None => false,
             Some(steady) => self.live_through(steady)?,
         };
-        if !lived {
-            let Some((worn_image, depth)) = self.pending_image()? else { return Ok(()) };
-            let Some(mut nodes) = self.surface.worn().cloned() else { return Ok(()) };
-            nodes.set_worn(worn_image, depth, old.profile());
-            self.surface.set_worn(Some(nodes));
-            self.counters.descent_transforms += 1;
-            self.counters.profile_updates += 1;
-            if let Some(wear) = &mut self.wear {
-                let Pending { clipped, unplaced, .. } = wear.pending;
-                wear.pending = Pending { clipped, unplaced, ..Pending::default() };
-            }
+        if !lived && !self.update_surface()? {
+            return Ok(());
         }
         self.rest_on_new_surface(&old, zone)?;
         self.start_segment();
         Ok(())
+    }
+
+    /// Takes what is pending of unsteady motion off the surface; says whether there was any.
+    pub(super) fn update_surface(&mut self) -> Result<bool, Error> {
+        let Some((worn_image, depth)) = self.pending_image()? else { return Ok(false) };
+        let Some(mut nodes) = self.surface.worn().cloned() else { return Ok(false) };
+        nodes.set_worn(worn_image, depth, self.surface.profile());
+        self.surface.set_worn(Some(nodes));
+        self.counters.descent_transforms += 1;
+        self.counters.profile_updates += 1;
+        if let Some(wear) = &mut self.wear {
+            let Pending { clipped, unplaced, .. } = wear.pending;
+            wear.pending = Pending { clipped, unplaced, ..Pending::default() };
+        }
+        Ok(true)
     }
 
     /// Contact and springs on a surface that has worn at the present load and displacement, where the springs of a zone

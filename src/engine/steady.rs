@@ -40,7 +40,9 @@ impl FrettingContact {
             return None;
         }
         if segment.sliding == moved.signum() {
-            return Some(Steady { sliding: Sliding::Onward, amount: moved.abs(), work, repeated: true });
+            // short slides amid other strokes are not worth laying a mesh for
+            let repeated = self.surface.worn().is_none_or(|nodes| nodes.mesh().is_some());
+            return Some(Steady { sliding: Sliding::Onward, amount: moved.abs(), work, repeated });
         }
         let in_rhythm = self.half_cycle_in_rhythm();
         if in_rhythm.is_some() {
@@ -253,11 +255,11 @@ impl FrettingContact {
         self.settle()?;
         let value = self.contact.control;
         let moved = displacement - self.displacement;
-        let work = self.wear_by(value, Sliding::Onward, moved.abs(), None)?;
-        let to = self.contact_at(value)?;
+        self.wear_steadily(value, Sliding::Onward, moved.abs())?;
+        let to = self.contact;
         let (mut springs, _) = self.quarter(&to, 0.0);
         springs.follow_bound((0.0, moved.signum()), &to, self.constants.bound_slope(), displacement);
-        self.arrive(to, displacement, springs, work);
+        self.arrive(to, displacement, springs, 0.0);
         self.start_segment();
         Ok(())
     }

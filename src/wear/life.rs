@@ -12,7 +12,8 @@ use std::sync::Arc;
 /// Most steps of one call: a whole life takes some fifty.
 const MOST_STEPS: u32 = 1000;
 
-/// Most steps of what is but a small part of a life, which takes one or two.
+/// Most steps of what is but a small part of a life, which takes one or two, and on a body already worn where the mesh does not
+/// carry it.
 const MOST_STEPS_OF_AN_UPDATE: u32 = 60;
 
 /// Share of the tolerance that leaving out nodes may take of the largest image.
@@ -84,7 +85,6 @@ pub(crate) fn live(
     let cycles = amount.cycles;
     let mut left = cycles;
     let mut steps = 0;
-    let most_steps = if amount.known.is_some() { MOST_STEPS_OF_AN_UPDATE } else { MOST_STEPS };
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
@@ -98,7 +98,8 @@ pub(crate) fn live(
         // a front that has just been looked for is off by the error of laying the mesh: one step is always made
         let mut fresh = true;
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
-            if steps == most_steps {
+            let carried = patch.body.worn().is_none() && amount.known.is_none();
+            if steps >= if carried { MOST_STEPS } else { MOST_STEPS_OF_AN_UPDATE } {
                 let amplitude = motion.sliding.amplitude();
                 return Err(Error::TooMuchWear { cycles, left, amplitude, steps });
             }
