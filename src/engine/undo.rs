@@ -48,7 +48,8 @@ impl FrettingContact {
         if !alike || wear.pending.work > 0.0 || per_work * (work + steady.work) > limit {
             return None;
         }
-        wear.pending.steady = Some(Steady { amount: before.amount + steady.amount, work, ..before });
+        let amount = before.amount + steady.amount;
+        wear.pending.steady = Some(Steady { amount, work, repeated: true, ..before });
         wear.pending.unplaced = 0.0;
         let next = Segment { unslipped: take(&mut wear.spare_row), ..Segment::default() };
         let segment = replace(&mut wear.segment, next);
