@@ -6,6 +6,7 @@
 mod chunks;
 mod counters;
 mod cyclic;
+mod derivatives;
 mod history;
 mod readout;
 mod slide;
@@ -14,6 +15,7 @@ mod steady;
 mod undo;
 
 pub use counters::Counters;
+pub use derivatives::Gradient;
 pub use snapshot::Snapshot;
 
 use crate::error::Error;

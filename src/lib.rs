@@ -46,7 +46,7 @@ mod surface;
 pub mod transform;
 mod wear;
 
-pub use engine::{Counters, FrettingContact, SlipState, Snapshot};
+pub use engine::{Counters, FrettingContact, Gradient, SlipState, Snapshot};
 pub use error::Error;
 pub use material::{Elastic, Pair};
 pub use parameters::{NormalControl, Parameters};

@@ -2,7 +2,7 @@
 
 use super::{FrettingContact, SlipState};
 use crate::parameters::NormalControl;
-use crate::surface::Nodes;
+use crate::surface::{Contact, Nodes};
 use crate::transform;
 use std::f64::consts::PI;
 
@@ -124,7 +124,7 @@ impl FrettingContact {
     }
 
     /// The profile with what is pending taken off.
-    fn view(&self) -> Option<&Nodes> {
+    pub(super) fn view(&self) -> Option<&Nodes> {
         self.wear.as_ref()?;
         if self.view.get().is_none() {
             let mut copy = self.clone();
@@ -139,11 +139,15 @@ impl FrettingContact {
 
     /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn cone or flat.
     pub fn pressure_at(&self, r: f64) -> f64 {
-        let a = self.contact.radius;
+        self.pressure_in(&self.contact, r)
+    }
+
+    fn pressure_in(&self, contact: &Contact, r: f64) -> f64 {
+        let a = contact.radius;
         if r >= a {
             return 0.0;
         }
-        let jump = (self.contact.depth - self.surface.image(a)).max(0.0);
+        let jump = (contact.depth - self.surface.image(a)).max(0.0);
         let edge = if a >= self.surface.profile().outer_radius() { jump / transform::leg(a, r) } else { 0.0 };
         self.constants.normal_modulus / PI * (self.slope_integral(r, a) + edge)
     }
@@ -194,7 +198,12 @@ impl FrettingContact {
     /// Largest pressure, Pa, among the axis, the middles of even cells across the contact and the nodes of the wear;
     /// singular points are passed over, so that the value stays finite.
     pub fn max_pressure(&self) -> f64 {
-        let a = self.contact.radius;
+        self.max_pressure_in(&self.contact)
+    }
+
+    /// The same in a contact of this surface.
+    pub(super) fn max_pressure_in(&self, contact: &Contact) -> f64 {
+        let a = contact.radius;
         if a == 0.0 {
             return 0.0;
         }
@@ -202,7 +211,7 @@ impl FrettingContact {
         let even = (0..n).map(|i| a * (i as f64 + 0.5) / n as f64);
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
         let radii = std::iter::once(0.0).chain(even).chain(nodes.iter().copied());
-        radii.map(|r| self.pressure_at(r)).filter(|p| p.is_finite()).fold(0.0, f64::max)
+        radii.map(|r| self.pressure_in(contact, r)).filter(|p| p.is_finite()).fold(0.0, f64::max)
     }
 
     /// Which normal quantity is prescribed.

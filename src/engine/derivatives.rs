@@ -1,0 +1,196 @@
+//! Partial derivatives of what can be read with respect to the two inputs of a step, for masters that solve implicitly.
+//!
+//! They are those of the law in the **present sliding direction**: springs that stick keep their deflection, those of the
+//! slip zone (outside the stick radius c, at +b or −b, b = m (d − g)) follow their bound. The law is piecewise linear and
+//! turns from one piece to another at a reversal, and where the load rises so fast that the slip zone sticks, s δU < m δd
+//! (s is the side of the zone); the derivatives belong to the other side of that, s δU > m δd. Where nothing slips yet, they
+//! are those for going on as before. The profile is taken as it is: what wear does to it is slow and comes at its updates.
+//!
+//! With I = ∫ from c to a of (d − g) dx, per unit of depth and of displacement (Popov & Heß, chapters 3 and 5):
+//!
+//! | quantity | ∂/∂d | ∂/∂U |
+//! | --- | --- | --- |
+//! | F_N = 2E* ∫(d − g) dx | 2E*a | 0 |
+//! | a, where g(a) = d | 1/g'(a); 0 at the end of the body | 0 |
+//! | T = 2G* ∫u dx | 2G* m s (a − c) | 2G*c |
+//! | W | −2G* m² I | 2G* m s I |
+//! | c, where s (U − e(c)) = b(c) | m/(g'(c) (m − s e')) | −s/(g'(c) (m − s e')), e' = de/dg inside c |
+//!
+//! Under force control all of the first column is divided by ∂F_N/∂d. Where the bodies are apart everything is constant,
+//! but for the depth under depth control.
+
+use super::FrettingContact;
+use crate::surface::Contact;
+use std::f64::consts::FRAC_2_PI;
+
+/// Partial derivatives of one quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Gradient {
+    /// With respect to the prescribed normal quantity: per N or, under depth control, per m.
+    pub normal: f64,
+    /// With respect to the displacement, per m.
+    pub displacement: f64,
+}
+
+impl Gradient {
+    /// This times a factor; what is infinite there, where a front jumps, is no derivative and becomes 0.
+    fn times(self, factor: f64) -> Self {
+        let finite = |value: f64| if value.is_finite() { value } else { 0.0 };
+        Self { normal: finite(self.normal * factor), displacement: finite(self.displacement * factor) }
+    }
+}
+
+/// Relative change of the depth for the one quantity without a closed derivative.
+const STEP: f64 = 1e-6;
+
+/// Relative distance at which a radius lies inside another: at the stick radius of a worn profile the slope of the image jumps.
+const INSIDE: f64 = 1e-9;
+
+impl FrettingContact {
+    /// Gradient from derivatives with respect to depth and displacement.
+    fn gradient(&self, by_depth: f64, by_displacement: f64) -> Gradient {
+        let gradient = Gradient { normal: by_depth * self.depth_per_normal(), displacement: by_displacement };
+        gradient.times(if self.contact.is_open() { 0.0 } else { 1.0 })
+    }
+
+    /// ∂d/∂(prescribed normal quantity) of a closed contact.
+    fn depth_per_normal(&self) -> f64 {
+        if self.constants.force_control { 1.0 / self.normal_stiffness() } else { 1.0 }
+    }
+
+    /// Stick radius and side s of the slip zone for going on; s = ±1 also where that zone is still empty.
+    fn moving_zone(&self) -> (f64, f64) {
+        let onward = if self.direction < 0.0 { -1.0 } else { 1.0 };
+        let (stick, side) = self.springs.slip_zone(&self.contact, self.bound_slope, self.displacement);
+        // a zone on the side that the motion leaves comes off its bound
+        if side * onward < 0.0 { (self.contact.radius, onward) } else { (stick, onward) }
+    }
+
+    /// I = ∫ from c to a of (d − g) dx, m².
+    fn room_outside(&self, stick: f64) -> f64 {
+        if stick >= self.contact.radius {
+            return 0.0;
+        }
+        let inner = self.surface.place(stick);
+        (self.contact.load - inner.load - stick * (self.contact.depth - inner.image)).max(0.0)
+    }
+
+    /// Of [`Self::normal_reaction`].
+    pub fn normal_reaction_gradient(&self) -> Gradient {
+        self.gradient(self.normal_stiffness(), 0.0)
+    }
+
+    /// Of [`Self::indentation_depth`].
+    pub fn indentation_depth_gradient(&self) -> Gradient {
+        if self.constants.force_control {
+            self.gradient(1.0, 0.0)
+        } else {
+            Gradient { normal: 1.0, displacement: 0.0 }
+        }
+    }
+
+    /// Of [`Self::contact_radius`].
+    pub fn contact_radius_gradient(&self) -> Gradient {
+        let radius = self.contact.radius;
+        if radius >= self.surface.profile().outer_radius() {
+            return Gradient::default();
+        }
+        self.gradient(1.0 / self.surface.image_slope(radius), 0.0)
+    }
+
+    /// Of [`Self::normal_stiffness`].
+    pub fn normal_stiffness_gradient(&self) -> Gradient {
+        self.contact_radius_gradient().times(self.force_scale())
+    }
+
+    /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`].
+    pub fn tangential_force_gradient(&self) -> Gradient {
+        let (stick, side) = self.moving_zone();
+        let row = 2.0 * self.constants.tangential_modulus;
+        self.gradient(row * self.bound_slope * side * (self.contact.radius - stick), row * stick)
+    }
+
+    /// Of [`Self::stick_radius`]; 0 where the front jumps, as on a flat punch, and in gross slip.
+    pub fn stick_radius_gradient(&self) -> Gradient {
+        let (stick, side) = self.moving_zone();
+        if stick <= 0.0 {
+            return Gradient::default();
+        }
+        let knots = self.springs.knots();
+        let outer = knots.partition_point(|knot| knot.place.x < stick * (1.0 - 1e-12)).max(1);
+        let Some([inner, outer]) = knots.get(outer - 1..=outer) else { return Gradient::default() };
+        let rise = outer.place.image - inner.place.image;
+        let origin_slope = if rise > 0.0 { (outer.origin - inner.origin) / rise } else { 0.0 };
+        let per_bound = 1.0
+            / (self.surface.image_slope(stick * (1.0 - INSIDE)) * (self.bound_slope - side * origin_slope));
+        self.gradient(self.bound_slope * per_bound, -side * per_bound)
+    }
+
+    /// Of [`Self::tangential_stiffness`].
+    pub fn tangential_stiffness_gradient(&self) -> Gradient {
+        self.stick_radius_gradient().times(2.0 * self.constants.tangential_modulus)
+    }
+
+    /// Of [`Self::dissipated_energy`].
+    pub fn dissipated_energy_gradient(&self) -> Gradient {
+        let (stick, side) = self.moving_zone();
+        let limit = 2.0 * self.constants.tangential_modulus * self.bound_slope * self.room_outside(stick);
+        self.gradient(-self.bound_slope * limit, side * limit)
+    }
+
+    /// Of [`Self::wear_volume`].
+    pub fn wear_volume_gradient(&self) -> Gradient {
+        self.dissipated_energy_gradient().times(self.constants.wear_per_work)
+    }
+
+    /// Of [`Self::wear_depth`]: dw = (k/σ₀) |τ| ds at the deepest point, where a slip δ of all springs outside c moves the
+    /// surface by δ (2/π) arccos(c/r).
+    pub fn wear_depth_gradient(&self) -> Gradient {
+        let (stick, side) = self.moving_zone();
+        let rate = |r: f64| {
+            let share = if stick < r { FRAC_2_PI * (stick / r).acos() } else { 0.0 };
+            let share = if stick == 0.0 { 1.0 } else { share };
+            let traction = (side * self.shear_traction_at(r)).max(0.0);
+            if traction.is_finite() { self.constants.wear_per_work * traction * share } else { 0.0 }
+        };
+        let rate = match self.deepest() {
+            Some(r) => rate(r),
+            None => self.probe_radii().into_iter().map(rate).fold(0.0, f64::max),
+        };
+        let rate = if self.wear.is_some() { rate } else { 0.0 };
+        self.gradient(-self.bound_slope * rate, side * rate)
+    }
+
+    /// Radius of the deepest worn point, m, once something has worn.
+    fn deepest(&self) -> Option<f64> {
+        let nodes = self.view()?;
+        let deepest = nodes.depth().iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
+        (*deepest.1 > 0.0).then(|| nodes.x()[deepest.0])
+    }
+
+    /// Of [`Self::max_pressure`], by central differences in the depth: it is one of many places that move with the edge.
+    pub fn max_pressure_gradient(&self) -> Gradient {
+        let Contact { radius, depth, load, .. } = self.contact;
+        if radius == 0.0 {
+            return Gradient::default();
+        }
+        // mean approach of the contact: the depth may be small beside it where the profile is worn
+        let step = STEP * load / radius;
+        let growth = if radius >= self.surface.profile().outer_radius() {
+            0.0
+        } else {
+            1.0 / self.surface.image_slope(radius)
+        };
+        let pressure = |change: f64| {
+            let moved = Contact { depth: depth + change, radius: radius + growth * change, ..self.contact };
+            self.max_pressure_in(&moved)
+        };
+        self.gradient((pressure(step) - pressure(-step)) / (2.0 * step), 0.0)
+    }
+
+    /// Work of one cycle of this amplitude (m) at the present load and profile, J.
+    pub fn work_per_cycle(&self, amplitude: f64) -> f64 {
+        let contact = self.contact;
+        4.0 * self.clone().quarter(&contact, amplitude).1
+    }
+}
