@@ -191,12 +191,19 @@ fn derivatives_that_are_not_supported() {
     fmu.refused(fmu.set_slope("normal_force", 0, 1.0), &["derivative of normal_force", "order 0"]);
     fmu.refused(fmu.set_slope("normal_force", 1, f64::NAN), &["derivative of normal_force = NaN"]);
     fmu.refused(fmu.set_slope("wear_depth", 1, 1.0), &["derivative of wear_depth = 1.0", "not an input"]);
-    let (vr, order, mut value) = ([reference("wear_depth")], [1], [0.0]);
-    // SAFETY: the arrays have one element.
-    let status = unsafe {
-        fmi2GetRealOutputDerivatives(fmu.component, vr.as_ptr(), 1, order.as_ptr(), value.as_mut_ptr())
-    };
-    fmu.refused(status, &["fmi2GetRealOutputDerivatives", "maxOutputDerivativeOrder = 0"]);
+    let output = |name, order| fmu.output_slope(name, order).1;
+    fmu.refused(output("wear_depth", 2), &["fmi2GetRealOutputDerivatives", "wear_depth", "order 2"]);
+    fmu.refused(output("wear_depth", 0), &["wear_depth", "order 0"]);
+    fmu.refused(output("normal_force", 1), &["normal_force", "only outputs"]);
+    fmu.refused(output("pressure[1]", 1), &["pressure[1]", "only outputs"]);
+    let directional = |unknown, known, seed| fmu.directional(&[unknown], &[(known, seed)]).1;
+    let refused = |status, texts: &[&str]| fmu.refused(status, texts);
+    refused(directional("pressure[1]", "normal_force", 1.0), &["pressure[1]", "only Real outputs"]);
+    refused(directional("radius", "normal_force", 1.0), &["radius", "only Real outputs"]);
+    refused(directional("slip_state", "normal_force", 1.0), &["slip_state", "not Real"]);
+    refused(directional("tangential_force", "radius", 1.0), &["radius", "with respect to inputs"]);
+    refused(directional("tangential_force", "wear_depth", 1.0), &["wear_depth", "with respect to inputs"]);
+    refused(directional("tangential_force", "normal_force", f64::NAN), &["normal_force = NaN"]);
     assert_eq!(fmu.set_slope("frequency", 1, -2.0), OK);
     fmu.refused(fmu.do_step(0.0, -1.0), &["communicationStepSize = -1.0"]);
     fmu.refused(fmu.do_step(0.0, 1.0), &["frequency = -1.0", ">= 0.0"]);

@@ -20,8 +20,9 @@
 //! but for the depth under depth control.
 
 use super::FrettingContact;
+use crate::quadrature;
 use crate::surface::Contact;
-use std::f64::consts::FRAC_2_PI;
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Partial derivatives of one quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -192,5 +193,40 @@ impl FrettingContact {
     pub fn work_per_cycle(&self, amplitude: f64) -> f64 {
         let contact = self.contact;
         4.0 * self.clone().quarter(&contact, amplitude).1
+    }
+
+    /// Volume that one cycle of this amplitude (m) wears, m³.
+    pub fn wear_volume_per_cycle(&self, amplitude: f64) -> f64 {
+        self.constants.wear_per_work * self.work_per_cycle(amplitude)
+    }
+
+    /// Depth by which one cycle of this amplitude (m) wears the deepest point: dw/dN = 4 (kμ/σ₀) p s there, with the surface
+    /// slip s = (2/π) ∫ (U₀ − b(x))⁺ dx/√(r² − x²) from 0 to r, b = m (d − g).
+    pub fn wear_depth_per_cycle(&self, amplitude: f64) -> f64 {
+        if self.wear.is_none() || self.contact.is_open() {
+            return 0.0;
+        }
+        let per_length = self.constants.wear_per_work * self.constants.friction_coefficient;
+        let room = |x: f64| self.bound_slope * (self.contact.depth - self.surface.image(x)).max(0.0);
+        let bound_depth = self.contact.depth - amplitude / self.bound_slope;
+        let stick = if bound_depth > self.surface.tip() {
+            self.surface.radius_of_image(bound_depth, 0.0, self.contact.radius)
+        } else {
+            0.0
+        };
+        let rate = |r: f64| {
+            if r < stick || r >= self.contact.radius {
+                return 0.0;
+            }
+            let start = if r > 0.0 { (stick / r).asin() } else { 0.0 };
+            let slip = FRAC_2_PI
+                * quadrature::composite(start, FRAC_PI_2, |t| (amplitude - room(r * t.sin())).max(0.0));
+            let rate = 4.0 * per_length * self.pressure_at(r) * slip;
+            if rate.is_finite() { rate } else { 0.0 }
+        };
+        match self.deepest() {
+            Some(r) => rate(r),
+            None => self.probe_radii().into_iter().map(rate).fold(0.0, f64::max),
+        }
     }
 }

@@ -8,6 +8,7 @@
 //! | `logger` | messages to the importer |
 //! | [`variables`] | the variable table, the source of modelDescription.xml |
 //! | `settings`, [`enumerations`], `resources` | parameters as the importer sets them → [`crate::Parameters`] |
+//! | `derivatives` | of outputs: with respect to inputs and to time |
 //! | `component`, `values`, `model`, `clock`, `saved` | one instance: access by value reference, the contact, its time, its saved states |
 //! | `status`, `refusal` | what a call returns, and every reason to refuse one, with its numbers |
 //!
@@ -27,12 +28,16 @@
 //!   fmi2SetRealInputDerivatives (order 1) the target is `u + u̇·h`. Derivatives count from the communication
 //!   point at which they are set: they serve one step, after which the input stands where that step ended, so that
 //!   a step with nothing set anew stays there. A step of length zero takes the new inputs without moving time.
+//! - **Derivatives of outputs** are those of the law in the present sliding direction, one-sided where it has a kink (see
+//!   [`crate::engine::Gradient`]), at the profile as it is. Those with respect to time hold at the end of the last step, for
+//!   inputs that go on as they moved along it.
 //! - **Cyclic loading.** A step makes `h` times the mean frequency cycles; the other inputs count at its end.
 //! - **Tolerance.** The parameter `tolerance` rules; that of fmi2SetupExperiment is noted in the log only.
 #![allow(unsafe_code)]
 
 mod clock;
 mod component;
+mod derivatives;
 pub mod enumerations;
 pub mod exports;
 mod guard;

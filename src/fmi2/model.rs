@@ -17,10 +17,31 @@ pub(super) struct Staged {
     /// Time derivatives of the inputs, for the next step only; `None` where all are 0.
     pub(super) slopes: Option<Inputs>,
     pub(super) clock: Clock,
+    pub(super) last_step: LastStep,
     /// Whether the contact has been brought to its initial state with the present inputs.
     started: bool,
     /// Whether initialization is over: parameters are fixed, and inputs are targets of steps.
     initialized: bool,
+}
+
+/// The inputs between which the last step went, and its length, s.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct LastStep {
+    from: Inputs,
+    to: Inputs,
+    length: f64,
+}
+
+impl LastStep {
+    /// Rates of the inputs along it; 0 where it had no length.
+    pub(super) fn rates(&self) -> Inputs {
+        if self.length > 0.0 { self.to.rates(&self.from, self.length) } else { Inputs::ZERO }
+    }
+
+    /// Frequency, Hz, and amplitude, m, at its end.
+    pub(super) fn cycles(&self) -> (f64, f64) {
+        if self.length > 0.0 { (self.to.frequency, self.to.displacement_amplitude) } else { (0.0, 0.0) }
+    }
 }
 
 /// One contact under the importer's control.
@@ -102,6 +123,7 @@ impl Model {
     pub(super) fn begin(&mut self, resources: &Resources) -> Checked<&FrettingContact> {
         self.contact(resources)?;
         self.staged.initialized = true;
+        self.staged.last_step.to = self.staged.inputs;
         self.contact(resources)
     }
 
@@ -128,6 +150,7 @@ impl Model {
                 problem,
             )
         })?;
+        staged.last_step = LastStep { from: staged.last_step.to, to: *to, length };
         staged.clock = end;
         if let Some(inputs) = moved {
             (staged.inputs, staged.slopes) = (inputs, None);

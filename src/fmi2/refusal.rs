@@ -50,6 +50,12 @@ pub(super) enum Refusal {
     DerivativeOrder { name: String, order: i32 },
     #[error("derivative of {name} = {value:?} is refused: {requirement}")]
     Derivative { name: String, value: f64, requirement: &'static str },
+    #[error("derivative of {name}: order {order} is refused; only order 1 of outputs is supported")]
+    OutputDerivativeOrder { name: String, order: i32 },
+    #[error("{name} is refused as an unknown: only Real outputs have directional derivatives")]
+    Unknown { name: String },
+    #[error("{name} is refused as a known: derivatives are with respect to inputs")]
+    Known { name: String },
     #[error("{0} is not a log category of modelDescription.xml")]
     LogCategory(String),
     #[error("this FMU does not support it ({flag} in modelDescription.xml)")]

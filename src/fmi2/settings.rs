@@ -144,6 +144,18 @@ impl Inputs {
         }
     }
 
+    /// Rates of change over `time`, s, since `start`.
+    pub(super) fn rates(&self, start: &Self, time: f64) -> Self {
+        let rate = |end: f64, start: f64| (end - start) / time;
+        Self {
+            normal_force: rate(self.normal_force, start.normal_force),
+            indentation: rate(self.indentation, start.indentation),
+            tangential_displacement: rate(self.tangential_displacement, start.tangential_displacement),
+            displacement_amplitude: rate(self.displacement_amplitude, start.displacement_amplitude),
+            frequency: rate(self.frequency, start.frequency),
+        }
+    }
+
     /// The quantity that `control` prescribes, N or m.
     pub(super) fn normal(&self, control: NormalControl) -> f64 {
         match control {

@@ -34,17 +34,17 @@ impl Asked {
 
 /// The variable table. Calls fetch it once, since even that costs a check each time.
 #[derive(Clone, Copy)]
-struct Table(&'static [Variable]);
+pub(super) struct Table(&'static [Variable]);
 
 impl Table {
     #[inline]
-    fn get() -> Self {
+    pub(super) fn get() -> Self {
         Self(variables())
     }
 
     /// The variable with this reference, if it is of the type asked for.
     #[inline]
-    fn find(self, reference: u32, asked: Asked) -> Checked<&'static Variable> {
+    pub(super) fn find(self, reference: u32, asked: Asked) -> Checked<&'static Variable> {
         match self.0.get(reference as usize) {
             Some(variable) if asked.fits(&variable.data_type) => Ok(variable),
             found => Err(not_found(found, reference, asked)),
@@ -53,7 +53,7 @@ impl Table {
 
     /// Access to a variable that [`Self::find`] has found before.
     #[inline]
-    fn access(self, reference: u32) -> Access {
+    pub(super) fn access(self, reference: u32) -> Access {
         self.0[reference as usize].access
     }
 }
@@ -144,7 +144,7 @@ impl Component {
             value.write(match (table.access(reference), contact) {
                 (Access::Input(field), _) => *field(&mut staged.inputs),
                 (Access::Parameter(field), _) => *field(&mut staged.settings),
-                (Access::Output(read), Some(contact)) => read(contact),
+                (Access::Output(output), Some(contact)) => (output.read)(contact),
                 (Access::Field { probe, read }, Some(contact)) => {
                     let radii = radii.get_or_insert_with(|| contact.probe_radii());
                     read(contact, radii[probe])

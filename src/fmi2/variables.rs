@@ -5,7 +5,7 @@ mod table;
 
 use super::enumerations::Enumeration;
 use super::settings::{Inputs, Settings};
-use crate::engine::{FrettingContact, SlipState};
+use crate::engine::{FrettingContact, Gradient, SlipState};
 use std::borrow::Cow;
 use std::ffi::CString;
 use std::fmt;
@@ -141,13 +141,22 @@ pub(super) enum Access {
     /// An Integer or Enumeration parameter.
     Number(fn(&mut Settings) -> &mut i32),
     Text(fn(&mut Settings) -> &mut CString),
-    Output(fn(&FrettingContact) -> f64),
+    Output(Output),
     Slip(fn(&FrettingContact) -> SlipState),
     /// The value of a field at one of the probe radii.
     Field {
         probe: usize,
         read: fn(&FrettingContact, f64) -> f64,
     },
+}
+
+/// How a real output is computed, and how it follows the inputs.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Output {
+    pub(super) read: fn(&FrettingContact) -> f64,
+    pub(super) gradient: fn(&FrettingContact) -> Gradient,
+    /// What a cycle of a given amplitude (m) adds, for outputs that grow with the cycles of cyclic loading.
+    pub(super) per_cycle: Option<fn(&FrettingContact, f64) -> f64>,
 }
 
 /// A start value as modelDescription.xml writes it.

@@ -209,6 +209,41 @@ impl Fmu {
             fmi2SetRealInputDerivatives(self.component, reference.as_ptr(), 1, order.as_ptr(), value.as_ptr())
         }
     }
+    /// Directional derivatives of `unknowns` for a seed.
+    pub(crate) fn directional(&self, unknowns: &[&str], seed: &[(&str, f64)]) -> (Vec<f64>, fmi2Status) {
+        let unknown: Vec<u32> = unknowns.iter().map(|name| reference(name)).collect();
+        let known: Vec<u32> = seed.iter().map(|(name, _)| reference(name)).collect();
+        let seed: Vec<f64> = seed.iter().map(|(_, value)| *value).collect();
+        let mut result = vec![f64::NAN; unknown.len()];
+        // SAFETY: see above.
+        let status = unsafe {
+            fmi2GetDirectionalDerivative(
+                self.component,
+                unknown.as_ptr(),
+                unknown.len(),
+                known.as_ptr(),
+                known.len(),
+                seed.as_ptr(),
+                result.as_mut_ptr(),
+            )
+        };
+        (result, status)
+    }
+    /// A time derivative of an output.
+    pub(crate) fn output_slope(&self, name: &str, order: i32) -> (f64, fmi2Status) {
+        let (reference, order, mut value) = ([reference(name)], [order], [f64::NAN]);
+        // SAFETY: see above.
+        let status = unsafe {
+            fmi2GetRealOutputDerivatives(
+                self.component,
+                reference.as_ptr(),
+                1,
+                order.as_ptr(),
+                value.as_mut_ptr(),
+            )
+        };
+        (value[0], status)
+    }
     pub(crate) fn get_string(&self, name: &str) -> String {
         let (reference, mut value) = ([reference(name)], [null()]);
         // SAFETY: see above; the string is copied before the next call.

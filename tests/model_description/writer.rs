@@ -45,13 +45,13 @@ fn content(xml: &mut Xml) -> io::Result<()> {
             ("modelIdentifier", MODEL_IDENTIFIER),
             ("canHandleVariableCommunicationStepSize", "true"),
             ("canInterpolateInputs", "true"),
-            ("maxOutputDerivativeOrder", "0"),
+            ("maxOutputDerivativeOrder", "1"),
             ("canRunAsynchronuously", "false"),
             ("canBeInstantiatedOnlyOncePerProcess", "false"),
             ("canNotUseMemoryManagementFunctions", "true"),
             ("canGetAndSetFMUstate", "true"),
             ("canSerializeFMUstate", "false"),
-            ("providesDirectionalDerivative", "false"),
+            ("providesDirectionalDerivative", "true"),
         ])
         .write_empty()?;
     xml.create_element("UnitDefinitions").write_inner_content(units)?;

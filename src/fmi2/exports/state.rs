@@ -1,7 +1,7 @@
 //! Saved states and directional derivatives.
 
 use super::conforming;
-use crate::fmi2::guard::{enter, out};
+use crate::fmi2::guard::{array, array_out, enter, out};
 use crate::fmi2::lifecycle::{self, Call};
 use crate::fmi2::refusal::Refusal;
 use fmi_sys::fmi2::{fmi2Byte, fmi2Component, fmi2FMUstate, fmi2Real, fmi2Status, fmi2ValueReference};
@@ -106,22 +106,30 @@ pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     unsafe { unsupported(c, &lifecycle::DE_SERIALIZE_FMU_STATE, SERIALIZE) }
 }
 
-/// Not supported, as modelDescription.xml says.
+/// Derivatives of outputs with respect to inputs, times a seed.
 ///
 /// # Safety
 /// See the [module](super).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
     c: fmi2Component,
-    _unknowns: *const fmi2ValueReference,
-    _n_unknown: usize,
-    _knowns: *const fmi2ValueReference,
-    _n_known: usize,
-    _dv_known: *const fmi2Real,
-    _dv_unknown: *mut fmi2Real,
+    unknowns: *const fmi2ValueReference,
+    n_unknown: usize,
+    knowns: *const fmi2ValueReference,
+    n_known: usize,
+    dv_known: *const fmi2Real,
+    dv_unknown: *mut fmi2Real,
 ) -> fmi2Status {
     // SAFETY: by this function's contract.
-    unsafe { unsupported(c, &lifecycle::GET_DIRECTIONAL_DERIVATIVE, "providesDirectionalDerivative = false") }
+    unsafe {
+        enter(c, &lifecycle::GET_DIRECTIONAL_DERIVATIVE, |component| {
+            let unknowns = array("vUnknown_ref", unknowns, n_unknown)?;
+            let knowns = array("vKnown_ref", knowns, n_known)?;
+            let seed = array("dvKnown", dv_known, n_known)?;
+            let results = array_out("dvUnknown", dv_unknown, n_unknown)?;
+            component.directional_derivative(unknowns, (knowns, seed), results)
+        })
+    }
 }
 
 const SERIALIZE: &str = "canSerializeFMUstate = false";

@@ -43,7 +43,7 @@ pub unsafe extern "C" fn fmi2SetRealInputDerivatives(
     }
 }
 
-/// Not supported, as modelDescription.xml says; only an empty list succeeds.
+/// First time derivatives of outputs at the end of the last step.
 ///
 /// # Safety
 /// See the [module](super).
@@ -57,13 +57,9 @@ pub unsafe extern "C" fn fmi2GetRealOutputDerivatives(
 ) -> fmi2Status {
     // SAFETY: by this function's contract.
     unsafe {
-        enter(c, &lifecycle::GET_REAL_OUTPUT_DERIVATIVES, |_| {
-            array_out("value", value, nvr)?;
-            array("order", order, nvr)?;
-            if array("vr", vr, nvr)?.is_empty() {
-                return Ok(());
-            }
-            Err(Refusal::Unsupported { flag: "maxOutputDerivativeOrder = 0" }.into())
+        enter(c, &lifecycle::GET_REAL_OUTPUT_DERIVATIVES, |component| {
+            let (references, orders) = (array("vr", vr, nvr)?, array("order", order, nvr)?);
+            component.output_derivatives(references, orders, array_out("value", value, nvr)?)
         })
     }
 }

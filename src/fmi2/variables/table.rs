@@ -1,6 +1,6 @@
 //! The rows.
 
-use super::{Access, DataType, PROBES, Range, UNITS, Unit, Variable};
+use super::{Access, DataType, Output, PROBES, Range, UNITS, Unit, Variable};
 use crate::engine::{FrettingContact, SlipState};
 use crate::fmi2::enumerations::{Enumeration, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
@@ -72,37 +72,45 @@ fn inputs() -> Vec<Variable> {
 }
 
 fn outputs() -> Vec<Variable> {
+    type C = FrettingContact;
+    let follows = |read, gradient| Output { read, gradient, per_cycle: None };
+    let grows = |read, gradient, per_cycle| Output { read, gradient, per_cycle: Some(per_cycle) };
+    let (volume, depth, work) = (
+        grows(C::wear_volume, C::wear_volume_gradient, C::wear_volume_per_cycle),
+        grows(C::wear_depth, C::wear_depth_gradient, C::wear_depth_per_cycle),
+        grows(C::dissipated_energy, C::dissipated_energy_gradient, C::work_per_cycle),
+    );
+    let force = follows(C::tangential_force, C::tangential_force_gradient);
+    let reaction = follows(C::normal_reaction, C::normal_reaction_gradient);
+    let indentation = follows(C::indentation_depth, C::indentation_depth_gradient);
+    let radius = follows(C::contact_radius, C::contact_radius_gradient);
+    let stick = follows(C::stick_radius, C::stick_radius_gradient);
+    let pressure = follows(C::max_pressure, C::max_pressure_gradient);
+    let tangential = follows(C::tangential_stiffness, C::tangential_stiffness_gradient);
+    let normal = follows(C::normal_stiffness, C::normal_stiffness_gradient);
     vec![
-        output("tangential_force", "N", 10.0, Range::FINITE, &[], FrettingContact::tangential_force)
+        output("tangential_force", "N", 10.0, Range::FINITE, &[], force)
             .about("Tangential force that body 1 exerts on body 2; in cyclic loading its amplitude"),
-        output("wear_volume", "m3", 1e-15, Range::NOT_NEGATIVE, &[], FrettingContact::wear_volume)
+        output("wear_volume", "m3", 1e-15, Range::NOT_NEGATIVE, &[], volume)
             .about("Worn volume, accumulated"),
-        output("wear_depth", "m", 1e-6, Range::NOT_NEGATIVE, &[], FrettingContact::wear_depth)
+        output("wear_depth", "m", 1e-6, Range::NOT_NEGATIVE, &[], depth)
             .about("Deepest point of the wear, accumulated"),
-        output("dissipated_energy", "J", 1e-6, Range::NOT_NEGATIVE, &[], FrettingContact::dissipated_energy)
+        output("dissipated_energy", "J", 1e-6, Range::NOT_NEGATIVE, &[], work)
             .about("Work of friction, accumulated"),
-        output("normal_reaction", "N", 100.0, Range::NOT_NEGATIVE, NORMAL, FrettingContact::normal_reaction)
+        output("normal_reaction", "N", 100.0, Range::NOT_NEGATIVE, NORMAL, reaction)
             .about("Normal force that the contact carries"),
-        output("indentation_depth", "m", 1e-6, Range::FINITE, NORMAL, FrettingContact::indentation_depth)
+        output("indentation_depth", "m", 1e-6, Range::FINITE, NORMAL, indentation)
             .about("Indentation depth of the unworn tip"),
-        output("contact_radius", "m", 1e-4, Range::NOT_NEGATIVE, NORMAL, FrettingContact::contact_radius)
+        output("contact_radius", "m", 1e-4, Range::NOT_NEGATIVE, NORMAL, radius)
             .about("Radius of the contact"),
-        output("stick_radius", "m", 1e-4, Range::NOT_NEGATIVE, FRICTION, FrettingContact::stick_radius)
+        output("stick_radius", "m", 1e-4, Range::NOT_NEGATIVE, FRICTION, stick)
             .about("Radius of the sticking part: 0 in gross slip, contact_radius in full stick"),
-        output("max_pressure", "Pa", 1e9, Range::NOT_NEGATIVE, NORMAL, FrettingContact::max_pressure)
+        output("max_pressure", "Pa", 1e9, Range::NOT_NEGATIVE, NORMAL, pressure)
             .about("Highest contact pressure"),
-        output(
-            "tangential_stiffness",
-            "N/m",
-            1e7,
-            Range::FINITE,
-            FRICTION,
-            FrettingContact::tangential_stiffness,
-        )
-        .about(
+        output("tangential_stiffness", "N/m", 1e7, Range::FINITE, FRICTION, tangential).about(
             "Change of tangential_force with the displacement, at the present state in the present direction",
         ),
-        output("normal_stiffness", "N/m", 1e7, Range::FINITE, NORMAL, FrettingContact::normal_stiffness)
+        output("normal_stiffness", "N/m", 1e7, Range::FINITE, NORMAL, normal)
             .about("Change of normal_reaction with the indentation depth"),
         slip("slip_state", FRICTION, FrettingContact::slip_state).about("Which part of the contact slips"),
     ]
@@ -202,10 +210,10 @@ fn output(
     nominal: f64,
     range: Range,
     initial_dependencies: &'static [&'static str],
-    read: fn(&FrettingContact) -> f64,
+    output: Output,
 ) -> Variable {
     let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: Some(nominal), range };
-    Variable { initial_dependencies, ..variable(name, data_type, Access::Output(read)) }
+    Variable { initial_dependencies, ..variable(name, data_type, Access::Output(output)) }
 }
 
 fn slip(

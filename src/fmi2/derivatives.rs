@@ -1,0 +1,131 @@
+//! Derivatives of outputs: with respect to inputs, and with respect to time.
+//!
+//! Those of the engine ([`crate::engine::FrettingContact::tangential_force_gradient`] and its like) in the present sliding
+//! direction, with the profile as it is. In cyclic loading the displacement is the amplitude, and what accumulates does not
+//! follow the inputs but grows with the cycles. Before the end of the initialization the contact is pressed anew wherever it
+//! stands, so that nothing depends on the displacement.
+
+use super::component::Component;
+use super::enumerations::Loading;
+use super::refusal::{Checked, Refusal};
+use super::settings::Inputs;
+use super::values::{Asked, Table};
+use super::variables::{Access, Output, Variable};
+use crate::engine::FrettingContact;
+use core::mem::MaybeUninit;
+
+/// How the inputs change, per unit of whatever they change with.
+struct Change {
+    normal: f64,
+    displacement: f64,
+    loading: Loading,
+}
+
+impl Change {
+    fn of(&self, output: &Output, contact: &FrettingContact) -> f64 {
+        if self.normal == 0.0 && self.displacement == 0.0
+            || self.loading == Loading::Cyclic && output.per_cycle.is_some()
+        {
+            return 0.0;
+        }
+        let gradient = (output.gradient)(contact);
+        gradient.normal * self.normal + gradient.displacement * self.displacement
+    }
+}
+
+/// The outputs behind a list of references.
+fn outputs<'a>(references: &'a [u32], refuse: impl Fn(&Variable) -> Refusal + 'a) -> Checked<Vec<Output>> {
+    let table = Table::get();
+    let find = |reference: &u32| match table.find(*reference, Asked::Real)? {
+        Variable { access: Access::Output(output), .. } => Ok(*output),
+        other => Err(refuse(other).into()),
+    };
+    references.iter().map(find).collect()
+}
+
+impl Component {
+    /// fmi2GetDirectionalDerivative: `results` = ∂unknowns/∂knowns · `seed`.
+    pub(super) fn directional_derivative(
+        &mut self,
+        unknowns: &[u32],
+        (knowns, seed): (&[u32], &[f64]),
+        results: &mut [MaybeUninit<f64>],
+    ) -> Checked {
+        let refuse = |variable: &Variable| Refusal::Unknown { name: variable.name.to_string() };
+        let outputs = outputs(unknowns, refuse)?;
+        let mut change = Inputs::ZERO;
+        for (&reference, &value) in knowns.iter().zip(seed) {
+            let variable = Table::get().find(reference, Asked::Real)?;
+            let name = || variable.name.to_string();
+            let Access::Input(field) = variable.access else {
+                return Err(Refusal::Known { name: name() }.into());
+            };
+            if !value.is_finite() {
+                let requirement = "give a finite number";
+                return Err(Refusal::Derivative { name: name(), value, requirement }.into());
+            }
+            *field(&mut change) += value;
+        }
+        self.model.contact(&self.resources)?;
+        let initialized = self.model.is_initialized();
+        let change = self.change(&change, if initialized { 1.0 } else { 0.0 });
+        if let (Some(contact), _) = self.model.parts() {
+            for (output, result) in outputs.iter().zip(results) {
+                result.write(change.of(output, contact));
+            }
+        }
+        Ok(())
+    }
+
+    /// fmi2GetRealOutputDerivatives: how outputs change at the end of the last step, along which the inputs moved evenly.
+    pub(super) fn output_derivatives(
+        &mut self,
+        references: &[u32],
+        orders: &[i32],
+        values: &mut [MaybeUninit<f64>],
+    ) -> Checked {
+        let requirement = "only outputs have derivatives";
+        let refuse =
+            |variable: &Variable| Refusal::Text { name: variable.name.to_string(), problem: requirement };
+        let outputs = outputs(references, refuse)?;
+        for (&reference, &order) in references.iter().zip(orders) {
+            if order != 1 {
+                let name = Table::get().find(reference, Asked::Real)?.name.to_string();
+                return Err(Refusal::OutputDerivativeOrder { name, order }.into());
+            }
+        }
+        let rates = self.model.staged().last_step.rates();
+        let (frequency, amplitude) = self.model.staged().last_step.cycles();
+        let change = self.change(&rates, 1.0);
+        if let (Some(contact), _) = self.model.parts() {
+            for (output, value) in outputs.iter().zip(values) {
+                value.write(match output.per_cycle {
+                    Some(per_cycle) if change.loading == Loading::Cyclic => {
+                        if frequency > 0.0 {
+                            frequency * per_cycle(contact, amplitude)
+                        } else {
+                            0.0
+                        }
+                    }
+                    _ => change.of(output, contact),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// What a change of the inputs means for the contact; its displacement counts by `share`.
+    fn change(&mut self, change: &Inputs, share: f64) -> Change {
+        let settings = &self.model.staged().settings;
+        let loading = settings.loading();
+        let displacement = match loading {
+            Loading::Transient => change.tangential_displacement,
+            Loading::Cyclic => change.displacement_amplitude,
+        };
+        Change {
+            normal: change.normal(settings.normal_control()),
+            displacement: share * displacement,
+            loading,
+        }
+    }
+}
