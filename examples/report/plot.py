@@ -1,4 +1,4 @@
-"""Draws reports/error_against_time.{svg,png} from the CSV of the same name: one panel per problem."""
+"""Draws the pictures of the reports from their CSV files: error_against_time and stability, each as SVG and PNG."""
 
 import csv
 import sys
@@ -14,24 +14,50 @@ import matplotlib.pyplot as plt
 
 # Okabe–Ito: told apart with every common colour blindness
 COLOURS = ["#0072B2", "#56B4E9", "#009E73", "#E69F00"]
-OTHERS = {"published": ("#D55E00", "s"), "plain spring row": ("#CC79A7", "^"), "engine": ("#0072B2", "o")}
+OTHERS = {
+    "published": ("#D55E00", "s"),
+    "plain spring row": ("#CC79A7", "^"),
+    "boundary elements": ("#000000", "D"),
+    "engine": ("#0072B2", "o"),
+}
+OUTCOMES = {"passed": ("#0072B2", "o"), "refused": ("#E69F00", "D"), "failed": ("#D55E00", "X")}
+FLOOR, CEILING = 1e-12, 1e3  # of the shares that the stability picture shows
 
 
-def read(path):
-    """{problem: {series: [(error, seconds, least, most)]}}; the engine's series are its resolutions."""
-    problems = defaultdict(lambda: defaultdict(list))
+def rows(path):
     with open(path, newline="", encoding="utf-8") as file:
-        for row in csv.DictReader(file):
-            series = row["method"]
-            if series == "engine" and row["settings"].startswith("resolution"):
-                series = "engine, " + row["settings"].split(",")[0]
-            point = [float(row[name]) for name in ("error", "seconds", "seconds_least", "seconds_most")]
-            if point[0] > 0:  # refused points have no error
-                problems[row["problem"]][series].append(point)
-    return problems
+        yield from csv.DictReader(file)
 
 
-def draw(axes, title, series):
+def save(figure, path):
+    for ending in ("svg", "png"):
+        metadata = {"Date": None} if ending == "svg" else None
+        figure.savefig(path.with_suffix(f".{ending}"), dpi=110, metadata=metadata)
+    plt.close(figure)
+
+
+def series_of(row):
+    """The engine's points form a line per resolution where a tolerance goes with it, else one line; tables one per settings."""
+    parts = row["settings"].split(", ")
+    if row["method"] != "engine" or not any(part.startswith("tolerance") for part in parts):
+        return row["method"]
+    return "engine, " + ", ".join(parts[1:] if len(parts) > 2 else parts[:1])
+
+
+def read_points(path):
+    """{problem: {series: [(error, seconds, least, most)]}}, {problem: error of the truth}."""
+    problems, truths = defaultdict(lambda: defaultdict(list)), {}
+    for row in rows(path):
+        truths[row["problem"]] = float(row["truth_error"])
+        point = [float(row[name]) for name in ("error", "seconds", "seconds_least", "seconds_most")]
+        if point[0] > 0:  # refused points have no error
+            problems[row["problem"]][series_of(row)].append(point)
+    return problems, truths
+
+
+def draw_points(axes, title, series, truth):
+    if truth > 0:
+        axes.axvline(truth, color="#888888", lw=1, ls=":", label="error of the truth itself")
     shade = iter(COLOURS)
     for name, points in series.items():
         colour, marker = OTHERS[name] if name in OTHERS else (next(shade, "#222222"), "o")
@@ -45,17 +71,45 @@ def draw(axes, title, series):
     axes.legend(fontsize=6.5, frameon=False)
 
 
-def main(folder):
-    problems = read(folder / "error_against_time.csv")
-    rows = (len(problems) + 1) // 2
-    figure, panels = plt.subplots(rows, 2, figsize=(10, 3.4 * rows), constrained_layout=True, squeeze=False)
+def error_against_time(folder):
+    problems, truths = read_points(folder / "error_against_time.csv")
+    lines = (len(problems) + 1) // 2
+    figure, panels = plt.subplots(lines, 2, figsize=(10, 3.4 * lines), constrained_layout=True, squeeze=False)
     for axes in panels.flat[len(problems) :]:
         axes.set_visible(False)
     for axes, (title, series) in zip(panels.flat, problems.items()):
-        draw(axes, title, series)
-    for ending in ("svg", "png"):
-        metadata = {"Date": None} if ending == "svg" else None
-        figure.savefig(folder / f"error_against_time.{ending}", dpi=110, metadata=metadata)
+        draw_points(axes, title, series, truths[title])
+    save(figure, folder / "error_against_time")
+
+
+def stability(folder):
+    """Each scene at what came nearest to its bound, over that bound; scenes of one kind side by side."""
+    scenes = list(rows(folder / "stability.csv"))
+    figure, axes = plt.subplots(figsize=(12, 5.2), constrained_layout=True)
+    axes.axhspan(1, CEILING, color="#D55E00", alpha=0.08, lw=0)
+    axes.axhline(1, color="#D55E00", lw=1)
+    for outcome, (colour, marker) in OUTCOMES.items():
+        points = [(i, float(scene["share"])) for i, scene in enumerate(scenes) if scene["outcome"] == outcome]
+        if points:
+            x, share = zip(*points)
+            y = [min(max(s, FLOOR), CEILING) if s == s else CEILING for s in share]
+            axes.plot(x, y, marker, color=colour, ms=4.5, ls="", clip_on=False, label=f"{outcome}: {len(points)}")
+    starts = [i for i, scene in enumerate(scenes) if i == 0 or scene["scene"] != scenes[i - 1]["scene"]]
+    for left, right in zip(starts, [*starts[1:], len(scenes)]):
+        axes.axvline(left - 0.5, color="#dddddd", lw=0.6, zorder=0)
+        axes.text((left + right - 1) / 2, FLOOR * 0.25, scenes[left]["scene"], rotation=60, ha="right", va="top", fontsize=7)
+    axes.set(yscale="log", ylim=(FLOOR * 0.4, CEILING), xlim=(-0.5, len(scenes) - 0.5), xticks=[])
+    axes.set_ylabel("worst invariant / its bound")
+    axes.set_title("Each scene at its worst invariant; lowest row: nothing seen; top: far beyond, or not done in time", fontsize=9)
+    axes.grid(True, axis="y", color="#eeeeee", lw=0.6)
+    axes.legend(fontsize=8, loc="upper right", ncols=3)
+    save(figure, folder / "stability")
+
+
+def main(folder):
+    for draw in (error_against_time, stability):
+        if (folder / f"{draw.__name__}.csv").exists():
+            draw(folder)
 
 
 if __name__ == "__main__":

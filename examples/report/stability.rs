@@ -5,6 +5,7 @@
 //! `… -- --only "shape, flat punch"` runs the scenes whose name holds that text, here, and prints every invariant.
 
 mod judge;
+mod machine;
 mod scenes;
 
 use judge::{Finding, Judge};
@@ -56,9 +57,10 @@ fn main() -> std::io::Result<()> {
     let folder = PathBuf::from(arguments.first().map_or("reports", String::as_str));
     std::fs::create_dir_all(&folder)?;
     let mut lines = Vec::new();
-    for (index, scene) in scenes::all().iter().enumerate() {
+    let scenes = scenes::all();
+    for (index, scene) in scenes.iter().enumerate() {
         let line = run(index, scene)?;
-        println!("{}", row(&line));
+        println!("{}/{} {}", index + 1, scenes.len(), row(&line));
         lines.push(line);
     }
     std::fs::write(folder.join("stability.csv"), csv(&lines))?;
@@ -136,7 +138,8 @@ fn run_here(index: usize) {
     let outcome = (scene.run)(&mut judge);
     if let Some(worst) = judge.worst() {
         let Finding { invariant, seen, allowed } = worst;
-        println!("{invariant}\t{seen:e}\t{allowed:e}\t{}\t{}", worst.broken(), judge.states);
+        let (broken, share) = (worst.broken(), worst.share());
+        println!("{invariant}\t{seen:e}\t{allowed:e}\t{broken}\t{}\t{share:e}", judge.states);
     } else {
         println!();
     }
@@ -151,6 +154,8 @@ struct Judged {
     allowed: String,
     broken: bool,
     states: u64,
+    /// What was seen in what is allowed.
+    share: String,
 }
 
 impl Judged {
@@ -158,7 +163,8 @@ impl Judged {
         let mut cells = line.split('\t').map(String::from);
         let mut next = || cells.next().unwrap_or_default();
         let (worst, seen, allowed) = (next(), next(), next());
-        Self { worst, seen, allowed, broken: next() == "true", states: next().parse().unwrap_or(0) }
+        let (broken, states) = (next() == "true", next().parse().unwrap_or(0));
+        Self { worst, seen, allowed, broken, states, share: next() }
     }
 }
 
@@ -192,13 +198,20 @@ fn row(line: &Line) -> String {
 }
 
 fn csv(lines: &[Line]) -> String {
-    let mut text = String::from("scene,extreme,outcome,invariant,seen,allowed,states,seconds\n");
+    let mut text =
+        String::from("scene,extreme,outcome,message,invariant,seen,allowed,share,states,seconds\n");
     for line in lines {
         let quoted = |cell: &str| format!("\"{}\"", cell.replace('"', "\"\""));
-        let Judged { worst, seen, allowed, states, .. } = &line.judged;
-        let cells = [&line.name, &line.extreme, &line.outcome(), worst].map(|cell| quoted(cell)).join(",");
+        let Judged { worst, seen, allowed, states, share, .. } = &line.judged;
+        let (outcome, message) = match &line.outcome {
+            Outcome::Passed => ("passed", ""),
+            Outcome::Refused(message) => ("refused", message.as_str()),
+            Outcome::Failed(what) => ("failed", what.as_str()),
+        };
+        let cells = [&line.name, &line.extreme, outcome, message, worst].map(quoted).join(",");
+        let share = if share.is_empty() { "nan" } else { share };
         let seconds = line.time.as_secs_f64();
-        let _ = writeln!(text, "{cells},{seen},{allowed},{states},{seconds:.3}");
+        let _ = writeln!(text, "{cells},{seen},{allowed},{share},{states},{seconds:.3}");
     }
     text
 }
@@ -232,7 +245,8 @@ fn page(lines: &[Line]) -> String {
         judge::SPLIT_WITHOUT_WEAR,
         LIMIT.as_secs()
     );
-    text += "Most scenes run the same short life at the extreme named: loops with wear, swings of load, cycles in one \
+    text += "![Each scene at its worst invariant over that bound](stability.svg)\n\n\
+             Most scenes run the same short life at the extreme named: loops with wear, swings of load, cycles in one \
              call, separation, a slide. All are in `examples/report/scenes.rs`.\n\n";
     text += "| scene | extreme | outcome | worst | states | time |\n| --- | --- | --- | --- | --- | --- |\n";
     // what went wrong first
@@ -247,5 +261,6 @@ fn page(lines: &[Line]) -> String {
         text += &row(line);
         text.push('\n');
     }
+    let _ = writeln!(text, "\n{}", machine::provenance());
     text
 }
