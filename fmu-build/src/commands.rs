@@ -81,11 +81,14 @@ impl Setup<'_> {
         Ok(())
     }
 
-    /// Runs the extreme scenes and the error against run time, and draws the latter.
+    /// Measures what the pages under `reports` say, and draws their pictures: some five minutes, each scene within its budget.
     pub(crate) fn report(&self) -> Result<()> {
-        for (title, example) in
-            [("Stability of extreme scenes", "stability"), ("Error against run time", "precision")]
-        {
+        self.report_script("Independent solution", "independent.py")?;
+        for (title, example) in [
+            ("What a scene leaves out", "left_out"),
+            ("Stability of extreme scenes", "stability"),
+            ("Error against run time", "precision"),
+        ] {
             progress::shown(title, || {
                 let mut cargo = self.cargo("run");
                 cargo.args([
@@ -99,13 +102,19 @@ impl Setup<'_> {
                 run_shown(cargo)
             })?;
         }
-        progress::shown("Pictures", || {
-            let mut plot = self.venv.python();
-            plot.args(["examples/report/plot.py", "reports"]);
-            run_shown(plot)
-        })?;
+        self.report_script("Pictures", "plot.py")?;
         eprintln!("Reports: {}", self.workspace.file("reports").display());
         Ok(())
+    }
+
+    /// Runs a script of the reports on their folder.
+    fn report_script(&self, title: &str, script: &str) -> Result<()> {
+        progress::shown(title, || {
+            let mut python = self.venv.python();
+            python.args([&format!("examples/report/{script}"), "reports"]);
+            python.env("MPLBACKEND", "Agg");
+            run_shown(python)
+        })
     }
 
     /// Runs the tests of Rust and Python, the second also after a failure of the first.

@@ -39,6 +39,7 @@ pub(crate) fn all() -> (Vec<Point>, Vec<Told>) {
     let gross_slip = [Problem::flat_punch_in_gross_slip(), Problem::sphere_in_gross_slip()];
     let (mut points, mut told) = (Vec::new(), Vec::new());
     for problem in Problem::published().into_iter().chain(gross_slip) {
+        println!("  {} …", problem.name);
         let about = |truth: String, own| Told {
             problem: problem.name.clone(),
             of: "worn profile at the end, largest error in d₀",
