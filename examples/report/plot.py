@@ -1,4 +1,4 @@
-"""Draws the pictures of the reports from their CSV files: error_against_time and stability, each as SVG and PNG."""
+"""Draws the pictures of the reports from their CSV files, each as SVG and PNG: error_against_time, stability, coupling."""
 
 import csv
 import sys
@@ -39,6 +39,8 @@ def save(figure, path):
 def series_of(row):
     """The engine's points form a line per resolution where a tolerance goes with it, else one line; tables one per settings."""
     parts = row["settings"].split(", ")
+    if parts[-1].endswith("a period"):  # a line per master
+        return "engine, " + parts[0]
     if row["method"] != "engine" or not any(part.startswith("tolerance") for part in parts):
         return row["method"]
     return "engine, " + ", ".join(parts[1:] if len(parts) > 2 else parts[:1])
@@ -106,8 +108,29 @@ def stability(folder):
     save(figure, folder / "stability")
 
 
+def coupling(folder):
+    """Error of the work by hω, a panel per master, a line per coupling stiffness."""
+    runs = defaultdict(lambda: defaultdict(list))
+    for row in rows(folder / "coupling.csv"):
+        error = abs(float(row["work_error"])) if row["stable"] == "true" else float("nan")
+        runs[row["master"]][float(row["k_over_2Ga"])].append((float(row["h_omega"]), error))
+    figure, panels = plt.subplots(1, len(runs), figsize=(3.2 * len(runs), 3.4), sharey=True, constrained_layout=True)
+    shades = plt.get_cmap("viridis")
+    for axes, (master, lines) in zip(panels, runs.items()):
+        for i, (ratio, points) in enumerate(lines.items()):
+            stiffness, error = zip(*points)
+            axes.plot(stiffness, error, "o-", ms=3.5, lw=1, color=shades(i / len(lines)), label=f"k = {ratio:g} · 2G*a")
+        axes.axvline(2, color="#D55E00", lw=1, ls=":")
+        axes.set(xscale="log", yscale="log", xlabel="hω", xlim=(0.3, 1e3))
+        axes.set_title(master, fontsize=9)
+        axes.grid(True, color="#eeeeee", lw=0.6)
+    panels[0].set_ylabel("error of the work; no point: unstable")
+    panels[-1].legend(fontsize=6.5, frameon=False)
+    save(figure, folder / "coupling")
+
+
 def main(folder):
-    for draw in (error_against_time, stability):
+    for draw in (error_against_time, stability, coupling):
         if (folder / f"{draw.__name__}.csv").exists():
             draw(folder)
 

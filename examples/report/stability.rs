@@ -4,6 +4,7 @@
 //!
 //! `… -- --only "shape, flat punch"` runs the scenes whose name holds that text, here, and prints every invariant.
 
+mod coupling;
 mod judge;
 mod machine;
 mod scenes;
@@ -64,7 +65,9 @@ fn main() -> std::io::Result<()> {
         lines.push(line);
     }
     std::fs::write(folder.join("stability.csv"), csv(&lines))?;
-    std::fs::write(folder.join("stability.md"), page(&lines))?;
+    let coupling = coupling::Coupling::run().map_err(std::io::Error::other)?;
+    std::fs::write(folder.join("coupling.csv"), coupling.csv())?;
+    std::fs::write(folder.join("stability.md"), page(&lines, &coupling))?;
     println!("{}", answer(&lines));
     Ok(())
 }
@@ -229,7 +232,7 @@ fn answer(lines: &[Line]) -> String {
     )
 }
 
-fn page(lines: &[Line]) -> String {
+fn page(lines: &[Line], coupling: &coupling::Coupling) -> String {
     let mut text = format!("# Stability of stiff and extreme scenes\n\n{}\n\n", answer(lines));
     let _ = writeln!(
         text,
@@ -245,6 +248,7 @@ fn page(lines: &[Line]) -> String {
         judge::SPLIT_WITHOUT_WEAR,
         LIMIT.as_secs()
     );
+    text += "A machine model around the contact: [below](#as-a-part-of-a-stiff-system).\n\n";
     text += "![Each scene at its worst invariant over that bound](stability.svg)\n\n\
              Most scenes run the same short life at the extreme named: loops with wear, swings of load, cycles in one \
              call, separation, a slide. All are in `examples/report/scenes.rs`.\n\n";
@@ -261,6 +265,6 @@ fn page(lines: &[Line]) -> String {
         text += &row(line);
         text.push('\n');
     }
-    let _ = writeln!(text, "\n{}", machine::provenance());
+    let _ = writeln!(text, "\n{}{}", coupling.section(), machine::provenance());
     text
 }

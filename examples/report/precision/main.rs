@@ -3,6 +3,7 @@
 //!
 //! `cargo run --release --no-default-features --example precision [-- folder]`
 
+mod coupled;
 mod elastic;
 mod lives;
 #[path = "../machine.rs"]
@@ -21,6 +22,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     std::fs::create_dir_all(&folder)?;
     println!("without wear …");
     let (mut points, mut told) = elastic::all()?;
+    println!("in a system …");
+    let (more, about) = coupled::all()?;
+    points.extend(more);
+    told.extend(about);
     let others = independent(&folder);
     points.extend(others.0);
     for (what, part) in

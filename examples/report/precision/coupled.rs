@@ -1,0 +1,57 @@
+//! A mass on a spring whose friction joint is the contact, by four masters with ever finer steps.
+
+#[path = "../masters.rs"]
+mod masters;
+
+use super::point::{Point, Told, timed};
+use fretting_contact::Error;
+use masters::{Master, Outcome, drive, mass_for, rest};
+
+const NAME: &str = "mass on a spring, ball";
+/// k/(2G*a), and hω with 200 steps a period: there the explicit master is not stable.
+const RATIO: f64 = 1.0;
+const STIFFNESS: f64 = 5.0;
+/// Steps of a period at the coarsest, and periods of a run.
+const STEPS: u32 = 200;
+const PERIODS: f64 = 3.0;
+const FINER: [u32; 7] = [1, 2, 4, 8, 16, 32, 64];
+/// The truth, and the run that tells its error: of first order, hence as far from the truth as from one another.
+const TRUTH: [u32; 2] = [4096, 2048];
+
+pub(crate) fn all() -> Result<(Vec<Point>, Vec<Told>), Error> {
+    let mass = mass_for(RATIO, STIFFNESS)?;
+    let run =
+        |master, finer| -> Result<Option<Outcome>, Error> { Ok(drive(rest()?, master, RATIO, mass, finer)) };
+    let about = |truth: String, own| Told {
+        problem: NAME.into(),
+        of: "largest force of the last period, relative",
+        time_of: "a period",
+        truth,
+        own,
+    };
+    let [Some(truth), Some(next)] = [run(Master::Iterative, TRUTH[0])?, run(Master::Iterative, TRUTH[1])?]
+    else {
+        return Ok((Vec::new(), vec![about("none: the iterative master broke off".into(), [f64::NAN; 2])]));
+    };
+    let errors = |outcome: &Outcome| {
+        [(outcome.force / truth.force - 1.0).abs(), (outcome.work / truth.work - 1.0).abs()]
+    };
+    let mut points = Vec::new();
+    for master in Master::ALL {
+        for finer in FINER {
+            let [error, work_error] = run(master, finer)?.map_or([f64::NAN; 2], |outcome| errors(&outcome));
+            points.push(Point {
+                problem: NAME.into(),
+                method: "engine",
+                settings: format!("{}, {} steps a period", master.name(), STEPS * finer),
+                error,
+                work_error,
+                time: timed(|| _ = std::hint::black_box(run(master, finer))).map(|t| t / PERIODS),
+                note: String::new(),
+            });
+        }
+    }
+    let source =
+        format!("iterative master, {} steps a period, less that with half of them", STEPS * TRUTH[0]);
+    Ok((points, vec![about(source, errors(&next))]))
+}
