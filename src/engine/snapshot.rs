@@ -1,9 +1,13 @@
 //! Saved states.
 
+mod soundness;
+
+pub(super) use soundness::is_contact;
+
 use super::steady::Rhythm;
 use super::{Counters, FrettingContact, WearState};
 use crate::error::Error;
-use crate::friction::Springs;
+use crate::friction::{SavedKnot, Springs};
 use crate::surface::{Contact, Nodes};
 use crate::wear::{Pending, Segment, Sliding};
 use serde::{Deserialize, Serialize};
@@ -12,7 +16,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     contact: Contact,
-    origins: Vec<(f64, f64)>,
+    springs: Vec<SavedKnot>,
     displacement: f64,
     direction: f64,
     work: f64,
@@ -25,7 +29,7 @@ pub struct Snapshot {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct WearSnapshot {
     pending: Pending,
-    segment_origins: Vec<(f64, f64)>,
+    segment_springs: Vec<SavedKnot>,
     segment_contact: Option<Contact>,
     segment_work: f64,
     segment_start: f64,
@@ -35,16 +39,12 @@ struct WearSnapshot {
     transform_defect: f64,
 }
 
-fn origins(springs: &Springs) -> Vec<(f64, f64)> {
-    springs.knots().iter().map(|knot| (knot.place.x, knot.origin)).collect()
-}
-
 impl FrettingContact {
     /// The present state.
     pub fn snapshot(&self) -> Snapshot {
         let wear = self.wear.as_ref().map(|wear| WearSnapshot {
             pending: wear.pending.clone(),
-            segment_origins: origins(&wear.segment.unslipped),
+            segment_springs: wear.segment.unslipped.saved(),
             segment_contact: wear.segment.contact,
             segment_work: wear.segment.work,
             segment_start: wear.segment.start,
@@ -55,7 +55,7 @@ impl FrettingContact {
         });
         Snapshot {
             contact: self.contact,
-            origins: origins(&self.springs),
+            springs: self.springs.saved(),
             displacement: self.displacement,
             direction: self.direction,
             work: self.work,
@@ -66,7 +66,8 @@ impl FrettingContact {
         }
     }
 
-    /// Goes back to a state saved by a contact with the same parameters; what follows is the same to the bit.
+    /// Goes back to a state saved by a contact with the same parameters; what follows is the same to the bit. The state may
+    /// come from anywhere: everything in it is checked.
     ///
     /// # Errors
     /// [`Error::Snapshot`] if the state does not fit this contact.
@@ -75,8 +76,22 @@ impl FrettingContact {
             let problem = "it was saved with wear switched the other way; restore into equal parameters";
             return Err(Error::Snapshot(problem.into()));
         }
+        if let Some(problem) = snapshot.problem(self) {
+            return Err(Error::Snapshot(problem.into()));
+        }
+        self.reinstate(snapshot)
+    }
+
+    /// The same for a state that is known to be one of a contact with equal parameters.
+    ///
+    /// # Errors
+    /// [`Error::Snapshot`] if it was saved with wear and this contact has none, or the other way.
+    pub(crate) fn reinstate(&mut self, snapshot: &Snapshot) -> Result<(), Error> {
+        if snapshot.wear.is_some() != self.wear.is_some() {
+            return Err(Error::Snapshot("it was saved with wear switched the other way".into()));
+        }
         self.surface.set_worn(snapshot.nodes.clone());
-        self.springs = Springs::from_origins(&self.surface, &snapshot.origins);
+        self.springs = Springs::from_saved(&self.surface, &snapshot.springs);
         self.contact = snapshot.contact;
         self.displacement = snapshot.displacement;
         self.direction = snapshot.direction;
@@ -85,7 +100,7 @@ impl FrettingContact {
         self.counters = snapshot.counters;
         self.wear = snapshot.wear.as_ref().map(|saved| {
             let segment = Segment {
-                unslipped: Springs::from_origins(&self.surface, &saved.segment_origins),
+                unslipped: Springs::from_saved(&self.surface, &saved.segment_springs),
                 contact: saved.segment_contact,
                 work: saved.segment_work,
                 start: saved.segment_start,

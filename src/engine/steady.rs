@@ -6,6 +6,7 @@
 
 use super::FrettingContact;
 use super::history::STROKE;
+use super::snapshot::is_contact;
 use crate::error::Error;
 use crate::friction::Springs;
 use crate::surface::{Contact, Nodes};
@@ -24,6 +25,14 @@ pub(super) struct Rhythm {
     half_work: f64,
     /// Whether half a cycle wears so little that the profile need not follow amid it.
     calm: bool,
+}
+
+impl Rhythm {
+    /// Whether it is one that a motion could keep to.
+    pub(super) fn is_sound(&self) -> bool {
+        let positive = |value: f64| value >= 0.0 && value.is_finite();
+        is_contact(&self.contact) && positive(self.amplitude) && positive(self.half_work)
+    }
 }
 
 fn near(a: f64, b: f64) -> bool {

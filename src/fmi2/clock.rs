@@ -1,13 +1,14 @@
 //! Communication points.
 
 use super::refusal::{Checked, Refusal};
+use serde::{Deserialize, Serialize};
 
 /// Two times are the same when they differ by less than this, relative to the larger of the time and the step:
 /// masters add up step sizes, and their sums differ in the last digits.
 const SAME: f64 = 1e-9;
 
 /// Where an instance stands in time, s.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Clock {
     time: f64,
     stop: Option<f64>,
@@ -35,6 +36,13 @@ impl Clock {
             return Err(Refusal::Argument { argument: "stopTime", value, requirement }.into());
         }
         Ok(Self { time, stop })
+    }
+
+    /// Whether it could have come from steps.
+    pub(super) fn is_sound(&self) -> bool {
+        let before =
+            |stop: f64| stop.is_finite() && self.time <= stop + SAME * stop.abs().max(self.time.abs());
+        self.time.is_finite() && self.stop.is_none_or(before)
     }
 
     /// End of the last step.

@@ -6,6 +6,7 @@ use super::model::Model;
 use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::saved::{Saved, SavedStates};
+use super::serialized;
 use super::status::{Outcome, State, Status};
 use super::{GUID, MODEL_IDENTIFIER};
 use core::ffi::CStr;
@@ -225,6 +226,16 @@ impl Component {
         }
         (self.state, self.last_step, self.failure) = (saved.state, saved.last_step, None);
         Ok(())
+    }
+
+    /// The bytes of a saved state.
+    pub(super) fn serialize(&self, state: fmi2FMUstate) -> Checked<Vec<u8>> {
+        serialized::encode(self.saved.get(state)?)
+    }
+
+    /// A new saved state from bytes.
+    pub(super) fn deserialize(&mut self, bytes: &[u8]) -> Checked<fmi2FMUstate> {
+        self.saved.keep(serialized::decode(bytes)?, core::ptr::null_mut())
     }
 
     pub(super) fn free_saved(&mut self, state: fmi2FMUstate) -> Checked {

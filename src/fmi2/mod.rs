@@ -9,7 +9,7 @@
 //! | [`variables`] | the variable table, the source of modelDescription.xml |
 //! | `settings`, [`enumerations`], `resources` | parameters as the importer sets them → [`crate::Parameters`] |
 //! | `derivatives` | of outputs: with respect to inputs and to time |
-//! | `component`, `values`, `model`, `clock`, `saved` | one instance: access by value reference, the contact, its time, its saved states |
+//! | `component`, `values`, `model`, `clock`, `saved`, `serialized` | one instance: access by value reference, the contact, its time, its saved states, in memory and as bytes |
 //! | `status`, `refusal` | what a call returns, and every reason to refuse one, with its numbers |
 //!
 //! # What the standard leaves to the FMU, and how it is settled here
@@ -47,6 +47,7 @@ mod model;
 mod refusal;
 mod resources;
 mod saved;
+mod serialized;
 mod settings;
 mod status;
 mod values;

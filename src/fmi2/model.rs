@@ -5,12 +5,14 @@ use super::enumerations::Loading;
 use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::settings::{Inputs, Settings};
+use super::values::{check_inputs, check_settings};
 use crate::engine::{FrettingContact, Snapshot};
 use crate::error::Error;
 use crate::parameters::Parameters;
+use serde::{Deserialize, Serialize};
 
 /// Everything but the contact itself.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Staged {
     pub(super) settings: Settings,
     pub(super) inputs: Inputs,
@@ -25,7 +27,7 @@ pub(super) struct Staged {
 }
 
 /// The inputs between which the last step went, and its length, s.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 pub(super) struct LastStep {
     from: Inputs,
     to: Inputs,
@@ -53,7 +55,7 @@ pub(super) struct Model {
 }
 
 /// A copy of a model.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct SavedModel {
     staged: Staged,
     contact: Option<(Parameters, Snapshot)>,
@@ -169,7 +171,7 @@ impl Model {
         match (&saved.contact, &mut self.contact) {
             (None, contact) => *contact = None,
             (Some((parameters, snapshot)), Some(contact)) if contact.parameters() == parameters => {
-                contact.restore(snapshot).map_err(|problem| engine("saved state", problem))?;
+                contact.reinstate(snapshot).map_err(|problem| engine("saved state", problem))?;
             }
             (Some(_), contact) => *contact = saved.build()?,
         }
@@ -188,8 +190,35 @@ impl SavedModel {
         let Some((parameters, snapshot)) = &self.contact else { return Ok(None) };
         let mut contact = FrettingContact::new(parameters.clone())
             .map_err(|problem| engine("saved parameters", problem))?;
-        contact.restore(snapshot).map_err(|problem| engine("saved state", problem))?;
+        contact.reinstate(snapshot).map_err(|problem| engine("saved state", problem))?;
         Ok(Some(contact))
+    }
+
+    /// Refuses what no instance could have saved, `initialized` or before.
+    pub(super) fn check(&self, initialized: bool) -> Checked {
+        let refuse = |problem: &str| Err(Refusal::SerializedState(problem.into()).into());
+        let Self { staged, contact } = self;
+        check_settings(&staged.settings)?;
+        for inputs in [&staged.inputs, &staged.last_step.from, &staged.last_step.to] {
+            check_inputs(inputs)?;
+        }
+        let slopes = staged.slopes.as_ref().is_none_or(Inputs::is_finite);
+        let length = staged.last_step.length;
+        if !(slopes && staged.clock.is_sound() && length >= 0.0 && length.is_finite()) {
+            return refuse("its time or its derivatives are out of range");
+        }
+        if staged.initialized != initialized || (initialized && !staged.started) {
+            return refuse("its progress contradicts its state");
+        }
+        let Some((parameters, snapshot)) = contact else {
+            return if staged.started { refuse("it has no contact") } else { Ok(()) };
+        };
+        if !staged.settings.give(parameters) {
+            return refuse("its contact has other parameters than it sets");
+        }
+        FrettingContact::new(parameters.clone())
+            .and_then(|mut contact| contact.restore(snapshot))
+            .map_err(|problem| engine("serialised state", problem).into())
     }
 }
 

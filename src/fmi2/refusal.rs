@@ -58,12 +58,16 @@ pub(super) enum Refusal {
     Known { name: String },
     #[error("{0} is not a log category of modelDescription.xml")]
     LogCategory(String),
-    #[error("this FMU does not support it ({flag} in modelDescription.xml)")]
-    Unsupported { flag: &'static str },
     #[error("status kind {kind} cannot be reported by this function")]
     StatusKind { kind: u32 },
     #[error("FMU state {0:#x} does not belong to this instance, or has been freed")]
     UnknownState(usize),
+    #[error("serialised state is refused: {0}")]
+    SerializedState(String),
+    #[error(
+        "size = {given} is refused: the serialised state has {needed} bytes, see fmi2SerializedFMUstateSize"
+    )]
+    SerializedSize { given: usize, needed: usize },
     #[error("profile_file = \"\" is refused: profile = table needs a file with two columns, r and f in m")]
     NoProfileFile,
     #[error("profile_file = \"{name}\" cannot be read from {}: {reason}", .path.display())]

@@ -7,13 +7,28 @@ use super::model::SavedModel;
 use super::refusal::{Checked, Refusal};
 use super::status::{Outcome, State};
 use fmi_sys::fmi2::fmi2FMUstate;
+use serde::{Deserialize, Serialize};
 
 /// What fmi2GetFMUstate copies.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Saved {
     pub(super) state: State,
     pub(super) last_step: Outcome,
     pub(super) model: SavedModel,
+}
+
+impl Saved {
+    /// Refuses what no instance could have saved.
+    pub(super) fn check(&self) -> Checked {
+        let initialized = match self.state {
+            State::Instantiated | State::InitializationMode => false,
+            State::StepComplete | State::Terminated => true,
+            State::Failed => {
+                return Err(Refusal::SerializedState("it is that of a failed instance".into()).into());
+            }
+        };
+        self.model.check(initialized)
+    }
 }
 
 /// All states that have been saved and not yet freed. They end with the instance.

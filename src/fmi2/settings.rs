@@ -6,10 +6,11 @@ use super::resources::Resources;
 use crate::material::{Elastic, Pair};
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
+use serde::{Deserialize, Serialize};
 use std::ffi::CString;
 
 /// Values of all parameters of modelDescription.xml, each within its declared range.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Settings {
     pub(super) profile: i32,
     pub(super) radius: f64,
@@ -70,20 +71,35 @@ impl Settings {
 
     /// What the engine is built from. Reads the profile file if there is one.
     pub(super) fn parameters(&self, resources: &Resources) -> Checked<Parameters> {
+        Ok(self.parameters_with(self.profile(resources)?))
+    }
+
+    /// Whether these settings give those parameters, wherever the points of a table came from.
+    pub(super) fn give(&self, parameters: &Parameters) -> bool {
+        let table = ProfileKind::from_number(self.profile) == ProfileKind::Table;
+        if table != matches!(parameters.profile, Profile::Table(_)) {
+            return false;
+        }
+        let profile =
+            if table { Ok(parameters.profile.clone()) } else { self.profile(&Resources::default()) };
+        profile.is_ok_and(|profile| self.parameters_with(profile) == *parameters)
+    }
+
+    fn parameters_with(&self, profile: Profile) -> Parameters {
         let elastic = |youngs_modulus, poisson_ratio| Elastic { youngs_modulus, poisson_ratio };
-        Ok(Parameters {
+        Parameters {
             materials: Pair {
                 body_1: elastic(self.youngs_modulus_1, self.poisson_ratio_1),
                 body_2: elastic(self.youngs_modulus_2, self.poisson_ratio_2),
             },
-            profile: self.profile(resources)?,
+            profile,
             friction_coefficient: self.friction_coefficient,
             wear_coefficient: self.wear_coefficient,
             hardness: self.hardness,
             normal_control: self.normal_control(),
             resolution: self.resolution as usize,
             tolerance: self.tolerance,
-        })
+        }
     }
 
     fn profile(&self, resources: &Resources) -> Checked<Profile> {
@@ -101,7 +117,7 @@ impl Settings {
 }
 
 /// Values of all inputs, or of their derivatives with respect to time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Inputs {
     pub(super) normal_force: f64,
     pub(super) indentation: f64,
@@ -142,6 +158,15 @@ impl Inputs {
             displacement_amplitude: self.displacement_amplitude + slopes.displacement_amplitude * time,
             frequency: self.frequency + slopes.frequency * time,
         }
+    }
+
+    /// Whether all are finite.
+    pub(super) fn is_finite(&self) -> bool {
+        let Self { normal_force, indentation, tangential_displacement, displacement_amplitude, frequency } =
+            *self;
+        [normal_force, indentation, tangential_displacement, displacement_amplitude, frequency]
+            .iter()
+            .all(|value| value.is_finite())
     }
 
     /// Rates of change over `time`, s, since `start`.

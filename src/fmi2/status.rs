@@ -4,6 +4,7 @@ use State::{Failed, InitializationMode, Instantiated, StepComplete, Terminated};
 use fmi_sys::fmi2::{
     fmi2Status, fmi2Status_fmi2Discard, fmi2Status_fmi2Error, fmi2Status_fmi2OK, fmi2Status_fmi2Warning,
 };
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// The statuses that this FMU returns, in order of severity.
@@ -27,7 +28,7 @@ impl Status {
 }
 
 /// State of one instance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum State {
     /// After fmi2Instantiate or fmi2Reset.
     Instantiated,
@@ -54,7 +55,7 @@ impl fmt::Display for State {
 }
 
 /// How the last step ended.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) enum Outcome {
     Done,
     Refused,

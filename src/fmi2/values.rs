@@ -4,7 +4,7 @@ use super::component::Component;
 use super::enumerations::Items;
 use super::model::Model;
 use super::refusal::{Checked, Refusal};
-use super::settings::Inputs;
+use super::settings::{Inputs, Settings};
 use super::variables::{Access, DataType, PROBES, Range, Variable, variables};
 use core::ffi::CStr;
 use core::fmt::Debug;
@@ -123,6 +123,34 @@ fn check_integer(variable: &Variable, value: i32) -> Checked {
         return Ok(());
     }
     Err(Refusal::Value { name: variable.name.to_string(), value: value.to_string(), requirement }.into())
+}
+
+/// Refuses inputs of which one is out of its range.
+pub(super) fn check_inputs(inputs: &Inputs) -> Checked {
+    let mut inputs = *inputs;
+    for variable in variables() {
+        if let Access::Input(field) = variable.access {
+            check_real(variable, *field(&mut inputs))?;
+        }
+    }
+    Ok(())
+}
+
+/// Refuses settings of which one is out of its range.
+pub(super) fn check_settings(settings: &Settings) -> Checked {
+    let mut settings = settings.clone();
+    for variable in variables() {
+        match variable.access {
+            Access::Parameter(field) => check_real(variable, *field(&mut settings))?,
+            Access::Number(field) => check_integer(variable, *field(&mut settings))?,
+            Access::Text(field) if field(&mut settings).to_str().is_err() => {
+                let (name, problem) = (variable.name.to_string(), "the string is not UTF-8");
+                return Err(Refusal::Text { name, problem }.into());
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 impl Component {
@@ -314,12 +342,7 @@ impl Component {
     pub(super) fn check_targets(&mut self, length: f64) -> Checked {
         let staged = self.model.staged();
         if let Some(slopes) = &staged.slopes {
-            let mut end = staged.inputs.after(slopes, length);
-            for variable in variables() {
-                if let Access::Input(field) = variable.access {
-                    check_real(variable, *field(&mut end))?;
-                }
-            }
+            check_inputs(&staged.inputs.after(slopes, length))?;
         }
         Ok(())
     }

@@ -37,6 +37,9 @@ pub(crate) struct MeshPlace {
     pub(crate) contact: Contact,
 }
 
+/// Most nodes for each cell of the resolution, far beyond what histories leave.
+const MOST_NODES: usize = 64;
+
 /// Nodes kept ready outside the contact, into which it may grow within one update.
 const SPARE: usize = 6;
 
@@ -193,6 +196,37 @@ impl Nodes {
         };
         nodes.update_integrals(profile);
         nodes
+    }
+
+    /// Whether these are nodes of a worn profile: numbers in order, with integrals that follow from them.
+    pub(crate) fn is_sound(&self, profile: &Profile, resolution: usize) -> bool {
+        let count = self.x.len();
+        let arrays = [&self.worn_image, &self.depth, &self.whole, &self.worn_load, &self.square];
+        let sized = arrays.iter().all(|array| array.len() == count && array.iter().all(|v| v.is_finite()));
+        let placed = count >= 2
+            && count <= MOST_NODES * (resolution + MOST_NODES)
+            && self.x[0] == 0.0
+            && self.x.windows(2).all(|pair| pair[0] < pair[1])
+            && self.x[count - 1] <= profile.outer_radius()
+            && self.x[count - 1].is_finite();
+        let meshed = |mesh: &MeshPlace| {
+            let Contact { control, depth, radius, load } = mesh.contact;
+            let numbers = [control, depth, radius, load].iter().all(|value| value.is_finite());
+            let end = mesh.first.checked_add(mesh.cells);
+            numbers && radius >= 0.0 && load >= 0.0 && mesh.cells > 0 && end.is_some_and(|end| end < count)
+        };
+        if !(sized && placed && self.resolution == resolution && self.mesh.iter().all(meshed)) {
+            return false;
+        }
+        let mut same = self.clone();
+        same.update_integrals(profile);
+        let alike = |a: &[f64], b: &[f64]| {
+            let size = a.iter().chain(b).fold(0.0f64, |most, value| most.max(value.abs()));
+            a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-6 * size)
+        };
+        alike(&same.whole, &self.whole)
+            && alike(&same.worn_load, &self.worn_load)
+            && alike(&same.square, &self.square)
     }
 
     /// Place of the moving mesh whose state the nodes hold.

@@ -209,6 +209,26 @@ impl Fmu {
             fmi2SetRealInputDerivatives(self.component, reference.as_ptr(), 1, order.as_ptr(), value.as_ptr())
         }
     }
+    /// The bytes of a saved state.
+    pub(crate) fn serialized(&self, state: fmi2FMUstate) -> Vec<u8> {
+        let mut size = 0;
+        // SAFETY: see above.
+        assert_eq!(unsafe { fmi2SerializedFMUstateSize(self.component, state, &raw mut size) }, OK);
+        let mut bytes = vec![0u8; size];
+        // SAFETY: see above.
+        let status = unsafe { fmi2SerializeFMUstate(self.component, state, bytes.as_mut_ptr().cast(), size) };
+        assert_eq!(status, OK, "{:?}", self.messages());
+        bytes
+    }
+    /// A saved state of bytes.
+    pub(crate) fn deserialized(&self, bytes: &[u8]) -> (fmi2FMUstate, fmi2Status) {
+        let mut state = null_mut();
+        // SAFETY: see above.
+        let status = unsafe {
+            fmi2DeSerializeFMUstate(self.component, bytes.as_ptr().cast(), bytes.len(), &raw mut state)
+        };
+        (state, status)
+    }
     /// Directional derivatives of `unknowns` for a seed.
     pub(crate) fn directional(&self, unknowns: &[&str], seed: &[(&str, f64)]) -> (Vec<f64>, fmi2Status) {
         let unknown: Vec<u32> = unknowns.iter().map(|name| reference(name)).collect();

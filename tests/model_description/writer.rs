@@ -50,7 +50,7 @@ fn content(xml: &mut Xml) -> io::Result<()> {
             ("canBeInstantiatedOnlyOncePerProcess", "false"),
             ("canNotUseMemoryManagementFunctions", "true"),
             ("canGetAndSetFMUstate", "true"),
-            ("canSerializeFMUstate", "false"),
+            ("canSerializeFMUstate", "true"),
             ("providesDirectionalDerivative", "true"),
         ])
         .write_empty()?;

@@ -2,7 +2,7 @@
 
 use super::conforming;
 use crate::fmi2::guard::{array, array_out, enter, out};
-use crate::fmi2::lifecycle::{self, Call};
+use crate::fmi2::lifecycle;
 use crate::fmi2::refusal::Refusal;
 use fmi_sys::fmi2::{fmi2Byte, fmi2Component, fmi2FMUstate, fmi2Real, fmi2Status, fmi2ValueReference};
 
@@ -62,48 +62,72 @@ pub unsafe extern "C" fn fmi2FreeFMUstate(c: fmi2Component, state: *mut fmi2FMUs
     }
 }
 
-/// Not supported, as modelDescription.xml says.
+/// Number of bytes of a saved state.
 ///
 /// # Safety
-/// See the [module](super).
+/// See the [module](super). The handle may be anything.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     c: fmi2Component,
-    _state: fmi2FMUstate,
-    _size: *mut usize,
+    state: fmi2FMUstate,
+    size: *mut usize,
 ) -> fmi2Status {
     // SAFETY: by this function's contract.
-    unsafe { unsupported(c, &lifecycle::SERIALIZED_FMU_STATE_SIZE, SERIALIZE) }
+    unsafe {
+        enter(c, &lifecycle::SERIALIZED_FMU_STATE_SIZE, |component| {
+            out("size", size)?.write(component.serialize(state)?.len());
+            Ok(())
+        })
+    }
 }
 
-/// Not supported, as modelDescription.xml says.
+/// Writes a saved state into as many bytes as fmi2SerializedFMUstateSize says.
 ///
 /// # Safety
-/// See the [module](super).
+/// See the [module](super). The handle may be anything.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2SerializeFMUstate(
     c: fmi2Component,
-    _state: fmi2FMUstate,
-    _serialized_state: *mut fmi2Byte,
-    _size: usize,
+    state: fmi2FMUstate,
+    serialized_state: *mut fmi2Byte,
+    size: usize,
 ) -> fmi2Status {
     // SAFETY: by this function's contract.
-    unsafe { unsupported(c, &lifecycle::SERIALIZE_FMU_STATE, SERIALIZE) }
+    unsafe {
+        enter(c, &lifecycle::SERIALIZE_FMU_STATE, |component| {
+            let bytes = component.serialize(state)?;
+            if size != bytes.len() {
+                return Err(Refusal::SerializedSize { given: size, needed: bytes.len() }.into());
+            }
+            let places = array_out("serializedState", serialized_state.cast::<u8>(), size)?;
+            for (place, byte) in places.iter_mut().zip(bytes) {
+                place.write(byte);
+            }
+            Ok(())
+        })
+    }
 }
 
-/// Not supported, as modelDescription.xml says.
+/// Makes a saved state of bytes, which may be anything and come from anywhere.
 ///
 /// # Safety
 /// See the [module](super).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2DeSerializeFMUstate(
     c: fmi2Component,
-    _serialized_state: *const fmi2Byte,
-    _size: usize,
-    _state: *mut fmi2FMUstate,
+    serialized_state: *const fmi2Byte,
+    size: usize,
+    state: *mut fmi2FMUstate,
 ) -> fmi2Status {
     // SAFETY: by this function's contract.
-    unsafe { unsupported(c, &lifecycle::DE_SERIALIZE_FMU_STATE, SERIALIZE) }
+    unsafe {
+        enter(c, &lifecycle::DE_SERIALIZE_FMU_STATE, |component| {
+            let place = out("FMUstate", state)?;
+            let bytes = array("serializedState", serialized_state.cast::<u8>(), size)?;
+            place.write(component.deserialize(bytes)?);
+            Ok(())
+        })
+    }
 }
 
 /// Derivatives of outputs with respect to inputs, times a seed.
@@ -130,13 +154,4 @@ pub unsafe extern "C" fn fmi2GetDirectionalDerivative(
             component.directional_derivative(unknowns, (knowns, seed), results)
         })
     }
-}
-
-const SERIALIZE: &str = "canSerializeFMUstate = false";
-
-/// # Safety
-/// As for [`enter`].
-unsafe fn unsupported(c: fmi2Component, call: &Call, flag: &'static str) -> fmi2Status {
-    // SAFETY: this function's contract.
-    unsafe { enter(c, call, |_| Err(Refusal::Unsupported { flag }.into())) }
 }
