@@ -31,6 +31,7 @@ fn main() {
     let (starts, cycles, lives) = if benchmark { (2000, CYCLES, 3) } else { (2, 20, 1) };
     memory();
     start(starts);
+    rollback(if benchmark { 20_000 } else { 2 });
     for control in [NormalControl::Indentation, NormalControl::Force] {
         life(control, cycles, lives);
     }
@@ -79,6 +80,45 @@ fn start(repeats: usize) {
         drop(fmu);
     }
     println!("instantiate, set up, initialize: {:.2?}, {requests} requests for memory", median(times));
+}
+
+/// A state saved, taken back and freed, against the step that is taken back.
+fn rollback(repeats: u32) {
+    println!("rollback: state saved + restored + freed, against one step, medians");
+    for (name, wear, swing) in [
+        ("no wear, steady load", 0.0, 0.0),
+        ("no wear, varying load", 0.0, 30.0),
+        ("wear, steady cycles", 3.2e-2, 0.0),
+        ("wear, varying load", 3.2e-2, 30.0),
+    ] {
+        let fmu = Fmu::started(|fmu| assert_eq!(fmu.set_real("wear_coefficient", wear), OK));
+        run(&fmu, 0..20, 1e-6, swing);
+        let input = [reference("tangential_displacement")];
+        let (mut states, mut steps, mut bytes) = (Vec::new(), Vec::new(), 0);
+        for k in 0..repeats {
+            let now = Instant::now();
+            let mut saved = fmu.save();
+            let saving = now.elapsed();
+            // on and on within a stroke, a little less far each time
+            let target = 0.3e-6 * (1.0 - f64::from(k % 10) * 1e-3);
+            assert_eq!(fmu.set_reals(&input, &[target]), OK);
+            let now = Instant::now();
+            assert_eq!(fmu.do_step(f64::from(20 * STEPS), 1.0), OK);
+            steps.push(now.elapsed());
+            if k == 0 {
+                bytes = fmu.serialized(saved).len();
+            }
+            let now = Instant::now();
+            assert_eq!(fmu.restore(saved), OK);
+            assert_eq!(fmu.free_saved(&mut saved), OK);
+            states.push(saving + now.elapsed());
+        }
+        println!(
+            "  {name:24} {:.2?} against {:.2?}; {bytes} bytes serialised",
+            median(states),
+            median(steps)
+        );
+    }
 }
 
 fn median(mut times: Vec<Duration>) -> Duration {

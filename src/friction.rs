@@ -21,20 +21,18 @@ pub(crate) use walk::Path;
 
 use crate::surface::{Contact, Place, Surface};
 use interval::Interval;
+use serde::{Deserialize, Serialize};
 
 /// One knot of the spring row.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Knot {
     pub(crate) place: Place,
     /// Displacement at which this spring would be relaxed, m.
     pub(crate) origin: f64,
 }
 
-/// Radius, image and origin of a knot, m.
-pub(crate) type SavedKnot = (f64, f64, f64);
-
 /// The spring row under the contact, knots from the axis to the contact edge; none where the bodies are apart.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Springs {
     knots: Vec<Knot>,
 }
@@ -53,19 +51,6 @@ impl Springs {
     pub(crate) fn from_origins(surface: &Surface, origins: &[(f64, f64)]) -> Self {
         let knots = origins.iter().map(|&(x, origin)| Knot { place: surface.place(x), origin }).collect();
         Self { knots }
-    }
-
-    /// What makes the row on its surface: radius, image and origin of each knot, m. The image is kept since it may be finer than
-    /// the radius can tell, at a worn front.
-    pub(crate) fn saved(&self) -> Vec<SavedKnot> {
-        self.knots.iter().map(|knot| (knot.place.x, knot.place.image, knot.origin)).collect()
-    }
-
-    /// A saved row on the surface on which it was saved.
-    pub(crate) fn from_saved(surface: &Surface, saved: &[SavedKnot]) -> Self {
-        let knot =
-            |&(x, image, origin): &SavedKnot| Knot { place: Place { image, ..surface.place(x) }, origin };
-        Self { knots: saved.iter().map(knot).collect() }
     }
 
     /// ∫ u dx from the axis to the edge, m².

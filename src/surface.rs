@@ -14,7 +14,7 @@ use crate::profile::Profile;
 use std::sync::Arc;
 
 /// Image values at one radius.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(crate) struct Place {
     /// Radius x, m.
     pub(crate) x: f64,

@@ -228,10 +228,6 @@ impl TableCache {
             }
         }
     }
-
-    pub(crate) fn clear(&mut self) {
-        self.tables = None;
-    }
 }
 
 /// Largest worn volume between two profile updates, m³: a share of what the slipping annulus still has to lose. The

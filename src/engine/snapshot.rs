@@ -7,7 +7,7 @@ pub(super) use soundness::is_contact;
 use super::steady::Rhythm;
 use super::{Counters, FrettingContact, WearState};
 use crate::error::Error;
-use crate::friction::{SavedKnot, Springs};
+use crate::friction::Springs;
 use crate::surface::{Contact, Nodes};
 use crate::wear::{Pending, Segment, Sliding};
 use serde::{Deserialize, Serialize};
@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Snapshot {
     contact: Contact,
-    springs: Vec<SavedKnot>,
+    springs: Springs,
     displacement: f64,
     direction: f64,
     work: f64,
@@ -29,7 +29,7 @@ pub struct Snapshot {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct WearSnapshot {
     pending: Pending,
-    segment_springs: Vec<SavedKnot>,
+    segment_springs: Springs,
     segment_contact: Option<Contact>,
     segment_work: f64,
     segment_start: f64,
@@ -44,7 +44,7 @@ impl FrettingContact {
     pub fn snapshot(&self) -> Snapshot {
         let wear = self.wear.as_ref().map(|wear| WearSnapshot {
             pending: wear.pending.clone(),
-            segment_springs: wear.segment.unslipped.saved(),
+            segment_springs: wear.segment.unslipped.clone(),
             segment_contact: wear.segment.contact,
             segment_work: wear.segment.work,
             segment_start: wear.segment.start,
@@ -55,7 +55,7 @@ impl FrettingContact {
         });
         Snapshot {
             contact: self.contact,
-            springs: self.springs.saved(),
+            springs: self.springs.clone(),
             displacement: self.displacement,
             direction: self.direction,
             work: self.work,
@@ -91,7 +91,7 @@ impl FrettingContact {
             return Err(Error::Snapshot("it was saved with wear switched the other way".into()));
         }
         self.surface.set_worn(snapshot.nodes.clone());
-        self.springs = Springs::from_saved(&self.surface, &snapshot.springs);
+        self.springs = snapshot.springs.clone();
         self.contact = snapshot.contact;
         self.displacement = snapshot.displacement;
         self.direction = snapshot.direction;
@@ -100,22 +100,22 @@ impl FrettingContact {
         self.counters = snapshot.counters;
         self.wear = snapshot.wear.as_ref().map(|saved| {
             let segment = Segment {
-                unslipped: Springs::from_saved(&self.surface, &saved.segment_springs),
+                unslipped: saved.segment_springs.clone(),
                 contact: saved.segment_contact,
                 work: saved.segment_work,
                 start: saved.segment_start,
                 sliding: saved.segment_sliding,
             };
-            let mut tables = self.wear.take().map(|wear| wear.tables).unwrap_or_default();
-            tables.clear();
+            // tables serve the nodes that they were made for, whatever happens in between
+            let former = self.wear.take().map(|wear| *wear).unwrap_or_default();
             Box::new(WearState {
                 pending: saved.pending.clone(),
                 segment,
-                spare_row: Springs::default(),
-                tables,
+                spare_row: former.spare_row,
+                tables: former.tables,
                 rhythm: saved.rhythm,
                 next_step: saved.next_step,
-                mesh: None,
+                mesh: former.mesh,
                 transform_defect: saved.transform_defect,
             })
         });

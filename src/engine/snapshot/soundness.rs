@@ -2,8 +2,8 @@
 
 use super::{Snapshot, WearSnapshot};
 use crate::engine::FrettingContact;
-use crate::friction::{Knot, SavedKnot, Springs};
-use crate::surface::{Contact, Surface};
+use crate::friction::{Knot, Springs};
+use crate::surface::{Contact, Place, Surface};
 use crate::wear::Sliding;
 
 /// How far what follows from other parts of a state may differ from them, relative: machines differ in the last digits of
@@ -39,13 +39,26 @@ pub(in crate::engine) fn is_contact(contact: &Contact) -> bool {
     contact.control.is_finite() && contact.depth.is_finite() && amount(contact.radius) && amount(contact.load)
 }
 
-/// Knots from the axis outward, to the edge of the contact or, of a segment's start, as far as they reach.
-fn is_row(row: &[SavedKnot], surface: &Surface, scale: f64, most: usize) -> bool {
-    let rises = row.windows(2).all(|pair| pair[0].0 <= pair[1].0);
-    let placed = |(x, image, origin): &SavedKnot| {
-        amount(*x) && origin.is_finite() && (surface.image(*x) - image).abs() <= CLOSE * scale
+/// Knots from the axis outward, to the edge of the contact or, of a segment's start, as far as they reach. They lie on the
+/// surface, but for rounding, on the scale of its values at the outermost radius that counts.
+fn is_row(row: &Springs, surface: &Surface, outermost: &Place, most: usize) -> bool {
+    let knots = row.knots();
+    let rises = knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x);
+    let placed = |knot: &Knot| {
+        let Place { x, image, load, square } = knot.place;
+        let on = surface.place(x);
+        let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= CLOSE * scale;
+        amount(x)
+            && x <= outermost.x * (1.0 + CLOSE)
+            && knot.origin.is_finite()
+            && near(on.image, image, outermost.image)
+            && near(on.load, load, outermost.load)
+            && near(on.square, square, outermost.square)
     };
-    row.len() <= most && rises && row.iter().all(placed) && row.first().is_none_or(|(x, ..)| *x == 0.0)
+    knots.len() <= most
+        && rises
+        && knots.first().is_none_or(|knot| knot.place.x == 0.0)
+        && knots.iter().all(placed)
 }
 
 impl Snapshot {
@@ -53,8 +66,14 @@ impl Snapshot {
     pub(super) fn problem(&self, target: &FrettingContact) -> Option<&'static str> {
         let resolution = target.parameters.resolution;
         let most = MOST_KNOTS * resolution;
-        let numbers = self.displacement.is_finite() && is_sign(self.direction) && amount(self.work);
-        if !(numbers && amount(self.reach) && self.reach >= self.contact.radius) {
+        let numbers = amount(self.reach)
+            && self.displacement.is_finite()
+            && is_sign(self.direction)
+            && amount(self.work);
+        if !(numbers
+            && self.reach >= self.contact.radius
+            && self.reach <= target.surface.profile().outer_radius())
+        {
             return Some("displacement, work or reach are out of range");
         }
         if !is_contact(&self.contact) {
@@ -67,21 +86,25 @@ impl Snapshot {
             }
             surface.set_worn(Some(nodes.clone()));
         }
-        // images are compared on the scale of the largest that is of use
-        let scale = surface.image(self.reach).abs().max(self.contact.depth.abs());
-        if !is_row(&self.springs, &surface, scale, most) {
+        let mut outermost = surface.place(self.reach);
+        let Contact { depth, load, .. } = self.contact;
+        outermost.image = outermost.image.abs().max(depth.abs());
+        outermost.load = outermost.load.abs().max(load);
+        outermost.square = outermost.square.abs().max(depth * depth * self.reach);
+        if !is_row(&self.springs, &surface, &outermost, most) {
             return Some("springs are out of order or off the profile");
         }
         if !self.rests_on(&surface, target) {
             return Some("the contact is not that of the profile under its load");
         }
-        if !self.obeys_friction(&surface, target) {
+        if !self.obeys_friction(target) {
             return Some("springs reach beyond their friction bound or the contact");
         }
         let node_count = self.nodes.as_ref().map_or(0, |nodes| nodes.x().len());
         match &self.wear {
             Some(wear)
-                if !wear.is_sound(node_count) || !is_row(&wear.segment_springs, &surface, scale, most) =>
+                if !wear.is_sound(node_count)
+                    || !is_row(&wear.segment_springs, &surface, &outermost, most) =>
             {
                 Some("what is still to wear is out of range")
             }
@@ -102,20 +125,19 @@ impl Snapshot {
             && (contact.radius - saved.radius).abs() <= 1e-2 * contact.radius
     }
 
-    fn obeys_friction(&self, surface: &Surface, target: &FrettingContact) -> bool {
+    fn obeys_friction(&self, target: &FrettingContact) -> bool {
         let Contact { depth, radius, .. } = self.contact;
         if self.contact.is_open() {
-            return self.springs.is_empty();
+            return self.springs.knots().is_empty();
         }
         let slope = target.bound_slope;
         let slack = CLOSE * (slope * depth.abs() + self.displacement.abs());
-        let springs = Springs::from_saved(surface, &self.springs);
         let within = |knot: &Knot| {
             let bound = slope * (depth - knot.place.image).max(0.0);
             knot.place.x <= radius * (1.0 + CLOSE) && (self.displacement - knot.origin).abs() <= bound + slack
         };
-        let reaches = self.springs.last().is_some_and(|(x, ..)| close(*x, radius));
-        reaches && springs.knots().iter().all(within)
+        let reaches = self.springs.knots().last().is_some_and(|knot| close(knot.place.x, radius));
+        reaches && self.springs.knots().iter().all(within)
     }
 }
 
