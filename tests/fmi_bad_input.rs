@@ -7,7 +7,7 @@ mod host;
 use core::ptr::null;
 use fretting_contact::fmi2::exports::*;
 use fretting_contact::fmi2::variables::variables;
-use host::{Fmu, NOWHERE, OK, WARNING, reference};
+use host::{DISCARD, Fmu, NOWHERE, OK, WARNING, reference};
 use std::ffi::CString;
 use std::path::Path;
 
@@ -306,9 +306,16 @@ fn a_step_that_the_model_cannot_do_changes_nothing() {
     fmu.step_with(&[("tangential_displacement", 1e-6)], 0.0, 0.1);
     let before = fmu.bits();
     assert_eq!(fmu.set_real("normal_force", 1e6), OK);
-    let texts = ["step from t = 0.1 s by 0.1 s", "normal_force = 1000000.0 N", "beyond the last point"];
-    fmu.refused(fmu.do_step(0.1, 0.1), &texts);
-    assert_eq!(fmu.bits(), before);
+    for length in [0.1, 0.05] {
+        assert_eq!(fmu.do_step(0.1, length), DISCARD);
+        let message = fmu.message();
+        let step = format!("step from t = 0.1 s by {length} s");
+        for text in [&*step, "normal_force = 1000000.0 N", "beyond the last point", "nothing has changed"] {
+            assert!(message.contains(text), "{text:?} is missing in: {message}");
+        }
+        assert_eq!(fmu.bits(), before);
+        assert_eq!((fmu.last_successful_time(), fmu.step_status()), (0.1, DISCARD));
+    }
     fmu.step_with(&[("normal_force", 90.0)], 0.1, 0.1);
     assert_ne!(fmu.bits(), before);
 }

@@ -235,3 +235,46 @@ fn a_state_of_the_initialization_can_be_saved() {
     fmu.initialize();
     assert_eq!(fmu.real("radius"), 0.05);
 }
+
+/// Steps of no length take new inputs without moving time; with nothing new they change nothing.
+#[test]
+fn steps_of_no_length() {
+    for loading in [1, 2] {
+        let fmu = Fmu::started(|fmu| assert_eq!(fmu.set_integer("loading", loading), OK));
+        let inputs = [("tangential_displacement", 1.5e-6), ("displacement_amplitude", 1.5e-6)];
+        fmu.step_with(&inputs, 0.0, 0.1);
+        let before = fmu.bits();
+        for _ in 0..3 {
+            assert_eq!(fmu.do_step(0.1, 0.0), OK);
+            assert_eq!((fmu.bits() == before, fmu.last_successful_time()), (true, 0.1));
+        }
+        fmu.step_with(&[("normal_force", 120.0)], 0.1, 0.0);
+        assert_eq!((fmu.real("normal_reaction"), fmu.last_successful_time()), (120.0, 0.1));
+    }
+}
+
+/// However a master divides its way, also below the rounding of its time, the contact ends at the same place.
+#[test]
+fn communication_points_need_not_add_up() {
+    let end = |steps: &[f64]| {
+        let fmu = Fmu::new();
+        assert_eq!((fmu.setup(-0.3, Some(0.0)), fmu.enter_initialization()), (OK, OK));
+        assert_eq!((fmu.set_real("wear_coefficient", 0.0), fmu.exit_initialization()), (OK, OK));
+        let mut time = -0.3;
+        for step in steps {
+            let target = 1e-6 * (time + step + 0.3) / 0.3;
+            assert_eq!(fmu.set_real("tangential_displacement", target), OK);
+            assert_eq!(fmu.do_step(time, *step), OK, "{:?}", fmu.messages());
+            time += step;
+        }
+        assert!(fmu.last_successful_time().abs() < 1e-15);
+        // the stop time is where it was, whatever the sum
+        assert_eq!(fmu.do_step(0.0, 1e-3), ERROR);
+        fmu.real("tangential_force")
+    };
+    let whole = end(&[0.3]);
+    for steps in [&[0.1, 0.1, 0.1][..], &[0.3 / 7.0; 7], &[0.2999999999, 1e-10], &[0.0, 0.15, 0.0, 0.15, 0.0]]
+    {
+        assert!((end(steps) / whole - 1.0).abs() < 1e-12, "{steps:?}");
+    }
+}

@@ -3,8 +3,8 @@
 use super::refusal::{Checked, Refusal};
 use serde::{Deserialize, Serialize};
 
-/// Two times are the same when they differ by less than this, relative to the larger of the time and the step:
-/// masters add up step sizes, and their sums differ in the last digits.
+/// Two times are the same when they differ by less than this, relative to the larger of the time and the longest step so
+/// far: masters add up step sizes, and their sums differ in the last digits, also where they come back to 0.
 const SAME: f64 = 1e-9;
 
 /// Where an instance stands in time, s.
@@ -12,11 +12,13 @@ const SAME: f64 = 1e-9;
 pub(super) struct Clock {
     time: f64,
     stop: Option<f64>,
+    /// The longest step so far.
+    longest: f64,
 }
 
 impl Default for Clock {
     fn default() -> Self {
-        Self { time: 0.0, stop: None }
+        Self { time: 0.0, stop: None, longest: 0.0 }
     }
 }
 
@@ -35,14 +37,14 @@ impl Clock {
             let requirement = "a stop time is finite and not before the start time";
             return Err(Refusal::Argument { argument: "stopTime", value, requirement }.into());
         }
-        Ok(Self { time, stop })
+        Ok(Self { time, stop, longest: 0.0 })
     }
 
     /// Whether it could have come from steps.
     pub(super) fn is_sound(&self) -> bool {
-        let before =
-            |stop: f64| stop.is_finite() && self.time <= stop + SAME * stop.abs().max(self.time.abs());
-        self.time.is_finite() && self.stop.is_none_or(before)
+        let before = |stop: f64| stop.is_finite() && self.time <= stop + self.slack(stop, 0.0);
+        let length = self.longest >= 0.0 && self.longest.is_finite();
+        length && self.time.is_finite() && self.stop.is_none_or(before)
     }
 
     /// End of the last step.
@@ -63,17 +65,33 @@ impl Clock {
         if let Some(stop) = self.stop
             && time > stop
         {
-            check_stop(point, length, stop)?;
+            self.check_stop(point, length, stop)?;
         }
-        Ok(Self { time, ..*self })
+        if time.is_infinite() {
+            return Err(negative_or_infinite(time));
+        }
+        Ok(Self { time, longest: if length > self.longest { length } else { self.longest }, ..*self })
+    }
+
+    /// What rounding may do to a time.
+    fn slack(&self, time: f64, length: f64) -> f64 {
+        SAME * time.abs().max(length).max(self.longest)
+    }
+
+    /// Refuses a step that passes the stop time by more than rounding.
+    #[cold]
+    fn check_stop(&self, point: f64, length: f64, stop: f64) -> Checked {
+        if point + length > stop + self.slack(stop, length) {
+            return Err(Refusal::BeyondStopTime { from: point, length, stop }.into());
+        }
+        Ok(())
     }
 
     /// Refuses a communication point that differs from the end of the last step by more than rounding.
     #[cold]
     fn check_point(&self, point: f64, length: f64) -> Checked {
-        let slack = SAME * point.abs().max(length);
         // written so that it also refuses a point that is not a number
-        if (point - self.time).abs() <= slack && point.is_finite() {
+        if (point - self.time).abs() <= self.slack(point, length) && point.is_finite() {
             return Ok(());
         }
         Err(Refusal::CommunicationPoint { given: point, expected: self.time }.into())
@@ -84,15 +102,6 @@ impl Clock {
 fn negative_or_infinite(length: f64) -> Box<Refusal> {
     let requirement = "a step is finite and not negative";
     Refusal::Argument { argument: "communicationStepSize", value: length, requirement }.into()
-}
-
-/// Refuses a step that passes the stop time by more than rounding.
-#[cold]
-fn check_stop(point: f64, length: f64, stop: f64) -> Checked {
-    if point + length > stop + SAME * stop.abs().max(length) {
-        return Err(Refusal::BeyondStopTime { from: point, length, stop }.into());
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -130,6 +139,37 @@ mod tests {
             );
         }
         assert_eq!(clock.after(1.0, 0.0).unwrap(), clock);
+    }
+
+    /// 0.1 + 0.1 + 0.1 − 0.3 is 5.6e-17: the end of an experiment at 0 that began at −0.3.
+    #[test]
+    fn rounding_does_not_matter_next_to_zero_either() {
+        let mut clock = Clock::new(-0.3, Some(0.0)).unwrap();
+        let mut time = -0.3;
+        for _ in 0..3 {
+            clock = clock.after(time, 0.1).unwrap();
+            time += 0.1;
+        }
+        assert!(time > 0.0 && clock.is_sound());
+        assert!(clock.after(0.0, 0.0).is_ok() && clock.after(time, 0.0).is_ok());
+        assert!(clock.after(1e-6, 0.0).is_err() && clock.after(time, 1e-6).is_err());
+    }
+
+    /// A step is repeated, shortened and taken up again from the time that it came to.
+    #[test]
+    fn steps_of_any_length_add_up() {
+        let mut clock = Clock::new(0.0, Some(1.0)).unwrap();
+        let (mut time, mut length) = (0.0, 0.3);
+        while time < 1.0 {
+            clock = clock.after(time, f64::min(length, 1.0 - time)).unwrap();
+            time += f64::min(length, 1.0 - time);
+            length *= 0.7;
+            if length < 1e-12 {
+                length = 1.0;
+            }
+        }
+        assert_eq!(clock.time(), 1.0);
+        assert!(Clock::new(f64::MAX, None).unwrap().after(f64::MAX, f64::MAX).is_err());
     }
 
     #[test]

@@ -176,7 +176,11 @@ impl Component {
 
     pub(super) fn do_step(&mut self, point: f64, length: f64) -> Checked {
         let result = self.step(point, length);
-        self.last_step = if result.is_ok() { Outcome::Done } else { Outcome::Refused };
+        self.last_step = match &result {
+            Ok(()) => Outcome::Done,
+            Err(refusal) if refusal.status() == Status::Discard => Outcome::Discarded,
+            Err(_) => Outcome::Refused,
+        };
         result
     }
 
@@ -190,6 +194,7 @@ impl Component {
     pub(super) fn last_step(&self) -> Status {
         match self.last_step {
             Outcome::Done => Status::Ok,
+            Outcome::Discarded => Status::Discard,
             Outcome::Refused => Status::Error,
         }
     }

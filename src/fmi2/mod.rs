@@ -14,14 +14,14 @@
 //!
 //! # What the standard leaves to the FMU, and how it is settled here
 //!
-//! - **Status.** A call that cannot be carried out returns fmi2Error and changes nothing. The standard lets a master
-//!   repeat a refused step with other inputs or another step size, and here that needs no saved state: the instance stays
-//!   usable. fmi2Discard is kept for a status that this FMU cannot report; it never does half a step, which is
-//!   what fmi2Discard would mean for fmi2DoStep. fmi2Warning goes with dissimilar materials, once.
+//! - **Status.** A call that cannot be carried out returns fmi2Error and changes nothing. A step that the model cannot do, for
+//!   instance to a load beyond its profile table, returns fmi2Discard: nothing has changed, the last successful time is
+//!   that before it, and a master may repeat it with other inputs or another step size without a saved state. A status
+//!   that this FMU cannot report is a discard, too. fmi2Warning goes with dissimilar materials, once.
 //! - **Panic.** It returns fmi2Error, not fmi2Fatal, since instances share nothing. The instance refuses
 //!   everything from then on, until fmi2Reset, fmi2SetFMUstate or fmi2FreeInstance.
-//! - **Messages.** Warnings and errors always reach the logger; events and discards only under `loggingOn`, and
-//!   when their category is selected.
+//! - **Messages.** Warnings, errors and discards always reach the logger; events only under `loggingOn`, and when their
+//!   category is selected.
 //! - **Start.** Inputs set before fmi2ExitInitializationMode are the state in which the contact begins, with
 //!   unstressed springs. In initialization mode outputs follow parameters and inputs as they are set.
 //! - **Steps.** Inputs set at a communication point are the target at the end of the next step. With

@@ -147,10 +147,9 @@ impl Model {
         }
         .map_err(|problem| {
             let start = staged.clock.time();
-            engine(
-                &format!("step from t = {start:?} s by {length:?} s to {}", to.describe(settings)),
-                problem,
-            )
+            let inputs = to.describe(settings);
+            let context = format!("step from t = {start:?} s by {length:?} s to {inputs}");
+            Refusal::Step { context, problem }
         })?;
         staged.last_step = LastStep { from: staged.last_step.to, to: *to, length };
         staged.clock = end;

@@ -74,15 +74,19 @@ pub(super) enum Refusal {
     ProfileFile { name: String, path: PathBuf, reason: std::io::Error },
     #[error("profile_file = \"{name}\" ({}): {problem}", .path.display())]
     ProfileContent { name: String, path: PathBuf, problem: Error },
+    #[error(
+        "{context} cannot be done, and nothing has changed: {problem}; try a shorter step or other inputs"
+    )]
+    Step { context: String, problem: Error },
     #[error("{context}: {problem}")]
     Engine { context: String, problem: Error },
 }
 
 impl Refusal {
-    /// Only a missing status is a discard; see the module's documentation.
+    /// A step that the model cannot do is a discard, and so is a missing status; see the module's documentation.
     pub(super) fn status(&self) -> Status {
         match self {
-            Self::StatusKind { .. } => Status::Discard,
+            Self::Step { .. } | Self::StatusKind { .. } => Status::Discard,
             _ => Status::Error,
         }
     }

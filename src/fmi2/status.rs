@@ -58,5 +58,8 @@ impl fmt::Display for State {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) enum Outcome {
     Done,
+    /// The model could not do it.
+    Discarded,
+    /// It was no step at all.
     Refused,
 }

@@ -209,6 +209,20 @@ impl Fmu {
             fmi2SetRealInputDerivatives(self.component, reference.as_ptr(), 1, order.as_ptr(), value.as_ptr())
         }
     }
+    /// fmi2LastSuccessfulTime.
+    pub(crate) fn last_successful_time(&self) -> f64 {
+        let mut time = [f64::NAN];
+        // SAFETY: see above.
+        assert_eq!(unsafe { fmi2GetRealStatus(self.component, 2, time.as_mut_ptr()) }, OK);
+        time[0]
+    }
+    /// fmi2DoStepStatus.
+    pub(crate) fn step_status(&self) -> fmi2Status {
+        let mut status = [9];
+        // SAFETY: see above.
+        assert_eq!(unsafe { fmi2GetStatus(self.component, 0, status.as_mut_ptr()) }, OK);
+        status[0]
+    }
     /// The bytes of a saved state.
     pub(crate) fn serialized(&self, state: fmi2FMUstate) -> Vec<u8> {
         let mut size = 0;
