@@ -9,6 +9,7 @@ mod cyclic;
 mod derivatives;
 mod history;
 mod readout;
+mod retune;
 mod slide;
 mod snapshot;
 mod steady;
@@ -75,6 +76,8 @@ pub struct FrettingContact {
     direction: f64,
     /// Work of friction, J.
     work: f64,
+    /// What has worn before the coefficients were last changed.
+    former: retune::FormerWear,
     /// Largest contact radius so far, m.
     reach: f64,
     /// Present only where wear is computed.
@@ -142,6 +145,7 @@ impl FrettingContact {
             displacement: 0.0,
             direction: 0.0,
             work: 0.0,
+            former: retune::FormerWear::default(),
             reach: 0.0,
             wear,
             counters: Counters::default(),

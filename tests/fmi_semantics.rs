@@ -5,7 +5,7 @@ mod host;
 
 use fretting_contact::fmi2::variables::variables;
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
-use host::{ERROR, Fmu, OK, WARNING};
+use host::{DISCARD, ERROR, Fmu, OK, WARNING};
 
 #[test]
 fn with_nothing_set_it_is_the_steel_case() {
@@ -277,4 +277,45 @@ fn communication_points_need_not_add_up() {
     {
         assert!((end(steps) / whole - 1.0).abs() < 1e-12, "{steps:?}");
     }
+}
+
+#[test]
+fn tunable_parameters_count_from_the_next_step() {
+    let mut engine = FrettingContact::new(Parameters::default()).unwrap();
+    engine.start_at(100.0, 0.0).unwrap();
+    let fmu = Fmu::started(|_| {});
+    engine.advance_to(100.0, 3e-6).unwrap();
+    fmu.step_with(&[("tangential_displacement", 3e-6)], 0.0, 1.0);
+    let before = fmu.bits();
+    assert_eq!((fmu.set_real("friction_coefficient", 0.3), fmu.set_real("wear_coefficient", 1e-3)), (OK, OK));
+    assert_eq!((fmu.bits(), fmu.real("friction_coefficient")), (before.clone(), 0.3));
+    // the change is part of a state
+    let (saved, other) = (fmu.save(), Fmu::new());
+    let (copy, status) = other.deserialized(&fmu.serialized(saved));
+    assert_eq!((status, other.restore(copy)), (OK, OK), "{:?}", other.messages());
+    // a step that cannot be done leaves all as it was
+    assert_eq!(fmu.set_real("tangential_displacement", f64::MAX), OK);
+    assert_eq!((fmu.do_step(1.0, 1.0), fmu.bits()), (DISCARD, before));
+    fmu.messages();
+
+    engine.retune(0.3, 1e-3).unwrap();
+    engine.advance_to(100.0, 2.9e-6).unwrap();
+    for fmu in [&fmu, &other] {
+        fmu.step_with(&[("tangential_displacement", 2.9e-6)], 1.0, 1.0);
+        assert_eq!(fmu.real("tangential_force"), engine.tangential_force());
+        assert_eq!(fmu.real("wear_volume"), engine.wear_volume());
+        assert!(fmu.real("tangential_force") < 30.0 * (1.0 + 1e-12));
+    }
+    assert_eq!(fmu.bits(), other.bits());
+    for (name, texts) in [
+        ("wear_coefficient", ["wear_coefficient = 0.0", "on or off"]),
+        ("friction_coefficient", ["friction_coefficient = 0.0", "on or off"]),
+        ("hardness", ["hardness = 0.0", "fixed after initialization"]),
+    ] {
+        fmu.refused(fmu.set_real(name, 0.0), &texts);
+    }
+    // back to the state in which they had only been set
+    assert_eq!(fmu.restore(saved), OK);
+    fmu.step_with(&[("tangential_displacement", 2.9e-6)], 1.0, 1.0);
+    assert_eq!(fmu.bits(), other.bits());
 }

@@ -117,7 +117,7 @@ impl FrettingContact {
         };
         let per_work = self.constants.wear_per_work;
         let known = known.map(|work| work * per_work);
-        let worn = self.work * per_work - known.unwrap_or(0.0);
+        let worn = self.wear_volume() - known.unwrap_or(0.0);
         let amount = Amount { cycles: amount, worn, known };
         let life = live(&self.surface, &motion, &amount, &self.constants, &fineness, &mut self.counters)?;
         let Some(wear) = &mut self.wear else { return Ok(0.0) };

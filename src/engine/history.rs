@@ -188,7 +188,7 @@ impl FrettingContact {
     }
 
     /// The path from the present state to a contact and displacement.
-    fn path_to(&self, to: Contact, displacement: f64) -> Path<'_> {
+    pub(super) fn path_to(&self, to: Contact, displacement: f64) -> Path<'_> {
         Path {
             surface: &self.surface,
             control: self.parameters.normal_control,

@@ -49,9 +49,10 @@ impl FrettingContact {
         self.work
     }
 
-    /// Worn volume (k/σ₀) W so far, m³: the exact integral of the wear law, at every instant.
+    /// Worn volume (k/σ₀) W so far, m³: the exact integral of the wear law, at every instant. Each part of the work counts by
+    /// the coefficient of its time.
     pub fn wear_volume(&self) -> f64 {
-        self.constants.wear_per_work * self.work
+        self.former.volume + self.constants.wear_per_work * (self.work - self.former.work)
     }
 
     /// ∂F_N/∂d = 2E*a, N/m.

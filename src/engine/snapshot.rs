@@ -4,6 +4,7 @@ mod soundness;
 
 pub(super) use soundness::is_contact;
 
+use super::retune::FormerWear;
 use super::steady::Rhythm;
 use super::{Counters, FrettingContact, WearState};
 use crate::error::Error;
@@ -20,6 +21,7 @@ pub struct Snapshot {
     displacement: f64,
     direction: f64,
     work: f64,
+    former: FormerWear,
     reach: f64,
     nodes: Option<Nodes>,
     wear: Option<WearSnapshot>,
@@ -59,6 +61,7 @@ impl FrettingContact {
             displacement: self.displacement,
             direction: self.direction,
             work: self.work,
+            former: self.former,
             reach: self.reach,
             nodes: self.surface.worn().cloned(),
             wear,
@@ -96,6 +99,7 @@ impl FrettingContact {
         self.displacement = snapshot.displacement;
         self.direction = snapshot.direction;
         self.work = snapshot.work;
+        self.former = snapshot.former;
         self.reach = snapshot.reach;
         self.counters = snapshot.counters;
         self.wear = snapshot.wear.as_ref().map(|saved| {

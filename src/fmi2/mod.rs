@@ -31,6 +31,8 @@
 //! - **Derivatives of outputs** are those of the law in the present sliding direction, one-sided where it has a kink (see
 //!   [`crate::engine::Gradient`]), at the profile as it is. Those with respect to time hold at the end of the last step, for
 //!   inputs that go on as they moved along it.
+//! - **Tunable parameters.** friction_coefficient and wear_coefficient may be changed between steps, but not switched on or
+//!   off. The next step begins with the new ones; springs that are then beyond their bound slip back to it.
 //! - **Cyclic loading.** A step makes `h` times the mean frequency cycles; the other inputs count at its end.
 //! - **Tolerance.** The parameter `tolerance` rules; that of fmi2SetupExperiment is noted in the log only.
 #![allow(unsafe_code)]

@@ -20,6 +20,8 @@ pub(super) struct Staged {
     pub(super) slopes: Option<Inputs>,
     pub(super) clock: Clock,
     pub(super) last_step: LastStep,
+    /// Whether the contact still has to take over tunable parameters.
+    retune: bool,
     /// Whether the contact has been brought to its initial state with the present inputs.
     started: bool,
     /// Whether initialization is over: parameters are fixed, and inputs are targets of steps.
@@ -71,6 +73,15 @@ impl Model {
     pub(super) fn change_settings(&mut self) -> &mut Settings {
         self.contact = None;
         self.staged.started = false;
+        &mut self.staged.settings
+    }
+
+    /// The tunable parameters, to change one; the contact takes it over with the next step.
+    pub(super) fn tune(&mut self) -> &mut Settings {
+        if !self.staged.initialized {
+            return self.change_settings();
+        }
+        self.staged.retune = true;
         &mut self.staged.settings
     }
 
@@ -138,19 +149,30 @@ impl Model {
         let contact =
             contact.as_mut().expect("initialization builds the contact, and nothing discards it later");
         let normal = to.normal(settings.normal_control());
-        match settings.loading() {
+        // a step that cannot be done must not leave the contact retuned either
+        let before = staged.retune.then(|| contact.clone());
+        let retuned = if staged.retune {
+            contact.retune(settings.friction_coefficient, settings.wear_coefficient)
+        } else {
+            Ok(())
+        };
+        let advanced = retuned.and_then(|()| match settings.loading() {
             Loading::Transient => contact.advance_to(normal, to.tangential_displacement),
             Loading::Cyclic => {
                 let cycles = 0.5 * (from.frequency + to.frequency) * length;
                 contact.advance_cycles(normal, to.displacement_amplitude, cycles)
             }
+        });
+        if let (Err(_), Some(before)) = (&advanced, before) {
+            *contact = before;
         }
-        .map_err(|problem| {
+        advanced.map_err(|problem| {
             let start = staged.clock.time();
             let inputs = to.describe(settings);
             let context = format!("step from t = {start:?} s by {length:?} s to {inputs}");
             Refusal::Step { context, problem }
         })?;
+        staged.retune = false;
         staged.last_step = LastStep { from: staged.last_step.to, to: *to, length };
         staged.clock = end;
         if let Some(inputs) = moved {
@@ -212,7 +234,12 @@ impl SavedModel {
         let Some((parameters, snapshot)) = contact else {
             return if staged.started { refuse("it has no contact") } else { Ok(()) };
         };
-        if !staged.settings.give(parameters) {
+        let mut settings = staged.settings.clone();
+        if staged.retune {
+            settings.friction_coefficient = parameters.friction_coefficient;
+            settings.wear_coefficient = parameters.wear_coefficient;
+        }
+        if !settings.give(parameters) {
             return refuse("its contact has other parameters than it sets");
         }
         FrettingContact::new(parameters.clone())

@@ -75,7 +75,7 @@ fn not_found(found: Option<&Variable>, reference: u32, asked: Asked) -> Box<Refu
 #[inline]
 fn check_writable(model: &Model, variable: &Variable, value: impl Debug) -> Checked {
     match variable.access {
-        Access::Input(_) => Ok(()),
+        Access::Input(_) | Access::Tunable(_) => Ok(()),
         Access::Parameter(_) | Access::Number(_) | Access::Text(_) if !model.is_initialized() => Ok(()),
         _ => Err(not_writable(variable, &value)),
     }
@@ -85,9 +85,11 @@ fn check_writable(model: &Model, variable: &Variable, value: impl Debug) -> Chec
 fn not_writable(variable: &Variable, value: &dyn Debug) -> Box<Refusal> {
     let (name, value) = (variable.name.to_string(), format!("{value:?}"));
     match variable.access {
-        Access::Input(_) | Access::Parameter(_) | Access::Number(_) | Access::Text(_) => {
-            Refusal::Fixed { name, value }
-        }
+        Access::Input(_)
+        | Access::Parameter(_)
+        | Access::Tunable(_)
+        | Access::Number(_)
+        | Access::Text(_) => Refusal::Fixed { name, value },
         Access::Output(_) | Access::Slip(_) | Access::Field { .. } => {
             Refusal::ReadOnly { name, value, causality: variable.causality() }
         }
@@ -141,7 +143,7 @@ pub(super) fn check_settings(settings: &Settings) -> Checked {
     let mut settings = settings.clone();
     for variable in variables() {
         match variable.access {
-            Access::Parameter(field) => check_real(variable, *field(&mut settings))?,
+            Access::Parameter(field) | Access::Tunable(field) => check_real(variable, *field(&mut settings))?,
             Access::Number(field) => check_integer(variable, *field(&mut settings))?,
             Access::Text(field) if field(&mut settings).to_str().is_err() => {
                 let (name, problem) = (variable.name.to_string(), "the string is not UTF-8");
@@ -171,7 +173,7 @@ impl Component {
         for (&reference, value) in references.iter().zip(values) {
             value.write(match (table.access(reference), contact) {
                 (Access::Input(field), _) => *field(&mut staged.inputs),
-                (Access::Parameter(field), _) => *field(&mut staged.settings),
+                (Access::Parameter(field) | Access::Tunable(field), _) => *field(&mut staged.settings),
                 (Access::Output(output), Some(contact)) => (output.read)(contact),
                 (Access::Field { probe, read }, Some(contact)) => {
                     let radii = radii.get_or_insert_with(|| contact.probe_radii());
@@ -208,6 +210,10 @@ impl Component {
             check_real(variable, value)?;
             match variable.access {
                 Access::Input(field) => *field(&mut self.model.staged().inputs) = value,
+                Access::Tunable(field) => {
+                    parameters = true;
+                    self.check_switch(variable, field, value)?;
+                }
                 _ => parameters = true,
             }
         }
@@ -218,10 +224,31 @@ impl Component {
     #[cold]
     fn set_parameters(&mut self, references: &[u32], values: &[f64]) {
         for (&reference, &value) in references.iter().zip(values) {
-            if let Access::Parameter(field) = Table::get().access(reference) {
-                *field(self.model.change_settings()) = value;
+            match Table::get().access(reference) {
+                Access::Parameter(field) => *field(self.model.change_settings()) = value,
+                Access::Tunable(field) => *field(self.model.tune()) = value,
+                _ => {}
             }
         }
+    }
+
+    /// Refuses to switch friction or wear on or off once the contact has been built for it.
+    #[cold]
+    fn check_switch(
+        &mut self,
+        variable: &Variable,
+        field: fn(&mut Settings) -> &mut f64,
+        value: f64,
+    ) -> Checked {
+        let present = *field(&mut self.model.staged().settings);
+        if !self.model.is_initialized() || (present == 0.0) == (value == 0.0) {
+            return Ok(());
+        }
+        let (name, value) = (variable.name.to_string(), format!("{value:?}"));
+        let requirement = format!(
+            "it is {present:?} since the initialization, and 0 is for good; call fmi2Reset to switch it on or off"
+        );
+        Err(Refusal::Value { name, value, requirement }.into())
     }
 
     pub(super) fn get_integer(&mut self, references: &[u32], values: &mut [MaybeUninit<i32>]) -> Checked {

@@ -138,6 +138,8 @@ impl fmt::Display for Range {
 pub(super) enum Access {
     Input(fn(&mut Inputs) -> &mut f64),
     Parameter(fn(&mut Settings) -> &mut f64),
+    /// A parameter that may be changed between steps.
+    Tunable(fn(&mut Settings) -> &mut f64),
     /// An Integer or Enumeration parameter.
     Number(fn(&mut Settings) -> &mut i32),
     Text(fn(&mut Settings) -> &mut CString),
@@ -175,7 +177,7 @@ impl Variable {
     pub fn causality(&self) -> &'static str {
         match self.access {
             Access::Input(_) => "input",
-            Access::Parameter(_) | Access::Number(_) | Access::Text(_) => "parameter",
+            Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => "parameter",
             Access::Output(_) | Access::Slip(_) => "output",
             Access::Field { .. } => "local",
         }
@@ -185,6 +187,7 @@ impl Variable {
     pub fn variability(&self) -> &'static str {
         match self.access {
             Access::Parameter(_) | Access::Number(_) | Access::Text(_) => "fixed",
+            Access::Tunable(_) => "tunable",
             Access::Input(_) | Access::Output(_) | Access::Field { .. } => "continuous",
             Access::Slip(_) => "discrete",
         }
@@ -194,7 +197,7 @@ impl Variable {
     pub fn initial(&self) -> Option<&'static str> {
         match self.access {
             Access::Input(_) => None,
-            Access::Parameter(_) | Access::Number(_) | Access::Text(_) => Some("exact"),
+            Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => Some("exact"),
             Access::Output(_) | Access::Slip(_) | Access::Field { .. } => Some("calculated"),
         }
     }
@@ -204,7 +207,7 @@ impl Variable {
         let (mut settings, mut inputs) = (Settings::default(), Inputs::default());
         match self.access {
             Access::Input(field) => Some(Start::Real(*field(&mut inputs))),
-            Access::Parameter(field) => Some(Start::Real(*field(&mut settings))),
+            Access::Parameter(field) | Access::Tunable(field) => Some(Start::Real(*field(&mut settings))),
             Access::Number(field) => Some(Start::Integer(*field(&mut settings))),
             Access::Text(field) => Some(Start::Text(field(&mut settings).to_string_lossy().into_owned())),
             Access::Output(_) | Access::Slip(_) | Access::Field { .. } => None,
@@ -225,7 +228,7 @@ mod tests {
         };
         let mut checked = 0;
         for variable in variables() {
-            let (Access::Parameter(field), DataType::Real { range, .. }) =
+            let (Access::Parameter(field) | Access::Tunable(field), DataType::Real { range, .. }) =
                 (variable.access, &variable.data_type)
             else {
                 continue;

@@ -69,7 +69,10 @@ impl Snapshot {
         let numbers = amount(self.reach)
             && self.displacement.is_finite()
             && is_sign(self.direction)
-            && amount(self.work);
+            && amount(self.work)
+            && amount(self.former.volume)
+            && amount(self.former.work)
+            && self.former.work <= self.work;
         if !(numbers
             && self.reach >= self.contact.radius
             && self.reach <= target.surface.profile().outer_radius())

@@ -143,10 +143,11 @@ fn parameters() -> Vec<Variable> {
         real("youngs_modulus_2", "Pa", Range::POSITIVE, |s| &mut s.youngs_modulus_2)
             .about("Young's modulus of body 2, the counter body"),
         real("poisson_ratio_2", "1", poisson, |s| &mut s.poisson_ratio_2).about("Poisson ratio of body 2"),
-        real("friction_coefficient", "1", Range::NOT_NEGATIVE, |s| &mut s.friction_coefficient)
-            .about("Coefficient of friction"),
-        real("wear_coefficient", "1", Range::NOT_NEGATIVE, |s| &mut s.wear_coefficient).about(
-            "Wear coefficient k: a friction work W wears the volume W*wear_coefficient/hardness; 0 computes no wear",
+        tunable("friction_coefficient", "1", Range::NOT_NEGATIVE, |s| &mut s.friction_coefficient)
+            .about("Coefficient of friction; a change counts from the next step, 0 is for good"),
+        tunable("wear_coefficient", "1", Range::NOT_NEGATIVE, |s| &mut s.wear_coefficient).about(
+            "Wear coefficient k: a friction work W wears the volume W*wear_coefficient/hardness; a change counts from the next step, 0 computes \
+             no wear for good",
         ),
         real("hardness", "Pa", Range::POSITIVE, |s| &mut s.hardness).about("Hardness of body 1"),
         choice("normal_control", &NORMAL_CONTROL, |s| &mut s.normal_control)
@@ -230,6 +231,10 @@ fn slip(
 fn real(name: &'static str, unit: &str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
     let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: None, range };
     variable(name, data_type, Access::Parameter(field))
+}
+
+fn tunable(name: &'static str, unit: &str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
+    Variable { access: Access::Tunable(field), ..real(name, unit, range, field) }
 }
 
 fn unitless(name: &'static str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {

@@ -1,0 +1,75 @@
+//! Friction and wear that change during a life: another lubricant, a coating that has worn through.
+
+use super::FrettingContact;
+use crate::error::Error;
+use crate::friction::Springs;
+use crate::parameters::Parameters;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// What has worn by former coefficients of wear.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct FormerWear {
+    /// Worn volume, m³.
+    pub(super) volume: f64,
+    /// Work of friction by which it wore, J.
+    pub(super) work: f64,
+}
+
+impl FrettingContact {
+    /// Goes on with other coefficients of friction and wear. What has passed is worn off by the old ones. Springs beyond their
+    /// new bound slip back to it where the body stands, and friction takes the energy that they lose, as in a gradual
+    /// change.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for a coefficient out of its range, or that would switch friction or wear on or off; those of
+    /// [`Self::advance_to`].
+    pub fn retune(&mut self, friction_coefficient: f64, wear_coefficient: f64) -> Result<(), Error> {
+        let old = &self.parameters;
+        let new = Parameters { friction_coefficient, wear_coefficient, ..(**old).clone() };
+        new.validate()?;
+        for (name, before, value) in [
+            ("friction_coefficient", old.friction_coefficient, friction_coefficient),
+            ("wear_coefficient", old.wear_coefficient, wear_coefficient),
+        ] {
+            if (before == 0.0) != (value == 0.0) {
+                let requirement = "friction and wear are switched on or off by a new contact only";
+                return Err(Error::Parameter { name, value, requirement });
+            }
+        }
+        if new == **old {
+            return Ok(());
+        }
+        let mut constants = self.constants;
+        constants.friction_coefficient = friction_coefficient;
+        constants.wear_per_work = new.wear_per_work();
+        let bound_slope = constants.bound_slope();
+        if !((1.0 + bound_slope).is_normal() && constants.wear_per_work.is_finite()) {
+            let (normal, displacement) = (0.0, self.displacement);
+            return Err(Error::NotFinite { what: "the slope of the friction bound", normal, displacement });
+        }
+        self.view.take();
+        self.transaction(|this| {
+            this.settle()?;
+            this.former = FormerWear { volume: this.wear_volume(), work: this.work };
+            this.parameters = Arc::new(new);
+            (this.constants, this.bound_slope) = (constants, bound_slope);
+            let contact = this.contact;
+            let (springs, _) =
+                this.springs.walk(&this.path_to(contact, this.displacement), Springs::default());
+            this.counters.spring_walks += 1;
+            let energy = |row: &Springs| row.energy_integral(this.displacement);
+            let lost = this.constants.tangential_modulus * (energy(&this.springs) - energy(&springs));
+            let work = lost.max(0.0);
+            this.springs = springs;
+            this.work += work;
+            if let Some(wear) = &mut this.wear {
+                wear.pending.unplaced += work;
+                wear.rhythm = None;
+                wear.next_step = None;
+            }
+            this.start_segment();
+            Ok(())
+        })
+    }
+}
