@@ -15,7 +15,8 @@ pub enum NormalControl {
     Indentation,
 }
 
-/// The definition of one contact. Fixed for the life of a [`crate::FrettingContact`].
+/// The definition of one contact. Fixed for the life of a [`crate::FrettingContact`], but for what
+/// [`crate::FrettingContact::retune`] changes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Parameters {
     /// Elastic constants; body 1 moves and wears.

@@ -147,6 +147,28 @@ mod tests {
         unsafe { enter(component, call, body) }
     }
 
+    /// The column that no importer can reach by itself: after an internal failure only these are let through.
+    #[test]
+    fn a_failed_instance_admits_what_ends_or_mends_it() {
+        let component = new_component(Component::new(Logger::new(None, CString::default(), false), None));
+        run(component, &lifecycle::DO_STEP, |_| Ok(()));
+        run(component, &lifecycle::RESET, |_| panic!("deliberate"));
+        let admitted = |call: &&Call| {
+            let mut reached = false;
+            let status = run(component, call, |_| {
+                reached = true;
+                Ok(())
+            });
+            assert_eq!(status == fmi2Status_fmi2OK, reached, "{}", call.name);
+            reached
+        };
+        let names: Vec<_> = lifecycle::ALL.iter().filter(admitted).map(|call| call.name).collect();
+        let expected = ["fmi2SetDebugLogging", "fmi2Reset", "fmi2SetFMUstate", "fmi2FreeFMUstate"];
+        assert_eq!((lifecycle::ALL.len(), names), (30, expected.to_vec()));
+        // SAFETY: it is not used again.
+        unsafe { free_component(component) }
+    }
+
     #[test]
     fn a_panic_makes_the_instance_unusable_until_it_is_reset() {
         let component = new_component(Component::new(Logger::new(None, CString::default(), false), None));

@@ -45,6 +45,10 @@ const fn bit(state: State) -> u8 {
 macro_rules! calls {
     ($($constant:ident = $name:ident in [$($state:ident),*];)*) => {
         $(pub(super) const $constant: Call = Call::new(stringify!($name), &[$($state),*]);)*
+
+        /// Every one of them.
+        #[cfg(test)]
+        pub(super) const ALL: &[Call] = &[$($constant),*];
     };
 }
 
