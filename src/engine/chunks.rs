@@ -37,6 +37,9 @@ impl FrettingContact {
                     return Err(refused);
                 }
                 self.spread(chunk);
+                if !self.transform_defect().is_finite() {
+                    return Err(refused);
+                }
                 self.work += chunk.work;
                 self.update_surface()?;
                 self.contact = self.contact_at(value)?;

@@ -198,9 +198,23 @@ impl FrettingContact {
                 }
             }
         };
-        if self.surface.worn().is_none() {
-            let nodes = Nodes::around(profile, self.parameters.resolution, contact.radius, stick);
+        let nodes = match self.surface.worn() {
+            None => Nodes::around(profile, self.parameters.resolution, contact.radius, stick),
+            Some(nodes) => {
+                // those of an earlier contact may end inside this one
+                let mut adapted = nodes.clone();
+                adapted.adapt(profile, contact.radius, stick);
+                adapted
+            }
+        };
+        if self.surface.worn().is_none_or(|before| before.x().len() != nodes.x().len()) {
+            let old = self.surface.clone();
             self.surface.set_worn(Some(nodes));
+            self.springs = self.springs.moved_to(&old, &self.surface);
+            if let (Some(wear), Some(before), Some(now)) = (&mut self.wear, old.worn(), self.surface.worn()) {
+                wear.segment.unslipped = wear.segment.unslipped.moved_to(&old, &self.surface);
+                wear.pending.moved_to(before.x(), now.x());
+            }
         }
         let outer = self.surface.profile().outer_radius();
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return };
