@@ -15,8 +15,7 @@ impl Interval {
     pub(super) fn between(p: &Place, q: &Place) -> Self {
         let width = q.x - p.x;
         let rise = q.image - p.image;
-        // below that its reciprocal would overflow
-        if rise < f64::MIN_POSITIVE {
+        if rise <= 0.0 {
             return Self { width, rise: 0.0, first: 0.0, second: 0.0 };
         }
         let first = at_most(at_least(q.x * rise - (q.load - p.load), 0.0), rise * width);
@@ -52,8 +51,8 @@ impl Interval {
     /// ∫ f h dx for two such functions.
     pub(super) fn product(&self, f: (f64, f64), h: (f64, f64)) -> f64 {
         if self.rise > 0.0 {
-            let per_rise = 1.0 / self.rise;
-            let (df, dh) = ((f.1 - f.0) * per_rise, (h.1 - h.0) * per_rise);
+            // not by the reciprocal: where a bound ends in 0 its work has to come out as 0, on a body worn flat, too
+            let (df, dh) = ((f.1 - f.0) / self.rise, (h.1 - h.0) / self.rise);
             f.0 * h.0 * self.width + (f.0 * dh + df * h.0) * self.first + df * dh * self.second
         } else {
             self.width * (2.0 * f.0 * h.0 + 2.0 * f.1 * h.1 + f.0 * h.1 + f.1 * h.0) / 6.0
