@@ -51,7 +51,8 @@ impl Interval {
     /// ∫ f h dx for two such functions.
     pub(super) fn product(&self, f: (f64, f64), h: (f64, f64)) -> f64 {
         if self.rise > 0.0 {
-            // not by the reciprocal: where a bound ends in 0 its work has to come out as 0, on a body worn flat, too
+            // not by the reciprocal: on a punch worn flat, where the rise is rounding, it split one line of the snapshot test
+            // into 15,000 profile updates
             let (df, dh) = ((f.1 - f.0) / self.rise, (h.1 - h.0) / self.rise);
             f.0 * h.0 * self.width + (f.0 * dh + df * h.0) * self.first + df * dh * self.second
         } else {
