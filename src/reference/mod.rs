@@ -1,7 +1,7 @@
-//! Closed forms of the model, and one brute-force check, independent of the engine.
+//! Closed forms of the model, and two brute-force checks, independent of the engine.
 //!
 //! Tests, benchmarks and reports measure the engine against this module, so it shares no code with it: plain
-//! functions of `f64`, arguments in SI units, no state except in [`springs`]. Inputs are trusted; a violated
+//! functions of `f64`, arguments in SI units, no state except in the rows of springs. Inputs are trusted; a violated
 //! precondition panics.
 //!
 //! | symbol | meaning | unit |
@@ -23,6 +23,7 @@
 //! | [`wear`] | final state at constant depth, gross slip, seed cycles | Popov 2014; Dimaki et al. 2014 |
 //! | [`wear_tables`] | histories without a closed form, as data | Dimaki et al. 2014 for the scenes |
 //! | [`springs`] | the image as a row of springs, stepped | Dimaki et al. 2014, eq. (13) |
+//! | [`wearing_springs`] | the same row with wear, explicitly stepped | Dimaki et al. 2014, eqs. (12)–(18) |
 //! | [`quadrature`], [`root`] | what the formulas need where no antiderivative exists | Takahasi and Mori 1974 |
 
 pub mod normal;
@@ -33,9 +34,11 @@ pub mod springs;
 pub mod tangential;
 pub mod wear;
 pub mod wear_tables;
+pub mod wearing_springs;
 
 pub use normal::NormalContact;
 pub use shape::Shape;
 pub use springs::PlainSpringRow;
 pub use tangential::{MonomialContact, TangentialContact};
 pub use wear::ConstantDepthEnd;
+pub use wearing_springs::WearingRow;
