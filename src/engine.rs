@@ -23,7 +23,7 @@ use crate::error::Error;
 use crate::friction::Springs;
 use crate::parameters::{NormalControl, Parameters};
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Constants, Pending, Segment, Sliding, TableCache, UnitMesh};
+use crate::wear::{Constants, Pending, Segment, Sliding, TransformCache, UnitMesh};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -94,7 +94,7 @@ struct WearState {
     segment: Segment,
     /// The row of a former segment, kept for its memory.
     spare_row: Springs,
-    tables: TableCache,
+    transforms: TransformCache,
     /// The cycle that a transient history keeps to.
     rhythm: Option<steady::Rhythm>,
     /// How much the next step of a steady motion should span, and of which.

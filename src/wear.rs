@@ -14,22 +14,24 @@
 //! than about (4/π)(p/E*) Δr at a time, which the fine cells at a stick front make hopeless. S is lower triangular:
 //! nodes that have not slipped get Δh = 0 exactly, whatever happens outside.
 
+mod krylov;
 mod life;
 mod mesh;
+mod node_transforms;
 mod patch;
 mod rosenbrock;
+mod system;
 mod update;
 
 pub(crate) use life::{Amount, Fineness, live};
 pub(crate) use mesh::{Region, UnitMesh, depth_volume};
+pub(crate) use node_transforms::{NodeTransforms, TransformCache};
 pub(crate) use patch::{Motion, Sliding};
 pub(crate) use update::{Edge, pressure_nodes, worn_depth};
 
 use crate::friction::Springs;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::transform::Tables;
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 /// Constants that the update needs.
 #[derive(Debug, Clone, Copy)]
@@ -109,9 +111,12 @@ impl Pending {
         }
         let product: Vec<f64> =
             (0..count).map(|i| traction.get(i).map_or(0.0, |traction| traction * slip[i])).collect();
-        let healing: Vec<f64> = product.iter().map(|p| (-p).max(0.0)).collect();
+        // where all slips one way, a negative product is a pressure that overshoots: the update needs to know by how much, or
+        // it would drive it on; the depth that it gives is clipped in the end
+        let one_way = slip.iter().all(|s| *s >= 0.0) || slip.iter().all(|s| *s <= 0.0);
+        let healing: Vec<f64> = product.iter().map(|p| if one_way { 0.0 } else { (-p).max(0.0) }).collect();
         self.clipped += nodes.volume(&healing);
-        let gain: Vec<f64> = product.iter().map(|p| p.max(0.0)).collect();
+        let gain: Vec<f64> = product.iter().zip(&healing).map(|(p, h)| p + h).collect();
         let found = nodes.integral_to_edge(&gain, contact.radius);
         let placed = work + std::mem::take(&mut self.unplaced);
         let share = if found > 0.0 { (placed / found).clamp(1.0 / most_share, most_share) } else { 0.0 };
@@ -208,26 +213,6 @@ pub(crate) fn segment_fields(
         }
     }
     (deflection, slip)
-}
-
-/// The transforms of one set of nodes, shared by clones of a contact.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct TableCache {
-    tables: Option<(Vec<f64>, Arc<Tables>)>,
-}
-
-impl TableCache {
-    /// Tables for the present nodes; the flag says whether they had to be made.
-    pub(crate) fn get(&mut self, nodes: &Nodes) -> (Arc<Tables>, bool) {
-        match &self.tables {
-            Some((x, tables)) if *x == nodes.x() => (tables.clone(), false),
-            _ => {
-                let tables = Arc::new(Tables::new(nodes.x()));
-                self.tables = Some((nodes.x().to_vec(), tables.clone()));
-                (tables, true)
-            }
-        }
-    }
 }
 
 /// Largest worn volume between two profile updates, m³: a share of what the slipping annulus still has to lose. The

@@ -32,6 +32,10 @@ impl FrettingContact {
                 Err(other) => return Err(other),
             };
             while chunks < next_trial && left > 0.0 {
+                // held in depth, a body may wear until it is free
+                if self.contact.is_open() {
+                    return Ok(());
+                }
                 let chunk = self.chunk(sliding, left);
                 if !(chunk.amount > 0.0 && chunk.work.is_finite()) || chunks == MOST_CHUNKS {
                     return Err(refused);

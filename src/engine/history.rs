@@ -4,9 +4,7 @@ use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Path, Springs};
 use crate::surface::{Contact, Nodes, Surface};
-use crate::transform::Tables;
-use crate::wear::{self, Edge, Pending, Segment, Sliding, Steady};
-use std::sync::Arc;
+use crate::wear::{self, Edge, NodeTransforms, Pending, Segment, Sliding, Steady};
 
 /// Largest change of load, relative to the larger one, over which the friction work of a spring takes the mean of its
 /// bound and one pair of transforms serves; the error is of second order in it.
@@ -15,6 +13,9 @@ const LOAD_SHARE: f64 = 0.05;
 /// How much more than the limit between two updates may wear in one stroke before the profile follows within it. At a
 /// reversal an update is far more exact, since the stroke can be told for half a cycle there.
 pub(super) const STROKE: f64 = 20.0;
+
+/// Share of the tolerance that leaving out nodes may take of the largest image.
+const THINNING: f64 = 0.05;
 
 /// Most pieces into which wear may split a line.
 const MOST_PIECES: f64 = 512.0;
@@ -249,7 +250,8 @@ impl FrettingContact {
     fn turn(&mut self) -> Result<(), Error> {
         let limit = self.update_limit();
         let last = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
-        match self.steady_segment() {
+        let candidate = self.steady_segment();
+        match candidate {
             Some(steady) if self.is_steady(&steady) => self.add_steady(steady)?,
             // it may be the first of many
             Some(_) => self.close_segment()?,
@@ -259,12 +261,17 @@ impl FrettingContact {
             }
         }
         if self.constants.wear_per_work * (self.pending_work() + last) > limit {
-            let steady = self.wear.as_ref().and_then(|wear| wear.pending.steady);
+            let followed =
+                self.wear.as_ref().is_some_and(|wear| wear.pending.steady.is_some_and(|s| s.repeated));
             let stick =
                 self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
             self.update_profile()?;
-            if let Some(Steady { sliding: Sliding::Cycles(amplitude), repeated: true, .. }) = steady {
-                self.rest_at_reversal(amplitude, stick);
+            match candidate {
+                Some(Steady { sliding: Sliding::Cycles(amplitude), .. }) if followed => {
+                    self.rest_at_reversal(amplitude, stick);
+                }
+                Some(Steady { sliding: Sliding::Cycles(amplitude), .. }) => self.expect_cycles(amplitude),
+                _ => {}
             }
         }
         Ok(())
@@ -332,10 +339,10 @@ impl FrettingContact {
                 &self.constants,
             );
             if slip.iter().any(|s| *s != 0.0) {
-                let (tables, made) = wear.tables.get(nodes);
-                let mut traction = wear::pressure_nodes(&tables, nodes.x(), &deflection, &edge);
+                let (transforms, made) = wear.transforms.get(nodes);
+                let mut traction = wear::pressure_nodes(&transforms, nodes.x(), &deflection, &edge);
                 traction.iter_mut().for_each(|t| *t *= self.constants.tangential_modulus);
-                let surface_slip = tables.descend(&slip, slip.len());
+                let surface_slip = transforms.descend(&slip);
                 let largest = if start.radius > self.contact.radius { start } else { self.contact };
                 wear.transform_defect +=
                     wear.pending.add(nodes, &largest, (&traction, &surface_slip), wear.segment.work, 1.25);
@@ -377,7 +384,7 @@ impl FrettingContact {
             Some(nodes) => {
                 let mut adapted = nodes.clone();
                 adapted.adapt(profile, self.contact.radius, front);
-                if adapted.x().len() == nodes.x().len() {
+                if adapted.x().len() == nodes.x().len() && nodes.mesh().is_none() {
                     return Ok(());
                 }
                 adapted
@@ -388,7 +395,9 @@ impl FrettingContact {
         let adapted = match self.surface.worn() {
             None => adapted,
             Some(nodes) => {
-                let mut again = nodes.clone();
+                let share = THINNING * self.parameters.tolerance;
+                let thinned = nodes.thinned(share, self.contact.radius, self.surface.profile());
+                let mut again = thinned.unwrap_or_else(|| nodes.clone());
                 again.adapt(self.surface.profile(), self.contact.radius, front);
                 again
             }
@@ -480,17 +489,17 @@ impl FrettingContact {
         if wear.pending.is_empty() {
             return Ok(None);
         }
-        let (tables, made) = wear.tables.get(nodes);
+        let (transforms, made) = wear.transforms.get(nodes);
         self.counters.transform_tables += u64::from(made);
         let update = wear::worn_depth(
             &self.surface,
-            &tables,
+            &transforms,
             &wear.pending,
             self.parameters.normal_control,
             &self.constants,
-            self.parameters.tolerance,
         )?;
-        self.counters.factorisations += update.factorisations;
+        self.counters.descent_transforms += update.iterations;
+        self.counters.pressure_transforms += update.iterations;
         let mut depth = update.depth;
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape and takes that volume
         let volume = nodes.volume(&depth);
@@ -498,7 +507,7 @@ impl FrettingContact {
         let scale = if volume > 0.0 { target / volume } else { 1.0 };
         depth.iter_mut().for_each(|w| *w *= scale);
         let total = nodes.depth().iter().zip(&depth).map(|(old, new)| old + new).collect();
-        Ok(Some((add_depth(nodes, &tables, &depth), total)))
+        Ok(Some((add_depth(nodes, &transforms, &depth), total)))
     }
 
     /// Contact of the present surface at another value of the control.
@@ -513,8 +522,8 @@ impl FrettingContact {
 }
 
 /// Image after `depth` (m, at the nodes) has been worn off.
-fn add_depth(nodes: &Nodes, tables: &Arc<Tables>, depth: &[f64]) -> Vec<f64> {
-    let change = tables.ascend(depth);
+fn add_depth(nodes: &Nodes, transforms: &NodeTransforms, depth: &[f64]) -> Vec<f64> {
+    let change = transforms.ascend(depth);
     nodes.worn_image().iter().zip(change).map(|(h, dh)| h + dh).collect()
 }
 

@@ -116,7 +116,7 @@ impl FrettingContact {
                 pending: saved.pending.clone(),
                 segment,
                 spare_row: former.spare_row,
-                tables: former.tables,
+                transforms: former.transforms,
                 rhythm: saved.rhythm,
                 next_step: saved.next_step,
                 mesh: former.mesh,

@@ -218,11 +218,11 @@ impl FrettingContact {
         }
         let outer = self.surface.profile().outer_radius();
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return };
-        let (tables, made) = wear.tables.get(nodes);
+        let (transforms, made) = wear.transforms.get(nodes);
         let room: Vec<f64> =
             nodes.x().iter().map(|x| (contact.depth - self.surface.image(*x)).max(0.0)).collect();
         let load: Vec<f64> = room.iter().map(|q| self.constants.normal_modulus * q).collect();
-        let pressure = pressure_nodes(&tables, nodes.x(), &load, &Edge::new(nodes, &contact, outer));
+        let pressure = pressure_nodes(&transforms, nodes.x(), &load, &Edge::new(nodes, &contact, outer));
         let friction = self.constants.friction_coefficient;
         let traction: Vec<f64> = pressure.iter().map(|p| friction * p).collect();
         let path: Vec<f64> = match steady.sliding {
@@ -233,13 +233,20 @@ impl FrettingContact {
                     .zip(nodes.x())
                     .map(|(q, x)| if *x > stick { (amplitude - bound_slope * q).max(0.0) } else { 0.0 })
                     .collect();
-                tables.descend(&slip, slip.len()).iter().map(|s| 4.0 * steady.amount * s.max(0.0)).collect()
+                transforms.descend(&slip).iter().map(|s| 4.0 * steady.amount * s.max(0.0)).collect()
             }
         };
         wear.transform_defect += wear.pending.add(nodes, &contact, (&traction, &path), steady.work, f64::MAX);
         self.counters.transform_tables += u64::from(made);
         self.counters.pressure_transforms += 1;
         self.counters.descent_transforms += 1;
+    }
+
+    /// Takes the rhythm of cycles on the present surface, for the next stroke to be held against.
+    pub(super) fn expect_cycles(&mut self, amplitude: f64) {
+        let contact = self.contact;
+        let (springs, quarter_work) = self.quarter(&contact, amplitude);
+        self.set_rhythm(Some(self.rhythm_of(contact, amplitude, &springs, quarter_work)));
     }
 
     /// Puts the slipping springs where a steady cycle has them at its end, on a surface that has just worn. Those that stuck

@@ -49,6 +49,22 @@ const MOST_ITERATIONS: usize = 100;
 /// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
 /// crowd at the end: there each lies a quarter of its distance from the end apart from the next, or a hundredth of the radius.
 pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: bool) -> Vec<usize> {
+    let last = x.len() - 1;
+    let crowded = |anchor: usize, end: usize| {
+        let close = (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
+        crowd_at_end && x[end] - x[anchor] < close
+    };
+    thin_unless(x, image, share, crowded, |_, _| true)
+}
+
+/// The same, but where a cell is `near`, and never where it may not be.
+fn thin_unless(
+    x: &[f64],
+    image: &[f64],
+    share: f64,
+    near: impl Fn(usize, usize) -> bool,
+    may_be: impl Fn(usize, usize) -> bool,
+) -> Vec<usize> {
     let least = share * image.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
     let mut kept = vec![0];
     let (mut anchor, last) = (0, x.len() - 1);
@@ -60,10 +76,8 @@ pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: boo
                 (line - image[k]).abs() <= least
             })
         };
-        let close = (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
-        let near = |end: usize| crowd_at_end && x[end] - x[anchor] < close;
         let mut end = anchor + 1;
-        while end < last && (near(end) || meets(end + 1)) {
+        while end < last && (near(anchor, end) || (may_be(anchor, end + 1) && meets(end + 1))) {
             end += 1;
         }
         kept.push(end);
@@ -444,12 +458,52 @@ impl Nodes {
         }
     }
 
+    /// These nodes, for a contact of radius `a`, without those that a line (in x²) between others meets within `share` of the
+    /// largest image, as long as no cell inside `a` becomes wider than an even one; `None` where that would spare less than a
+    /// fifth of them. What a front needed where it no longer stands makes an update stiff.
+    ///
+    /// A mesh that has moved with the contact edge leaves narrow cells there, too. In its outer half none stays narrower than half an
+    /// even one: an implicit update takes the contact edge for one that stays in its cell or goes on to the next, and across
+    /// many narrow ones it overshoots. The worn volume stays what it was.
+    pub(crate) fn thinned(&self, share: f64, a: f64, profile: &Profile) -> Option<Self> {
+        let even = a / self.resolution as f64;
+        let width = |anchor: usize, end: usize| self.x[end] - self.x[anchor];
+        let (outer_half, least) = self.mesh.map_or((f64::INFINITY, 0.0), |mesh| {
+            let (inner, edge) = (self.x[mesh.first], self.x[mesh.first + mesh.cells]);
+            let span = edge - inner;
+            (0.5 * (inner + edge), (span / mesh.cells as f64).max((0.5 * even).min(span / 16.0)))
+        });
+        let narrow = |anchor: usize, end: usize| self.x[anchor] >= outer_half && width(anchor, end) < least;
+        let may_be = |anchor: usize, end: usize| self.x[anchor] >= a || width(anchor, end) <= 0.75 * even;
+        let kept = thin_unless(&self.x, &self.worn_image, share, narrow, may_be);
+        if kept.len() * 5 > self.x.len() * 4 {
+            return None;
+        }
+        let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect::<Vec<f64>>();
+        let mut nodes = Self {
+            x: pick(&self.x),
+            worn_image: pick(&self.worn_image),
+            depth: pick(&self.depth),
+            whole: Vec::new(),
+            worn_load: Vec::new(),
+            square: Vec::new(),
+            resolution: self.resolution,
+            mesh: None,
+        };
+        nodes.update_integrals(profile);
+        if self.mesh.is_some() {
+            nodes.add_volume_beyond(0.0, self.worn_volume() - nodes.worn_volume(), profile);
+        }
+        Some(nodes)
+    }
+
     /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each, up to 1/resolution of
     /// their radius.
     fn extend_beyond(&mut self, a: f64, outer: f64) {
         while self.x[self.last().saturating_sub(SPARE)] <= a && self.x[self.last()] < outer {
             let end = self.x[self.last()];
-            let width = (1.02 * (end - self.x[self.last() - 1])).min(end / self.resolution as f64);
+            let even = end / self.resolution as f64;
+            let width = (1.02 * (end - self.x[self.last() - 1])).min(even);
             self.x.push((end + width).min(outer));
             self.worn_image.push(0.0);
             self.depth.push(0.0);

@@ -1,11 +1,11 @@
 //! The linearly implicit profile update and the pressure at the nodes.
 
-use super::{Constants, Pending};
+use super::system::System;
+use super::{Constants, NodeTransforms, Pending, krylov};
 use crate::error::Error;
 use crate::parameters::NormalControl;
-use crate::surface::{Contact, Nodes, Surface, outer_weight};
-use crate::transform::{Tables, dot, leg};
-use nalgebra::{DMatrix, DVector};
+use crate::surface::{Contact, Nodes, Surface};
+use crate::transform::{dot, leg};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
 /// What lies between the last node inside the contact and the contact edge.
@@ -43,7 +43,7 @@ impl Edge {
     }
 
     /// The same for a change of load there, which also moves the edge: q ≈ γ (a² − x²) keeps its slope.
-    fn response(&self, x: &[f64], i: usize) -> f64 {
+    pub(super) fn response(&self, x: &[f64], i: usize) -> f64 {
         let weight = self.weight(x, i);
         if self.jump {
             return weight;
@@ -56,12 +56,14 @@ impl Edge {
 }
 
 /// Transform of a load line given at the nodes up to the edge: p or τ at the nodes 0..=last.
-pub(crate) fn pressure_nodes(tables: &Tables, x: &[f64], load: &[f64], edge: &Edge) -> Vec<f64> {
+pub(crate) fn pressure_nodes(transforms: &NodeTransforms, x: &[f64], load: &[f64], edge: &Edge) -> Vec<f64> {
     let k = edge.last;
-    let drops: Vec<f64> = load[..=k].windows(2).map(|w| w[0] - w[1]).collect();
-    (0..=k)
-        .map(|i| dot(&tables.pressure_weights(i)[..k - i], &drops[i..]) + load[k] * edge.weight(x, i))
-        .collect()
+    let mut pressure = transforms.pressure(&load[..=k]);
+    pressure.truncate(k + 1);
+    for (i, p) in pressure.iter_mut().enumerate() {
+        *p += load[k] * edge.weight(x, i);
+    }
+    pressure
 }
 
 /// The result of an update.
@@ -69,13 +71,23 @@ pub(crate) fn pressure_nodes(tables: &Tables, x: &[f64], load: &[f64], edge: &Ed
 pub(crate) struct Update {
     /// Worn depth at all nodes, m ≥ 0.
     pub(crate) depth: Vec<f64>,
-    /// Linear systems factorised on the way.
-    pub(crate) factorisations: u64,
+    /// Linear systems solved on the way.
+    pub(crate) systems: u64,
+    /// Iterations that these took, each with two transforms.
+    pub(crate) iterations: u64,
 }
 
-/// Most Newton iterations of an update. The pressure is linear in the wear, so that one suffices as long as the
-/// contact edge stays in its cell.
-const MOST_ITERATIONS: u64 = 4;
+/// Most Newton iterations of an update. The pressure is linear in the wear as long as the contact edge stays in its cell.
+const MOST_NEWTON: u64 = 8;
+
+/// What an iteration leaves of the residual, the next one takes up.
+const REDUCTION: f64 = 1e-2;
+
+/// Residual, as a share of the first, at which an update is done: far below the error of one implicit step.
+const ACCURACY: f64 = 1e-4;
+
+/// Most iterations of a linear system.
+const MOST_KRYLOV: usize = 200;
 
 /// Worn depth that a pending history brings, with the pressure and the contact edge taken at the end of the update.
 ///
@@ -86,13 +98,12 @@ const MOST_ITERATIONS: u64 = 4;
 /// Those of the normal contact; [`Error::NotFinite`] if the system cannot be solved.
 pub(crate) fn worn_depth(
     surface: &Surface,
-    tables: &Tables,
+    transforms: &NodeTransforms,
     pending: &Pending,
     control: NormalControl,
     constants: &Constants,
-    tolerance: f64,
 ) -> Result<Update, Error> {
-    let mut update = Update { depth: Vec::new(), factorisations: 0 };
+    let mut update = Update { depth: Vec::new(), systems: 0, iterations: 0 };
     let Some(nodes) = surface.worn() else { return Ok(update) };
     update.depth = vec![0.0; nodes.x().len()];
     // nodes may have been added outside since the history was gathered: nothing has slipped there
@@ -109,50 +120,58 @@ pub(crate) fn worn_depth(
         let load: Vec<f64> = (0..=edge.last)
             .map(|i| constants.normal_modulus * (contact.depth - unworn[i] - worn[i]).max(0.0))
             .collect();
-        (pressure_nodes(tables, nodes.x(), &load, &edge), edge)
+        (pressure_nodes(transforms, nodes.x(), &load, &edge), edge)
     };
     let (reference, _) = pressure(present, nodes.worn_image());
     let kappa = constants.wear_per_work * constants.friction_coefficient;
     let mut trial = surface.clone();
     let mut contact = *present;
     let mut change = vec![0.0; nodes.x().len()];
-    while update.factorisations < MOST_ITERATIONS {
+    let mut start = 0.0;
+    while update.systems < MOST_NEWTON {
         let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
         let (now, edge) = pressure(&contact, &worn);
         // a trial that wears so much that the contact opens has no pressure to go on with
         if contact.is_open() || first > edge.last {
             break;
         }
-        let residual = DVector::from_fn(edge.last + 1 - first, |row, _| {
-            let i = first + row;
-            let before = reference.get(i).copied().unwrap_or(0.0);
-            constants.wear_per_work * pending.work_per_area[i]
-                + kappa * pending.slip_path[i] * (now[i] - before)
-                - update.depth[i]
-        });
-        let (matrix, descent) = system(nodes.x(), tables, pending, first, &edge, constants);
-        let Some(correction) = matrix.lu().solve(&residual) else { return Err(not_finite(present)) };
-        update.factorisations += 1;
-        let worn_off = descent * &correction;
-        if worn_off.iter().any(|w| !w.is_finite()) {
+        let residual: Vec<f64> = (first..=edge.last)
+            .map(|i| {
+                let before = reference.get(i).copied().unwrap_or(0.0);
+                constants.wear_per_work * pending.work_per_area[i]
+                    + kappa * pending.slip_path[i] * (now[i] - before)
+                    - update.depth[i]
+            })
+            .collect();
+        let size = dot(&residual, &residual).sqrt();
+        if update.systems == 0 {
+            start = size;
+        }
+        if size <= ACCURACY * start {
+            break;
+        }
+        let system = System::new(nodes.x(), transforms, pending, first, edge, constants);
+        let levels = system.levels();
+        let solved =
+            krylov::solve(|x| system.apply(x), |r| levels.relax(r), &residual, (REDUCTION, MOST_KRYLOV));
+        let Some((correction, iterations)) = solved else { return Err(not_finite(present)) };
+        update.systems += 1;
+        update.iterations += iterations;
+        if correction.iter().any(|w| !w.is_finite()) {
             return Err(not_finite(present));
         }
-        for (row, w) in worn_off.iter().enumerate() {
+        for (row, w) in correction.iter().enumerate() {
             update.depth[first + row] += w;
         }
         for i in edge.last + 1..update.depth.len() {
             update.depth[i] = constants.wear_per_work * pending.work_per_area[i];
         }
-        change = tables.ascend(&update.depth);
+        change = transforms.ascend(&update.depth);
         let mut moved = nodes.clone();
         let image = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
         moved.set_worn(image, nodes.depth().to_vec(), profile);
         trial.set_worn(Some(moved));
         contact = trial.contact(control, present.control, 2.0 * constants.normal_modulus)?;
-        let next = Edge::new(nodes, &contact, profile.outer_radius());
-        if next.last == edge.last || correction.amax() <= 0.1 * tolerance * present.depth.abs() {
-            break;
-        }
     }
     for (w, path) in update.depth.iter_mut().zip(&pending.slip_path) {
         *w = if *path > 0.0 { w.max(0.0) } else { 0.0 };
@@ -162,62 +181,4 @@ pub(crate) fn worn_depth(
 
 fn not_finite(contact: &Contact) -> Error {
     Error::NotFinite { what: "the worn depth", normal: contact.control, displacement: 0.0 }
-}
-
-/// The matrix S + κ E* B P over the nodes `first` to the edge, and S.
-fn system(
-    x: &[f64],
-    tables: &Tables,
-    pending: &Pending,
-    first: usize,
-    edge: &Edge,
-    constants: &Constants,
-) -> (DMatrix<f64>, DMatrix<f64>) {
-    let last = edge.last;
-    let size = last + 1 - first;
-    let kappa = constants.wear_per_work * constants.friction_coefficient * constants.normal_modulus;
-    let mut descent = DMatrix::zeros(size, size);
-    let mut matrix = DMatrix::zeros(size, size);
-    let widths = depth_weights(x, edge);
-    for row in 0..size {
-        let i = first + row;
-        let weights = tables.descent_weights(i);
-        for column in 0..=row {
-            let j = first + column;
-            let inner = if j == 0 { 1.0 } else { weights[j - 1] };
-            descent[(row, column)] = inner - weights.get(j).copied().unwrap_or(0.0);
-        }
-        let stiffness = kappa * pending.slip_path[i];
-        if stiffness == 0.0 {
-            continue;
-        }
-        let row_weights = tables.pressure_weights(i);
-        let mut uniform = 0.0;
-        for j in i..=last {
-            let outer = if j < last { row_weights[j - i] } else { edge.response(x, i) };
-            let inner = if j > i { row_weights[j - 1 - i] } else { 0.0 };
-            matrix[(row, j - first)] = stiffness * (outer - inner);
-            uniform += outer - inner;
-        }
-        if constants.force_control {
-            // the body sinks by the mean of Δh over the contact
-            for column in 0..size {
-                matrix[(row, column)] -= stiffness * uniform * widths[first + column];
-            }
-        }
-    }
-    matrix += &descent;
-    (matrix, descent)
-}
-
-/// Weights of the nodes in (1/a) ∫₀ᵃ h dx.
-fn depth_weights(x: &[f64], edge: &Edge) -> Vec<f64> {
-    let mut weights = vec![0.0; edge.last + 1];
-    for j in 0..edge.last {
-        let (width, outer) = (x[j + 1] - x[j], outer_weight(x[j], x[j + 1]));
-        weights[j] += (1.0 - outer) * width / edge.radius;
-        weights[j + 1] += outer * width / edge.radius;
-    }
-    weights[edge.last] += (edge.radius - x[edge.last]) / edge.radius;
-    weights
 }
