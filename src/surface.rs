@@ -156,9 +156,12 @@ impl Surface {
             NormalControl::Indentation if value > touch => {
                 let radius = self.radius_at_depth(value)?;
                 let load = self.load(radius) + radius * (value - self.image(radius));
-                // a NaN has to stay one, for the caller to see
-                let load = if load < 0.0 { 0.0 } else { load };
-                Contact { control: value, depth: value, radius, load }
+                // a body worn free by wear at this depth touches in places at most; a NaN has to stay one, for the caller to see
+                if load <= 0.0 {
+                    Contact { depth: value, ..open }
+                } else {
+                    Contact { control: value, depth: value, radius, load }
+                }
             }
             NormalControl::Force => open,
             NormalControl::Indentation => Contact { depth: value, ..open },

@@ -131,12 +131,14 @@ impl Pending {
 
     /// Adds work whose slip was a jump where in truth it was gradual: it is spread like what is pending.
     pub(crate) fn add_work(&mut self, work: f64) {
-        if self.is_empty() {
-            self.unplaced += work;
-        } else {
+        if let Some(steady) = &mut self.steady {
+            steady.work += work;
+        } else if self.work > 0.0 {
             let clipped = self.clipped;
             *self = self.scaled(1.0 + work / self.work);
             self.clipped = clipped;
+        } else {
+            self.unplaced += work;
         }
     }
 
@@ -216,15 +218,33 @@ pub(crate) fn segment_fields(
 }
 
 /// Largest worn volume between two profile updates, m³: a share of what the slipping annulus still has to lose. The
-/// scale is twice its mean approach d − g, but at least a tenth of the depth, as the contact nears its final state.
+/// scale is at least a tenth of the depth, as the contact nears its final state.
 pub(crate) fn update_limit(tolerance: f64, surface: &Surface, contact: &Contact, stick_radius: f64) -> f64 {
+    let room = room(surface, contact, stick_radius);
+    tolerance * annulus(contact, stick_radius) * room.max(0.1 * contact.depth.abs())
+}
+
+/// Ratio of a worn volume (m³) to a share of what the slipping annulus has to lose, however little that is, down to a part of
+/// `tolerance` of the depth.
+pub(crate) fn share_of_room(
+    volume: f64,
+    (share, tolerance): (f64, f64),
+    surface: &Surface,
+    contact: &Contact,
+    stick_radius: f64,
+) -> f64 {
+    let least = tolerance * contact.depth.abs();
+    volume / (share * annulus(contact, stick_radius) * room(surface, contact, stick_radius).max(least))
+}
+
+/// Twice the mean approach d − g of the slipping annulus, m; 0 where there is none.
+fn room(surface: &Surface, contact: &Contact, stick_radius: f64) -> f64 {
     let width = (contact.radius - stick_radius).max(0.0);
     if width == 0.0 {
         return 0.0;
     }
     let inner = surface.place(stick_radius);
-    let approach = (contact.load - inner.load - stick_radius * (contact.depth - inner.image)) / width;
-    tolerance * annulus(contact, stick_radius) * (2.0 * approach).max(0.1 * contact.depth.abs())
+    2.0 * (contact.load - inner.load - stick_radius * (contact.depth - inner.image)) / width
 }
 
 /// Ratio of a worn volume to [`update_limit`] where it exceeds that.

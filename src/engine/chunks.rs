@@ -7,7 +7,7 @@
 use super::FrettingContact;
 use super::history::STROKE;
 use crate::error::Error;
-use crate::wear::{Sliding, Steady, exceeds_limit};
+use crate::wear::{Sliding, Steady, share_of_room};
 
 /// Most implicit updates in place of one call for a steady motion.
 const MOST_CHUNKS: u32 = 511;
@@ -69,8 +69,10 @@ impl FrettingContact {
             }
         };
         let volume = self.constants.wear_per_work * unit_work * left;
-        let tolerance = STROKE * self.parameters.tolerance;
-        let amount = left / exceeds_limit(volume, tolerance, &self.surface, &contact, stick).unwrap_or(1.0);
+        let tolerance = self.parameters.tolerance;
+        let ratio = share_of_room(volume, (STROKE * tolerance, tolerance), &self.surface, &contact, stick);
+        // what is no number has to stop the loop
+        let amount = if ratio <= 1.0 { left } else { left / ratio };
         Steady { sliding, amount, work: unit_work * amount, repeated: true }
     }
 }

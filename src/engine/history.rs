@@ -216,14 +216,20 @@ impl FrettingContact {
             let path = self.path_to(*to, displacement);
             self.wear.as_ref().map(|wear| wear.segment.unslipped.touched(&path))
         });
+        if to.is_open() && work > 0.0 && self.wear.as_ref().is_some_and(|wear| wear.pending.is_empty()) {
+            // the last slip before the bodies part, with the pressure that it began with
+            let limit = self.constants.friction_coefficient * self.normal_reaction();
+            let path = if limit > 0.0 { work / limit } else { (displacement - self.displacement).abs() };
+            self.spread(Steady { sliding: Sliding::Onward, amount: path, work, repeated: false });
+        } else if let (true, Some(wear)) = (to.is_open(), &mut self.wear) {
+            wear.pending.add_work(work);
+        }
         let Some(wear) = &mut self.wear else { return };
         if let Some(Some(unslipped)) = touched {
             wear.segment.unslipped = unslipped;
         }
         wear.segment.contact.get_or_insert(if from.is_open() { *to } else { from });
-        if to.is_open() {
-            wear.pending.add_work(work);
-        } else {
+        if !to.is_open() {
             wear.segment.work += work;
         }
     }
@@ -248,8 +254,15 @@ impl FrettingContact {
     /// wear too much. Here all slipping springs are at their bound on one side; an update between two reversals would
     /// let the inner ones, which still hold the last direction, slip against the outer ones.
     fn turn(&mut self) -> Result<(), Error> {
-        let limit = self.update_limit();
         let last = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
+        if self.is_beyond_the_profile(last) {
+            if let Some(wear) = &mut self.wear {
+                wear.pending.add_work(last);
+            }
+            self.start_segment();
+            return Ok(());
+        }
+        let limit = self.update_limit();
         let candidate = self.steady_segment();
         match candidate {
             Some(steady) if self.is_steady(&steady) => self.add_steady(steady)?,
@@ -275,6 +288,13 @@ impl FrettingContact {
             }
         }
         Ok(())
+    }
+
+    /// Whether the wear of so little work (J), with that which has found no place yet, is lost in the rounding of the profile.
+    fn is_beyond_the_profile(&self, work: f64) -> bool {
+        let unplaced = self.wear.as_ref().map_or(0.0, |wear| wear.pending.unplaced);
+        let disc = std::f64::consts::PI * self.contact.radius * self.contact.radius;
+        self.constants.wear_per_work * (work + unplaced) <= f64::EPSILON * disc * self.contact.depth.abs()
     }
 
     /// Work whose wear is still to be taken off, J.
@@ -384,7 +404,7 @@ impl FrettingContact {
             Some(nodes) => {
                 let mut adapted = nodes.clone();
                 adapted.adapt(profile, self.contact.radius, front);
-                if adapted.x().len() == nodes.x().len() && nodes.mesh().is_none() {
+                if adapted.x().len() == nodes.x().len() {
                     return Ok(());
                 }
                 adapted
@@ -395,9 +415,7 @@ impl FrettingContact {
         let adapted = match self.surface.worn() {
             None => adapted,
             Some(nodes) => {
-                let share = THINNING * self.parameters.tolerance;
-                let thinned = nodes.thinned(share, self.contact.radius, self.surface.profile());
-                let mut again = thinned.unwrap_or_else(|| nodes.clone());
+                let mut again = nodes.clone();
                 again.adapt(self.surface.profile(), self.contact.radius, front);
                 again
             }
@@ -445,6 +463,7 @@ impl FrettingContact {
 
     /// Takes what is pending of unsteady motion off the surface; says whether there was any.
     pub(super) fn update_surface(&mut self) -> Result<bool, Error> {
+        self.thin_nodes();
         let Some((worn_image, depth)) = self.pending_image()? else { return Ok(false) };
         let Some(mut nodes) = self.surface.worn().cloned() else { return Ok(false) };
         nodes.set_worn(worn_image, depth, self.surface.profile());
@@ -456,6 +475,17 @@ impl FrettingContact {
             wear.pending = Pending { clipped, unplaced, ..Pending::default() };
         }
         Ok(true)
+    }
+
+    /// Leaves out nodes that the profile no longer needs, before an update, after which the contact is found anew.
+    fn thin_nodes(&mut self) {
+        let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return };
+        let Some(contact) = wear.pending.contact else { return };
+        let share = THINNING * self.parameters.tolerance;
+        if let Some(thinned) = nodes.thinned(share, contact.radius, self.surface.profile()) {
+            wear.pending.moved_to(nodes.x(), thinned.x());
+            self.surface.set_worn(Some(thinned));
+        }
     }
 
     /// Contact and springs on a surface that has worn at the present load and displacement, where the springs of a zone

@@ -24,6 +24,9 @@ pub(crate) struct Nodes {
     resolution: usize,
     /// The moving mesh among the nodes, where one has left its state here.
     mesh: Option<MeshPlace>,
+    /// Where one has done so before other motion: from which radius on (m) cells narrower than the second number (m) are its
+    /// remains.
+    remains: Option<(f64, f64)>,
 }
 
 /// A mesh of the slipping region whose nodes are among those of a surface, from index `first` on.
@@ -86,6 +89,13 @@ fn thin_unless(
     kept
 }
 
+/// Slope at the node between two cells, each given by its width and secant, of a cubic that is monotone where the data are
+/// (Steffen, Astron. Astrophys. 239 (1990), 443).
+fn steffen_slope((h0, before): (f64, f64), (h1, after): (f64, f64)) -> f64 {
+    let mean = (before * h1 + after * h0) / (h0 + h1);
+    (before.signum() + after.signum()) * before.abs().min(after.abs()).min(0.5 * mean.abs())
+}
+
 /// Weight of the outer end in ∫ over a cell [x0, x1] of a function linear in X: Δx ((1 − ω) f₀ + ω f₁).
 pub(crate) fn outer_weight(x0: f64, x1: f64) -> f64 {
     (x1 + 2.0 * x0) / (3.0 * (x1 + x0))
@@ -105,6 +115,7 @@ impl Nodes {
             square: Vec::new(),
             resolution,
             mesh: None,
+            remains: None,
         };
         let flat = profile.flat_radius();
         let start = if front < a { front } else { 0.0 };
@@ -143,6 +154,7 @@ impl Nodes {
             square: Vec::new(),
             resolution,
             mesh: Some(mesh),
+            remains: None,
         };
         nodes.extend_beyond(nodes.x[mesh.first + mesh.cells], profile.outer_radius());
         nodes
@@ -207,6 +219,7 @@ impl Nodes {
             square: Vec::new(),
             resolution: self.resolution,
             mesh: None,
+            remains: None,
         };
         nodes.update_integrals(profile);
         nodes
@@ -367,7 +380,7 @@ impl Nodes {
         }
     }
 
-    /// Image of the wear at x by Steffen's monotone cubic in x² (Astron. Astrophys. 239, 1990, 443): of higher order than
+    /// Image of the wear at x by Steffen's monotone cubic in x²: of higher order than
     /// the line where the image is smooth, without overshoot at a jump. For taking it over to other nodes.
     pub(crate) fn smooth_image(&self, x: f64) -> f64 {
         let Some(j) = self.cell(x) else { return self.worn_part(x).0 };
@@ -377,10 +390,8 @@ impl Nodes {
             if k == 0 {
                 return secant;
             }
-            let (before, h0) = (self.slope(k - 1), (self.x[k] - self.x[k - 1]) * (self.x[k] + self.x[k - 1]));
-            let h1 = (self.x[k + 1] - self.x[k]) * (self.x[k + 1] + self.x[k]);
-            let mean = (before * h1 + secant * h0) / (h0 + h1);
-            (before.signum() + secant.signum()) * before.abs().min(secant.abs()).min(0.5 * mean.abs())
+            let width = |k: usize| (self.x[k + 1] - self.x[k]) * (self.x[k + 1] + self.x[k]);
+            steffen_slope((width(k - 1), self.slope(k - 1)), (width(k), secant))
         };
         let (h0, h1, secant) = (self.worn_image[j], self.worn_image[j + 1], self.slope(j));
         let start = slope(j);
@@ -416,7 +427,7 @@ impl Nodes {
     pub(crate) fn set_worn(&mut self, worn_image: Vec<f64>, depth: Vec<f64>, profile: &Profile) {
         self.worn_image = worn_image;
         self.depth = depth;
-        self.mesh = None;
+        self.leave_mesh();
         self.update_integrals(profile);
     }
 
@@ -459,22 +470,19 @@ impl Nodes {
     }
 
     /// These nodes, for a contact of radius `a`, without those that a line (in x²) between others meets within `share` of the
-    /// largest image, as long as no cell inside `a` becomes wider than an even one; `None` where that would spare less than a
+    /// largest image, as long as no cell becomes wider than an even one; `None` where that would spare less than a
     /// fifth of them. What a front needed where it no longer stands makes an update stiff.
     ///
     /// A mesh that has moved with the contact edge leaves narrow cells there, too. In its outer half none stays narrower than half an
     /// even one: an implicit update takes the contact edge for one that stays in its cell or goes on to the next, and across
-    /// many narrow ones it overshoots. The worn volume stays what it was.
+    /// many narrow ones it overshoots.
     pub(crate) fn thinned(&self, share: f64, a: f64, profile: &Profile) -> Option<Self> {
-        let even = a / self.resolution as f64;
         let width = |anchor: usize, end: usize| self.x[end] - self.x[anchor];
-        let (outer_half, least) = self.mesh.map_or((f64::INFINITY, 0.0), |mesh| {
-            let (inner, edge) = (self.x[mesh.first], self.x[mesh.first + mesh.cells]);
-            let span = edge - inner;
-            (0.5 * (inner + edge), (span / mesh.cells as f64).max((0.5 * even).min(span / 16.0)))
-        });
+        let (outer_half, least) = self.remains.or(self.remains_of_mesh()).unwrap_or((f64::INFINITY, 0.0));
         let narrow = |anchor: usize, end: usize| self.x[anchor] >= outer_half && width(anchor, end) < least;
-        let may_be = |anchor: usize, end: usize| self.x[anchor] >= a || width(anchor, end) <= 0.75 * even;
+        let may_be = |anchor: usize, end: usize| {
+            width(anchor, end) <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
+        };
         let kept = thin_unless(&self.x, &self.worn_image, share, narrow, may_be);
         if kept.len() * 5 > self.x.len() * 4 {
             return None;
@@ -489,12 +497,25 @@ impl Nodes {
             square: Vec::new(),
             resolution: self.resolution,
             mesh: None,
+            remains: None,
         };
         nodes.update_integrals(profile);
-        if self.mesh.is_some() {
-            nodes.add_volume_beyond(0.0, self.worn_volume() - nodes.worn_volume(), profile);
-        }
         Some(nodes)
+    }
+
+    /// The mesh does not carry the surface any more.
+    fn leave_mesh(&mut self) {
+        self.remains = self.remains_of_mesh().or(self.remains);
+        self.mesh = None;
+    }
+
+    /// Middle of the mesh and the width that its cells outside that should have on a surface at rest: an even one of
+    /// its own, or half an even one of the contact unless that would leave less than sixteen.
+    fn remains_of_mesh(&self) -> Option<(f64, f64)> {
+        let mesh = self.mesh?;
+        let (inner, edge) = (self.x[mesh.first], self.x[mesh.first + mesh.cells]);
+        let (span, even) = (edge - inner, edge / self.resolution as f64);
+        Some((0.5 * (inner + edge), (span / mesh.cells as f64).max((0.5 * even).min(span / 16.0))))
     }
 
     /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each, up to 1/resolution of
@@ -554,20 +575,21 @@ impl Nodes {
         if x <= self.x[j] {
             return;
         }
+        self.leave_mesh();
         let h = self.worn_part(x).0;
         let depth = if self.depth.iter().all(|w| *w == 0.0) { 0.0 } else { self.depth_at(x) };
         self.x.insert(j + 1, x);
         self.worn_image.insert(j + 1, h);
         self.depth.insert(j + 1, depth);
-        self.mesh = None;
         // keeps worn_part usable for the next insertion; update_integrals follows
         self.worn_load.insert(j + 1, f64::NAN);
     }
 
-    /// ∫ 2πr w dr of a field given at the nodes, linear in r² between them (m³ for a depth in m).
-    pub(crate) fn volume(&self, depth_at_nodes: &[f64]) -> f64 {
+    /// ∫ 2πr w dr of a field given at the nodes, linear in r² between them (m³ for a depth in m): what is added to it node by
+    /// node adds up.
+    pub(crate) fn volume(&self, field: &[f64]) -> f64 {
         let mut volume = 0.0;
-        for (x, w) in self.x.windows(2).zip(depth_at_nodes.windows(2)) {
+        for (x, w) in self.x.windows(2).zip(field.windows(2)) {
             volume += (w[0] + w[1]) * (x[1] - x[0]) * (x[1] + x[0]);
         }
         volume * std::f64::consts::PI / 2.0
