@@ -70,7 +70,7 @@ fn usual() -> Parameters {
 /// To and fro, each line to a random place between the given shares of u_max under a random share of the load.
 fn random(lines: usize, loads: (f64, f64), amplitudes: (f64, f64)) -> History {
     let mut random = seeded(21);
-    let side = |n: usize| if n % 2 == 0 { 1.0 } else { -1.0 };
+    let side = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
     let mut share = |(low, high): (f64, f64)| if low < high { uniform(&mut random, low, high) } else { low };
     (0..lines).map(|n| (share(loads), side(n) * share(amplitudes))).collect()
 }

@@ -21,8 +21,11 @@ pub(super) fn solve(
     // columns of the triangle that the rotations make of the Hessenberg matrix, and the turned right side
     let (mut triangle, mut rotations): (Vec<Vec<f64>>, Vec<(f64, f64)>) = (Vec::new(), Vec::new());
     let mut turned = vec![start];
-    // written so that it also goes on where this is no number, and ends below
-    while !(turned[triangle.len()].abs() <= tolerance * start) {
+    loop {
+        // what is no number goes on, and ends below
+        if turned[triangle.len()].abs() <= tolerance * start {
+            break;
+        }
         let step = triangle.len();
         if step == most {
             return None;
