@@ -201,9 +201,11 @@ impl FrettingContact {
         let nodes = match self.surface.worn() {
             None => Nodes::around(profile, self.parameters.resolution, contact.radius, stick),
             Some(nodes) => {
-                // those of an earlier contact may end inside this one
                 let mut adapted = nodes.clone();
-                adapted.adapt(profile, contact.radius, stick);
+                // those of an earlier contact may end inside this one
+                if nodes.x()[nodes.last()] <= contact.radius {
+                    adapted.adapt(profile, contact.radius, stick);
+                }
                 adapted
             }
         };
