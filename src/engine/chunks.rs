@@ -12,6 +12,9 @@ use crate::wear::{Sliding, Steady, share_of_room};
 /// Most implicit updates in place of one call for a steady motion.
 const MOST_CHUNKS: u32 = 511;
 
+/// Most chunks' worth of a motion that is begun at all, in the hope that the mesh can follow a smoother profile.
+const FARTHEST: f64 = 1e6;
+
 impl FrettingContact {
     /// Wears the surface by an amount (cycles or metres) of sliding at constant load, whatever the surface; returns the
     /// work, J, which is added to the history's. Afterwards the contact is that of the new surface; the springs are still
@@ -37,7 +40,8 @@ impl FrettingContact {
                     return Ok(());
                 }
                 let chunk = self.chunk(sliding, left);
-                if !(chunk.amount > 0.0 && chunk.work.is_finite()) || chunks == MOST_CHUNKS {
+                let hopeless = !(left <= FARTHEST * chunk.amount && chunk.work.is_finite());
+                if hopeless || chunks == MOST_CHUNKS {
                     return Err(refused);
                 }
                 self.spread(chunk);

@@ -12,9 +12,10 @@ use std::sync::Arc;
 /// Most steps of one call: a whole life takes some fifty.
 const MOST_STEPS: u32 = 1000;
 
-/// Most steps of what is but a small part of a life, which takes one or two, and on a body already worn where the mesh does not
-/// carry it.
-const MOST_STEPS_OF_AN_UPDATE: u32 = 60;
+/// Most steps, at the usual tolerance of 1e-3, of what is but a small part of a life, which takes one or two, and on a body
+/// already worn where the mesh does not carry it. The method is of third order: a thousandth of the tolerance takes ten times as
+/// many.
+const MOST_STEPS_OF_AN_UPDATE: f64 = 60.0;
 
 /// Share of the tolerance that leaving out nodes may take of the largest image.
 const THINNING: f64 = 0.05;
@@ -85,6 +86,7 @@ pub(crate) fn live(
     let cycles = amount.cycles;
     let mut left = cycles;
     let mut steps = 0;
+    let most_of_an_update = (MOST_STEPS_OF_AN_UPDATE * (1e-3 / fineness.tolerance).cbrt().max(1.0)) as u32;
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
@@ -99,7 +101,7 @@ pub(crate) fn live(
         let mut fresh = true;
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
             let carried = patch.body.worn().is_none() && amount.known.is_none();
-            if steps >= if carried { MOST_STEPS } else { MOST_STEPS_OF_AN_UPDATE } {
+            if steps >= if carried { MOST_STEPS } else { most_of_an_update } {
                 let amplitude = motion.sliding.amplitude();
                 return Err(Error::TooMuchWear { cycles, left, amplitude, steps });
             }
