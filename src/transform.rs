@@ -21,6 +21,7 @@ mod tree;
 
 pub use abel::{Abel, CROSSOVER, Scratch};
 pub use cell::Density;
+pub(crate) use cell::add_descent;
 pub use dense::DenseAbel;
 pub use fast::FastAbel;
 pub(crate) use fixed::FixedImage;

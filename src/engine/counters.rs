@@ -21,6 +21,9 @@ pub struct Counters {
     pub transform_tables: u64,
     /// Factorisations of the linearly implicit update.
     pub factorisations: u64,
+    /// Iterations of its solution on fine meshes; on others it is direct.
+    #[serde(default)]
+    pub solver_iterations: u64,
     /// Updates of the worn profile.
     pub profile_updates: u64,
     /// Cyclic steps that were rejected by the error control.
@@ -32,7 +35,7 @@ impl fmt::Display for Counters {
         write!(
             f,
             "{} steps, {} spring walks, {} contact solutions, {} descent and {} pressure transforms, {} transform \
-             tables, {} factorisations, {} profile updates, {} rejected steps",
+             tables, {} factorisations, {} solver iterations, {} profile updates, {} rejected steps",
             self.steps,
             self.spring_walks,
             self.contact_solutions,
@@ -40,6 +43,7 @@ impl fmt::Display for Counters {
             self.pressure_transforms,
             self.transform_tables,
             self.factorisations,
+            self.solver_iterations,
             self.profile_updates,
             self.rejected_steps
         )

@@ -25,7 +25,7 @@ impl Density {
 
 /// Adds the weights of k or v at the nodes `cells.start..=cells.end` in (1/π) ∫ k dX/√(Z − X), k = v/√X, over these
 /// cells, all of them below Z. `square` are the nodes X, `root` their square roots; one weight per node.
-pub(super) fn add_descent(
+pub(crate) fn add_descent(
     density: Density,
     square: &[f64],
     root: &[f64],

@@ -8,6 +8,10 @@
 //! a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN with A = a². All fields stay smooth in the mesh coordinate, at
 //! the moving edge too.
 
+mod direct;
+mod linear;
+mod multigrid;
+
 use super::Constants;
 use super::mesh::{Region, UnitMesh};
 use crate::error::Error;
@@ -21,6 +25,8 @@ use std::sync::Arc;
 /// How near to the end of the body, relative, a contact edge counts as standing there. A worn rim carries next to nothing, and
 /// would come and go at every step.
 pub(crate) const RIM: f64 = 1e-4;
+
+pub(super) use linear::Linear;
 
 /// What wears the surface: a motion that repeats, at constant load.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -165,15 +171,8 @@ pub(crate) struct Rate {
     pub(crate) share: f64,
 }
 
-/// The linear system of a step.
-pub(crate) struct Linear {
-    /// D̂ − γτ J D̂, in the unknowns z at the nodes first ..= n. At a moving edge its last row keeps the depth there.
-    pub(crate) matrix: nalgebra::DMatrix<f64>,
-    /// Change of the volume rate with z.
-    pub(crate) volume_row: Vec<f64>,
-}
-
 /// Sensitivity of the condition that fixes the contact edge.
+#[derive(Debug)]
 struct EdgeCondition {
     /// To the depths at the nodes.
     depth: Vec<f64>,
@@ -456,123 +455,6 @@ impl Patch {
         (self.mesh.first()..=n).fold(0.0, |most: f64, i| most.max((z[i] / rate.scale[i]).abs()))
     }
 
-    /// The linear system of a step of length τ, with γτ given.
-    pub(crate) fn linearise(&self, depth: &[f64], rate: &Rate, gamma_step: f64) -> Linear {
-        let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
-        let size = n + 1 - first;
-        let (span, a) = (self.span(rate.area), rate.area.sqrt());
-        let root = span.sqrt();
-        let factor = self.factor * rate.share;
-        let mut jacobian = vec![0.0; size * size];
-        let mut volume_row = vec![0.0; size];
-        // h = z/b; whether a spring slips; b of those that do
-        let softness: Vec<f64> = rate.scale.iter().map(|b| 1.0 / b).collect();
-        let slipping: Vec<f64> = rate.slip[first..].iter().map(|s| f64::from(u8::from(*s > 0.0))).collect();
-        let sliding: Vec<f64> = slipping.iter().zip(&rate.scale[first..]).map(|(on, b)| on * b).collect();
-        for i in first..self.end() {
-            let row = &mut jacobian[(i - first) * size..(i - first + 1) * size];
-            let (p, s) = (rate.pressure[i], rate.surface_slip[i]);
-            if s > 0.0 {
-                let weights = &mesh.pressure_row(i)[..n - i];
-                let (stiffness, soft) = (factor * s / root, factor * p * self.bound_slope);
-                let springs = row[i - first..].iter_mut().zip(weights).zip(&softness[i..]);
-                springs.for_each(|((entry, weight), soft)| *entry -= stiffness * weight * soft);
-                let mut uniform: f64 = weights.iter().sum();
-                if self.rim {
-                    row[n - first] -= stiffness * mesh.rim[i] * softness[n];
-                    uniform += mesh.rim[i];
-                }
-                let descent = &mesh.descent_row(i)[first..];
-                for ((entry, weight), slips) in row.iter_mut().zip(descent).zip(&slipping) {
-                    *entry += soft * weight * slips;
-                }
-                let moved = dot(descent, &sliding[..descent.len()]);
-                // the body sinks as it wears
-                let sinking = stiffness * uniform - soft * moved;
-                if self.is_force() && self.rim {
-                    for (entry, width) in row.iter_mut().zip(&mesh.width[first..]) {
-                        *entry += sinking * root * width / a;
-                    }
-                } else if self.is_force() {
-                    row[n - first] += sinking * softness[n];
-                }
-            }
-            for (sum, entry) in volume_row.iter_mut().zip(&*row) {
-                *sum += span * mesh.volume.depth[i] * entry;
-            }
-            if !self.rim && i > 0 {
-                for (weight, k) in mesh.drift[i].iter().zip(i - 1..) {
-                    let speed = rate.area_rate * weight / span;
-                    for (entry, descent) in row.iter_mut().zip(&mesh.descent_row(k)[first.min(k)..]) {
-                        *entry += speed * descent;
-                    }
-                }
-            }
-        }
-        if !self.rim {
-            self.add_edge_terms(depth, rate, &mut jacobian, &mut volume_row);
-        }
-        jacobian.iter_mut().for_each(|entry| *entry *= -gamma_step);
-        for i in first..=n {
-            let row = &mut jacobian[(i - first) * size..];
-            row.iter_mut().zip(&mesh.descent_row(i)[first..]).for_each(|(entry, weight)| *entry += weight);
-        }
-        let matrix = nalgebra::DMatrix::from_row_slice(size, size, &jacobian);
-        Linear { matrix, volume_row }
-    }
-
-    /// What the movement of the edge adds: the drift of the nodes, and the change of all fields with A.
-    fn add_edge_terms(&self, depth: &[f64], rate: &Rate, jacobian: &mut [f64], volume_row: &mut [f64]) {
-        let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
-        let size = n + 1 - first;
-        let span = self.span(rate.area);
-        let condition = self.edge_condition(depth, rate.area, rate.scale[n]);
-        let total = condition.area + dot(&condition.depth, &rate.drift);
-        let mut acceleration = vec![0.0; size];
-        for i in first..n {
-            let row = &jacobian[(i - first) * size..(i - first + 1) * size];
-            for (sum, entry) in acceleration.iter_mut().zip(row) {
-                *sum -= condition.depth[i] / total * entry;
-            }
-        }
-        let mut area_row = vec![0.0; size];
-        if self.is_force() {
-            for j in first..=n {
-                area_row[j - first] = span.sqrt() * mesh.width[j] / condition.area;
-            }
-            area_row[n - first] -= rate.area.sqrt() / rate.scale[n] / condition.area;
-        } else {
-            area_row[n - first] = -1.0 / rate.scale[n] / condition.area;
-        }
-        let step = 1e-6 * span;
-        let step = if self.is_inside(rate.area + step) { step } else { -step };
-        let shifted = self.rate_at(depth, rate.area + step);
-        let with_area = (shifted.volume_rate - rate.volume_rate) / step;
-        for (entry, area) in volume_row.iter_mut().zip(&area_row) {
-            *entry += with_area * area;
-        }
-        for i in first..n {
-            let with_area = (shifted.growth[i] - rate.growth[i]) / step;
-            let row = &mut jacobian[(i - first) * size..(i - first + 1) * size];
-            for j in 0..size {
-                row[j] += rate.drift[i] * acceleration[j] + with_area * area_row[j];
-            }
-        }
-    }
-
-    /// Depths of a solution z of the stage's system; zero at a moving edge.
-    pub(crate) fn stage_depth(&self, z: &[f64]) -> Vec<f64> {
-        let (n, first) = (self.cells(), self.mesh.first());
-        let mut full = vec![0.0; n + 1];
-        full[first..].copy_from_slice(z);
-        let mut depth = vec![0.0; n + 1];
-        self.mesh.descend(&full, &mut depth);
-        if !self.rim {
-            depth[n] = 0.0;
-        }
-        depth
-    }
-
     /// The contact of a state.
     pub(crate) fn contact(&self, rate: &Rate) -> Contact {
         let radius = rate.area.sqrt();
@@ -655,9 +537,10 @@ impl Patch {
             }
         }
         if mended {
-            for i in 1..=last {
-                depth[i] = dot(self.mesh.descent_row(i), &image[..=i]);
-            }
+            image.resize(self.cells() + 1, 0.0);
+            let mut held = vec![0.0; self.cells() + 1];
+            self.mesh.descend(&image, &mut held);
+            depth[1..=last].copy_from_slice(&held[1..=last]);
         }
         mended
     }

@@ -4,9 +4,8 @@
 //! any approximation of the Jacobian. Wear relaxes to its final state at rates that span many decades, which an
 //! explicit method would have to follow all; here one small linear system serves the four stages of a step.
 
-use super::patch::{Patch, Rate, State};
+use super::patch::{Linear, Patch, Rate, State};
 use crate::engine::Counters;
-use crate::transform::dot;
 
 const GAMMA: f64 = 0.435_866_521_508_459;
 
@@ -49,11 +48,8 @@ pub(crate) fn step(
     cycles: f64,
     counters: &mut Counters,
 ) -> Option<Trial> {
-    let first = patch.mesh.first();
     let nodes = state.depth.len();
-    let linear = patch.linearise(&state.depth, rate, GAMMA * cycles);
-    let lu = linear.matrix.lu();
-    counters.factorisations += 1;
+    let linear = Linear::new(patch, (&state.depth, rate), GAMMA * cycles, counters);
     // increments of the depths, and what they make of the volume rate
     let mut increments: Vec<Vec<f64>> = Vec::with_capacity(4);
     let mut changes: Vec<f64> = Vec::with_capacity(4);
@@ -77,12 +73,7 @@ pub(crate) fn step(
         if !patch.rim {
             right[nodes - 1] = 0.0;
         }
-        let mut unknowns = nalgebra::DVector::from_column_slice(&right[first..]);
-        if !lu.solve_mut(&mut unknowns) {
-            return None;
-        }
-        let mut increment = patch.stage_depth(unknowns.as_slice());
-        let mut change = dot(&linear.volume_row, unknowns.as_slice());
+        let (mut increment, mut change) = linear.solve(&right, counters)?;
         // the volume has no feedback on the rest, but its rate falls with the depths like theirs
         let volume_increment = volume_rate + cycles * GAMMA * change;
         for (coupling, (before, change_before)) in COUPLING[stage].iter().zip(increments.iter().zip(&changes))

@@ -240,8 +240,8 @@ fn a_functional_of_the_values_is_one_of_their_descents() {
             let direct: f64 = functional.iter().zip(&v).map(|(f, v)| f * v).sum();
             fast.ascend_transposed(&mut functional, &mut Scratch::default());
             let inner = if density == Density::Quotient { 0.4 } else { s[0] };
-            let other: f64 = functional[0] * inner
-                + functional[1..].iter().zip(&s[1..]).map(|(f, s)| f * s).sum::<f64>();
+            let other: f64 =
+                functional[0] * inner + functional[1..].iter().zip(&s[1..]).map(|(f, s)| f * s).sum::<f64>();
             let size: f64 = functional.iter().zip(&s).map(|(f, s)| (f * s).abs()).sum();
             assert!((direct - other).abs() < 1e-12 * size, "{name}, {density:?}: {direct} {other} {size:e}");
         }

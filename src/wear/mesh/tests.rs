@@ -1,0 +1,128 @@
+use super::*;
+use std::f64::consts::{FRAC_2_PI, PI};
+
+/// Errors of the three tables against closed forms on a mesh of n cells.
+fn errors(region: Region, n: usize) -> (f64, f64, f64) {
+    let mesh = UnitMesh::shared(region, n);
+    let phi = &mesh.share;
+    // z = φ on the annulus: (1/π)∫ X dX/√(Z − X) = 4 Z^{3/2}/(3π); on the disc h = x² : w = r²/2
+    let mut w = vec![0.0; n + 1];
+    let linear: Vec<f64> = phi.clone();
+    mesh.descend(&linear, &mut w);
+    let exact = |z: f64| match region {
+        Region::Annulus => 4.0 / (3.0 * PI) * z.powf(1.5),
+        Region::Disc => z / 2.0,
+    };
+    let descent = (0..=n).map(|i| (w[i] - exact(phi[i])).abs()).fold(0.0, f64::max);
+    // z = X²: not linear
+    let square: Vec<f64> = phi.iter().map(|x| x * x).collect();
+    mesh.descend(&square, &mut w);
+    let exact = |z: f64| match region {
+        Region::Annulus => 16.0 / (15.0 * PI) * z.powf(2.5),
+        Region::Disc => 3.0 / 8.0 * z * z,
+    };
+    let curved = (0..=n).map(|i| (w[i] - exact(phi[i])).abs()).fold(0.0, f64::max);
+    // Hertz: q = 1 − X gives (2/π) √(1 − Z)
+    let q: Vec<f64> = phi.iter().map(|x| 1.0 - x).collect();
+    let mut p = vec![0.0; n + 1];
+    mesh.pressure(&q, false, &mut p);
+    let hertz = (0..=n).map(|i| (p[i] - FRAC_2_PI * (1.0 - phi[i]).sqrt()).abs()).fold(0.0, f64::max);
+    (descent, hertz, curved)
+}
+
+#[test]
+fn transforms_are_exact_for_lines_and_of_second_order_else() {
+    for region in [Region::Annulus, Region::Disc] {
+        let (descent, hertz, coarse) = errors(region, 32);
+        assert!(descent < 1e-9 && hertz < 1e-12, "{region:?}: {descent:e} {hertz:e}");
+        let fine = errors(region, 128).2;
+        let order = (coarse / fine).log2() / 2.0;
+        assert!((1.9..2.2).contains(&order), "{region:?}: order {order}");
+    }
+}
+
+#[test]
+fn ascending_undoes_descending_and_functionals_agree() {
+    for region in [Region::Annulus, Region::Disc] {
+        let mesh = UnitMesh::shared(region, 40);
+        let z: Vec<f64> = mesh.share.iter().map(|x| 0.3 + x - 2.0 * x * x).collect();
+        let (mut w, mut back) = (vec![0.0; 41], vec![0.0; 41]);
+        mesh.descend(&z, &mut w);
+        back[0] = z[0];
+        mesh.ascend(&w, &mut back);
+        for (a, b) in z.iter().zip(&back) {
+            assert!((a - b).abs() < 1e-12, "{region:?}: {a} {b}");
+        }
+        assert!((mesh.edge_image.of(&w, z[0]) - z[40]).abs() < 1e-11);
+        let mean: f64 = mesh.width.iter().zip(&z).map(|(f, z)| f * z).sum();
+        assert!((mesh.mean_image.of(&w, z[0]) - mean).abs() < 1e-11);
+    }
+}
+
+#[test]
+fn the_volume_is_that_of_the_depth() {
+    // disc: w = r²/2 (h = x²): ∫₀¹ 2πr w dr = π/4. Annulus (in L = 1): π ∫ w dZ with w = (4/3π) Z^{3/2}: 8/15
+    for (region, exact) in [(Region::Disc, PI / 4.0), (Region::Annulus, 8.0 / 15.0)] {
+        let mesh = UnitMesh::shared(region, 40);
+        let mut w = vec![0.0; 41];
+        mesh.descend(&mesh.share, &mut w);
+        let volume = mesh.volume.of(&w, 0.0);
+        assert!((volume - exact).abs() < 1e-10, "{region:?}: {volume} against {exact}");
+    }
+}
+
+#[test]
+fn equal_meshes_are_shared() {
+    let (a, b) = (UnitMesh::shared(Region::Disc, 24), UnitMesh::shared(Region::Disc, 24));
+    assert!(Arc::ptr_eq(&a, &b));
+    assert!(!Arc::ptr_eq(&a, &UnitMesh::shared(Region::Annulus, 24)));
+}
+
+#[test]
+fn a_mesh_that_is_halved_has_the_transforms_of_tables() {
+    for region in [Region::Annulus, Region::Disc] {
+        let [tables, halved] = [false, true].map(|halved| UnitMesh::graded(region, 320, 3.0, halved));
+        assert!(tables.tables().is_some() && halved.tables().is_none());
+        let z: Vec<f64> = tables.share.iter().map(|x| 0.3 + x - 2.0 * x * x).collect();
+        let both = |call: &dyn Fn(&UnitMesh, &mut [f64])| {
+            [&tables, &halved].map(|mesh| {
+                let mut out = vec![z[0]; 321];
+                call(mesh, &mut out);
+                out
+            })
+        };
+        let mut pairs = vec![
+            both(&|mesh, out| mesh.descend(&z, out)),
+            both(&|mesh, out| mesh.ascend(&z, out)),
+            both(&|mesh, out| mesh.pressure(&z, false, out)),
+            both(&|mesh, out| mesh.pressure(&z, true, out)),
+        ];
+        let functionals = |mesh: &UnitMesh| {
+            let all = [&mesh.edge_image, &mesh.mean_image, &mesh.volume];
+            all.map(|functional| functional.of(&z, z[0])).to_vec()
+        };
+        pairs.push([functionals(&tables), functionals(&halved)]);
+        for (k, [a, b]) in pairs.iter().enumerate() {
+            let size = a.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
+            let error = a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            assert!(error < 1e-10 * size, "{region:?}, {k}: {error:e} of {size:e}");
+        }
+    }
+}
+
+#[test]
+fn meshes_are_halved_down_to_one_with_tables() {
+    for asked in [64, 193, 300, 1000, 5000, 16384] {
+        let cells = UnitMesh::cells_from(asked);
+        assert!((asked..asked + asked / 20 + 1).contains(&cells), "{asked}: {cells}");
+        let mesh = UnitMesh::shared(Region::Annulus, cells);
+        let mut coarsest = &*mesh;
+        while let Some(coarser) = &coarsest.coarser {
+            assert_eq!(coarser.cells * 2, coarsest.cells);
+            let pairs = coarser.share.iter().zip(coarsest.share.iter().step_by(2));
+            assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-15));
+            coarsest = coarser;
+        }
+        assert!(coarsest.tables().is_some() && coarsest.cells <= asked.min(MOST_DIRECT));
+    }
+}

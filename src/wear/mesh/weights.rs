@@ -1,0 +1,140 @@
+//! Weights of the transforms and integrals on a mesh of shares.
+
+use crate::quadrature::GAUSS;
+use crate::transform::{descent_row, leg};
+use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
+
+/// φ times the weights of a derivative at node i from its neighbours.
+pub(super) fn drift_at(share: &[f64], i: usize) -> [f64; 3] {
+    let (h0, h1) = (share[i] - share[i - 1], share[i + 1] - share[i]);
+    let (before, after) = (-h1 / (h0 * (h0 + h1)), h0 / (h1 * (h0 + h1)));
+    [share[i] * before, -share[i] * (before + after), share[i] * after]
+}
+
+/// Rows of D̂ for k piecewise linear in X: (1/π) ∫ k dX/√(Z − X).
+pub(super) fn annulus_table(share: &[f64]) -> Vec<f64> {
+    let n = share.len() - 1;
+    let mut descent = Vec::with_capacity((n + 1) * (n + 2) / 2);
+    for i in 0..=n {
+        let start = descent.len();
+        descent.resize(start + i + 1, 0.0);
+        for j in 0..i {
+            let cell = share[j + 1] - share[j];
+            let (far, near) = ((share[i] - share[j]).sqrt(), (share[i] - share[j + 1]).sqrt());
+            // 2 (far − near), and the share of the outer end in it, without cancellation
+            let whole = 2.0 * cell / (far + near);
+            let outer = (2.0 * far + near) / (3.0 * (far + near)) * whole;
+            descent[start + j] += FRAC_1_PI * (whole - outer);
+            descent[start + j + 1] += FRAC_1_PI * outer;
+        }
+    }
+    descent
+}
+
+/// Weights for k piecewise linear in X: ∫ k dX / 2 and 2 ∫ k √(1 − X) dX.
+pub(super) fn annulus_integrals(share: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let n = share.len() - 1;
+    let mut width = vec![0.0; n + 1];
+    let mut volume = vec![0.0; n + 1];
+    for j in 0..n {
+        let cell = share[j + 1] - share[j];
+        width[j] += cell / 4.0;
+        width[j + 1] += cell / 4.0;
+        // ∫ √(1 − X) dX with the weight of the outer end, in t = √(1 − X)
+        let (s, t) = ((1.0 - share[j]).sqrt(), (1.0 - share[j + 1]).max(0.0).sqrt());
+        let whole = 2.0 / 3.0 * cell * (s * s + s * t + t * t) / (s + t);
+        let outer =
+            2.0 / 15.0 * cell * (2.0 * s * s * s + 4.0 * s * s * t + 6.0 * s * t * t + 3.0 * t * t * t)
+                / ((s + t) * (s + t));
+        volume[j] += 2.0 * (whole - outer);
+        volume[j + 1] += 2.0 * outer;
+    }
+    (width, volume)
+}
+
+/// Rows of D̂ for h piecewise linear in X on a disc of radius 1.
+pub(super) fn disc_table(share: &[f64]) -> Vec<f64> {
+    let n = share.len() - 1;
+    let x: Vec<f64> = share.iter().map(|s| s.sqrt()).collect();
+    let mut descent = Vec::with_capacity((n + 1) * (n + 2) / 2);
+    for i in 0..=n {
+        let start = descent.len();
+        descent.resize(start + i + 1, 0.0);
+        descent[start] = 1.0;
+        descent_row(&x[..=i], x[i], |j, c| {
+            descent[start + j] -= c;
+            descent[start + j + 1] += c;
+        });
+    }
+    descent
+}
+
+/// Weights for h piecewise linear in X on a disc of radius 1: ∫ h dx and the volume 4 ∫ h √(1 − x²) dx.
+pub(super) fn disc_integrals(share: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    let n = share.len() - 1;
+    let x: Vec<f64> = share.iter().map(|s| s.sqrt()).collect();
+    let mut width = vec![0.0; n + 1];
+    let mut volume = vec![0.0; n + 1];
+    for j in 0..n {
+        let outer = crate::surface::outer_weight(x[j], x[j + 1]);
+        let cell = x[j + 1] - x[j];
+        width[j] += (1.0 - outer) * cell;
+        width[j + 1] += outer * cell;
+        let (inner, outer) = depth_volume(x[j], x[j + 1], 1.0);
+        volume[j] += inner;
+        volume[j + 1] += outer;
+    }
+    (width, volume)
+}
+
+/// Weights of the two ends of a cell in 4 ∫ h √(a² − x²) dx, the volume of the depth that belongs to an image h linear
+/// in x² and none beyond a.
+pub(crate) fn depth_volume(x0: f64, x1: f64, a: f64) -> (f64, f64) {
+    // x = a sin θ leaves a polynomial in sin θ, cos θ for three-point Gauss
+    let (t0, t1) = (x0.atan2(leg(a, x0)), x1.atan2(leg(a, x1)));
+    let (middle, half) = (0.5 * (t0 + t1), 0.5 * (t1 - t0));
+    let (mut inner, mut outer) = (0.0, 0.0);
+    for (node, weight) in GAUSS {
+        let (sin, cos) = (middle + half * node).sin_cos();
+        let x = a * sin;
+        let share = ((x - x0) * (x + x0) / ((x1 - x0) * (x1 + x0))).clamp(0.0, 1.0);
+        let value = 4.0 * half * weight * a * a * cos * cos;
+        inner += value * (1.0 - share);
+        outer += value * share;
+    }
+    (inner, outer)
+}
+
+/// Rows of K̂ for a line that falls to zero at the end.
+pub(super) fn pressure_table(share: &[f64]) -> Vec<f64> {
+    let n = share.len() - 1;
+    let mut pressure = Vec::with_capacity((n + 1) * (n + 2) / 2);
+    for i in 0..=n {
+        let start = pressure.len();
+        pressure.resize(start + n + 1 - i, 0.0);
+        for j in i..n {
+            let weight = pressure_weight(share, i, j);
+            pressure[start + j - i] += weight;
+            pressure[start + j + 1 - i] -= weight;
+        }
+    }
+    pressure
+}
+
+/// Weight of the drop of a line over cell j in the pressure at node i ≤ j.
+pub(super) fn pressure_weight(share: &[f64], i: usize, j: usize) -> f64 {
+    FRAC_2_PI / ((share[j] - share[i]).sqrt() + (share[j + 1] - share[i]).sqrt())
+}
+
+/// Last column of K̂ where the line does not fall to zero in the last cell but jumps at its end.
+pub(super) fn rim_column(share: &[f64]) -> Vec<f64> {
+    let n = share.len() - 1;
+    let column = |i: usize| {
+        if i == n {
+            // the mean of q/(π √(1 − Z)) over the outer half of the cell
+            return FRAC_2_PI / (0.5 * (1.0 - share[n - 1])).sqrt();
+        }
+        FRAC_1_PI / (1.0 - share[i]).sqrt() - pressure_weight(share, i, n - 1)
+    };
+    (0..=n).map(column).collect()
+}

@@ -1,0 +1,144 @@
+//! The matrix of a step's linear system, for meshes with tables: D̂ − γτ J D̂ in the unknowns z at the nodes first ..= n. At a
+//! moving edge its last row keeps the depth there.
+
+use super::{Patch, Rate};
+use crate::transform::dot;
+use crate::wear::mesh::Tables;
+use nalgebra::{DMatrix, DVector, Dyn, LU};
+
+/// The system, factorised.
+#[derive(Debug)]
+pub(in crate::wear) struct Direct {
+    lu: LU<f64, Dyn, Dyn>,
+    /// Change of the volume rate with z.
+    volume_row: Vec<f64>,
+}
+
+impl Direct {
+    /// Depths whose system has the given right side, and the change of the volume rate that belongs to them.
+    pub(super) fn solve(&self, patch: &Patch, right: &[f64]) -> Option<(Vec<f64>, f64)> {
+        let mut unknowns = DVector::from_column_slice(&right[patch.mesh.first()..]);
+        self.lu.solve_mut(&mut unknowns).then(|| {
+            let change = dot(&self.volume_row, unknowns.as_slice());
+            (patch.stage_depth(unknowns.as_slice()), change)
+        })
+    }
+}
+
+impl Patch {
+    /// The system of a step of length τ, with γτ given.
+    pub(super) fn matrix(
+        &self,
+        (depth, rate): (&[f64], &Rate),
+        gamma_step: f64,
+        tables: Tables<'_>,
+    ) -> Direct {
+        let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
+        let size = n + 1 - first;
+        let (span, a) = (self.span(rate.area), rate.area.sqrt());
+        let root = span.sqrt();
+        let factor = self.factor * rate.share;
+        let mut jacobian = vec![0.0; size * size];
+        let mut volume_row = vec![0.0; size];
+        // h = z/b; whether a spring slips; b of those that do
+        let softness: Vec<f64> = rate.scale.iter().map(|b| 1.0 / b).collect();
+        let slipping: Vec<f64> = rate.slip[first..].iter().map(|s| f64::from(u8::from(*s > 0.0))).collect();
+        let sliding: Vec<f64> = slipping.iter().zip(&rate.scale[first..]).map(|(on, b)| on * b).collect();
+        for i in first..self.end() {
+            let row = &mut jacobian[(i - first) * size..(i - first + 1) * size];
+            let (p, s) = (rate.pressure[i], rate.surface_slip[i]);
+            if s > 0.0 {
+                let weights = &tables.pressure_row(i)[..n - i];
+                let (stiffness, soft) = (factor * s / root, factor * p * self.bound_slope);
+                let springs = row[i - first..].iter_mut().zip(weights).zip(&softness[i..]);
+                springs.for_each(|((entry, weight), soft)| *entry -= stiffness * weight * soft);
+                let mut uniform: f64 = weights.iter().sum();
+                if self.rim {
+                    row[n - first] -= stiffness * mesh.rim[i] * softness[n];
+                    uniform += mesh.rim[i];
+                }
+                let descent = &tables.descent_row(i)[first..];
+                for ((entry, weight), slips) in row.iter_mut().zip(descent).zip(&slipping) {
+                    *entry += soft * weight * slips;
+                }
+                let moved = dot(descent, &sliding[..descent.len()]);
+                // the body sinks as it wears
+                let sinking = stiffness * uniform - soft * moved;
+                if self.is_force() && self.rim {
+                    for (entry, width) in row.iter_mut().zip(&mesh.width[first..]) {
+                        *entry += sinking * root * width / a;
+                    }
+                } else if self.is_force() {
+                    row[n - first] += sinking * softness[n];
+                }
+            }
+            for (sum, entry) in volume_row.iter_mut().zip(&*row) {
+                *sum += span * mesh.volume.depth[i] * entry;
+            }
+            if !self.rim && i > 0 {
+                for (weight, k) in mesh.drift[i].iter().zip(i - 1..) {
+                    let speed = rate.area_rate * weight / span;
+                    for (entry, descent) in row.iter_mut().zip(&tables.descent_row(k)[first.min(k)..]) {
+                        *entry += speed * descent;
+                    }
+                }
+            }
+        }
+        if !self.rim {
+            self.add_edge_terms(depth, rate, &mut jacobian, &mut volume_row);
+        }
+        jacobian.iter_mut().for_each(|entry| *entry *= -gamma_step);
+        for i in first..=n {
+            let row = &mut jacobian[(i - first) * size..];
+            row.iter_mut().zip(&tables.descent_row(i)[first..]).for_each(|(entry, weight)| *entry += weight);
+        }
+        let matrix = DMatrix::from_row_slice(size, size, &jacobian);
+        Direct { lu: matrix.lu(), volume_row }
+    }
+
+    /// What the movement of the edge adds: the drift of the nodes, and the change of all fields with A.
+    fn add_edge_terms(&self, depth: &[f64], rate: &Rate, jacobian: &mut [f64], volume_row: &mut [f64]) {
+        let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
+        let size = n + 1 - first;
+        let span = self.span(rate.area);
+        let edge = self.edge_change(depth, rate);
+        let mut acceleration = vec![0.0; size];
+        for i in first..n {
+            let row = &jacobian[(i - first) * size..(i - first + 1) * size];
+            for (sum, entry) in acceleration.iter_mut().zip(row) {
+                *sum -= edge.condition.depth[i] / edge.total * entry;
+            }
+        }
+        let mut area_row = vec![0.0; size];
+        if self.is_force() {
+            for j in first..=n {
+                area_row[j - first] = span.sqrt() * mesh.width[j] / edge.condition.area;
+            }
+            area_row[n - first] -= rate.area.sqrt() / rate.scale[n] / edge.condition.area;
+        } else {
+            area_row[n - first] = -1.0 / rate.scale[n] / edge.condition.area;
+        }
+        for (entry, area) in volume_row.iter_mut().zip(&area_row) {
+            *entry += edge.volume * area;
+        }
+        for i in first..n {
+            let row = &mut jacobian[(i - first) * size..(i - first + 1) * size];
+            for j in 0..size {
+                row[j] += rate.drift[i] * acceleration[j] + edge.growth[i] * area_row[j];
+            }
+        }
+    }
+
+    /// Depths of a solution z of the stage's system; zero at a moving edge.
+    fn stage_depth(&self, z: &[f64]) -> Vec<f64> {
+        let (n, first) = (self.cells(), self.mesh.first());
+        let mut full = vec![0.0; n + 1];
+        full[first..].copy_from_slice(z);
+        let mut depth = vec![0.0; n + 1];
+        self.mesh.descend(&full, &mut depth);
+        if !self.rim {
+            depth[n] = 0.0;
+        }
+        depth
+    }
+}
