@@ -3,6 +3,7 @@
 //! Data flows one way: load → normal contact (`surface`) → springs (`friction`) → work → wear
 //! (`wear`) → surface. Fields are made only when something reads them.
 
+mod bounds;
 mod chunks;
 mod counters;
 mod cyclic;

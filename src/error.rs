@@ -86,6 +86,17 @@ pub enum Error {
         /// Internal steps that were taken.
         steps: u32,
     },
+    /// A step in which the contact wears more than its profile can follow.
+    #[error(
+        "the step from displacement {from:e} m to {displacement:e} m wears more than the profile can follow: take smaller \
+         steps, or check wear coefficient and hardness"
+    )]
+    WearOutrun {
+        /// Displacement at its start, m.
+        from: f64,
+        /// Displacement at its end, m.
+        displacement: f64,
+    },
     /// A snapshot that does not belong to this contact or is damaged.
     #[error("the saved state cannot be used: {0}")]
     Snapshot(String),

@@ -10,7 +10,7 @@ use fretting_contact::reference::wear_tables::{
     CONE_CONSTANT_FORCE, ConstantForceRow, FLAT_PUNCH_GROSS_SLIP, PARABOLA_CONSTANT_DEPTH,
     PARABOLA_CONSTANT_FORCE, SPHERE_GROSS_SLIP,
 };
-use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
+use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile};
 
 use NormalControl::{Force, Indentation};
 
@@ -464,4 +464,19 @@ fn the_counted_work_stays_bounded() {
     assert!(counters.factorisations <= 80, "{counters}");
     assert!(counters.pressure_transforms <= 4 * counters.factorisations, "{counters}");
     assert_eq!(counters.transform_tables, 0, "{counters}");
+}
+
+/// One step that would wear many times the depth is refused; the contact is as it was and can be moved on.
+#[test]
+fn a_step_that_outwears_the_contact_is_refused_and_leaves_it_usable() {
+    for control in [Force, Indentation] {
+        let scene = WearScene::new(BALL, control, 0.02);
+        let mut contact = scene.begin();
+        let before = state(&contact);
+        let error = contact.advance_to(scene.normal, 5.0 * scene.amplitude).expect_err("it wears too much");
+        assert!(matches!(error, Error::WearOutrun { .. }), "{control:?}: {error}");
+        assert_eq!(state(&contact), before, "{control:?}");
+        to(&mut contact, scene.normal, 1e-3 * scene.amplitude);
+        assert!(contact.tangential_force() > 0.0);
+    }
 }

@@ -83,7 +83,7 @@ impl FrettingContact {
         if let Some(onset) = self.onset_of_long_slide(value, displacement) {
             return self.transaction(|this| {
                 this.walk(value, onset, splits)?;
-                this.slide_on(displacement)
+                this.bounded(|this| this.slide_on(displacement))
             });
         }
         let turns = || {
@@ -101,13 +101,17 @@ impl FrettingContact {
                 }
             }
             self.transaction(|this| {
-                this.turn()?;
-                this.walk_on(value, displacement, splits)
+                this.bounded(|this| {
+                    this.turn()?;
+                    this.walk_on(value, displacement, splits)
+                })
             })
         } else if self.is_worn_out() {
             self.transaction(|this| {
-                this.settle()?;
-                this.walk_on(value, displacement, splits)
+                this.bounded(|this| {
+                    this.settle()?;
+                    this.walk_on(value, displacement, splits)
+                })
             })
         } else {
             self.walk_on(value, displacement, splits)
@@ -159,11 +163,14 @@ impl FrettingContact {
             let inner = springs.stick_radius(&to, self.constants.bound_slope(), displacement);
             self.exceeds_limit(self.constants.wear_per_work * work, &to, inner)
         };
-        if splits > 0
-            && work > 0.0
+        if work > 0.0
             && !self.keeps_calm(&to, work)
             && let Some(ratio) = limit()
+            && (splits > 0 || (ratio > MOST_PIECES && self.outwears(work)))
         {
+            if splits == 0 {
+                return Err(Error::WearOutrun { from: self.displacement, displacement });
+            }
             let pieces = ratio.ceil().min(MOST_PIECES) as u32;
             let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
             return self.transaction(|this| {
@@ -186,6 +193,12 @@ impl FrettingContact {
             self.arrive(to, displacement, springs, work);
             Ok(())
         }
+    }
+
+    /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact could follow.
+    fn outwears(&self, work: f64) -> bool {
+        let ratio = self.exceeds_limit(self.constants.wear_per_work * work, &self.contact, 0.0);
+        ratio.is_some_and(|ratio| ratio > MOST_PIECES)
     }
 
     /// The path from the present state to a contact and displacement.

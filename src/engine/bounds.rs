@@ -1,0 +1,49 @@
+//! What no step can exceed, however it was followed. A step in which a contact wears more than its profile can follow breaks
+//! these, and is refused instead of giving a wrong number.
+
+use super::FrettingContact;
+use crate::error::Error;
+use crate::surface::Contact;
+use std::f64::consts::PI;
+
+/// Share of the worn volume and of π a² d that may have found no place on the profile.
+const UNPLACED: f64 = 0.01;
+
+/// Rounding and the error of an update, relative.
+const SLACK: f64 = 0.05;
+
+impl FrettingContact {
+    /// Runs a change along a straight line. Friction can take what the drive brings, at most μF_N |ΔU|, and what the springs
+    /// hold; and nearly all of it has to show on the profile.
+    ///
+    /// # Errors
+    /// Those of the change; [`Error::WearOutrun`] if it breaks one of these.
+    pub(super) fn bounded(
+        &mut self,
+        change: impl FnOnce(&mut Self) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let (work, start, updates) = (self.work, self.displacement, self.counters.profile_updates);
+        let stored = self.constants.tangential_modulus * self.springs.energy_integral(start);
+        let (force, before) = (self.normal_reaction(), self.contact);
+        change(self)?;
+        let Some(wear) = &self.wear else { return Ok(()) };
+        if self.counters.profile_updates == updates {
+            return Ok(());
+        }
+        let force = force.max(self.normal_reaction());
+        let driven = self.constants.friction_coefficient * force * (self.displacement - start).abs();
+        let taken = self.work - work;
+        let disc = |contact: &Contact| PI * contact.radius * contact.radius * contact.depth.abs();
+        let per_work = self.constants.wear_per_work;
+        let unplaced = per_work * wear.pending.unplaced;
+        let larger = disc(&before).max(disc(&self.contact));
+        // what went wrong may have blown up the contact after
+        let slack = UNPLACED * if before.is_open() { larger } else { disc(&before) };
+        let bounded = per_work * taken <= (1.0 + SLACK) * per_work * (driven + stored) + slack;
+        let placed = unplaced <= UNPLACED * (per_work * self.work + larger);
+        if bounded && placed {
+            return Ok(());
+        }
+        Err(Error::WearOutrun { displacement: self.displacement, from: start })
+    }
+}
