@@ -1,52 +1,61 @@
-//! A short version of the reports, without a clock: a dozen of the extreme scenes, and error against tolerance and
-//! resolution.
+//! A short version of the reports, without a clock: a part of the extreme scenes, taken by a rule and not by their outcome, and
+//! error against tolerance and resolution.
 
 #[path = "../examples/report/judge.rs"]
 #[allow(dead_code, reason = "the report prints more of a finding than the test asks for")]
 mod judge;
 #[path = "../examples/report/scenes/mod.rs"]
-#[allow(dead_code, reason = "scenes are looked up by name and extreme here")]
 mod scenes;
 
+use fretting_contact::Error;
 use fretting_contact::problems::Problem;
 use judge::Judge;
+use scenes::Scene;
 
-/// Scenes that run to their end with every invariant kept. Those of the short wearing life are not among them: the
-/// profile read within a stroke misses its volume by 1 % in some, see `reports/stability.md`.
-const SOUND: [(&str, &str); 15] = [
-    ("friction", "mu = 0"),
-    ("load jump in one step", "1e9 up, no wear"),
-    ("load jump in one step", "1e18 down, no wear"),
-    ("load jump in one step", "1e9 up, wear"),
-    ("load jump in one step", "1e9 down, wear"),
-    ("displacement step", "1e6 u_max, no wear"),
-    ("displacement step", "1e6 u_max, wear"),
-    ("displacement step", "1e-12 u_max, wear, depth held"),
-    ("amplitude", "exactly u_max, force"),
-    ("amplitude", "u_max (1 + 1e-12), depth"),
-    ("amplitude", "shrinks 3 to 1e-3 u_max, depth"),
-    ("input", "displacement 5e-324 m, wear"),
-    ("input", "force 1e300 N, no wear"),
-    ("input", "force 1e300 N, wear"),
-    ("parameter", "E = 1e-300 Pa"),
-];
-/// Scenes beyond double precision, refused with the contact left as it was.
-const REFUSED: [(&str, &str); 2] = [("input", "amplitude 1e300 m"), ("input", "displacement 1e300 m, wear")];
+/// Of the scenes every so many-th is run, whatever becomes of it, and all of one kind.
+const EVERY: usize = 7;
+/// Inputs at the ends of double precision, which may be refused; quick.
+const ALL_OF: &str = "input";
+
+/// Work of 1e600 J: any number would be a wrong one.
+const REFUSED: [(&str, &str); 2] = [("input", "both 1e300, wear"), ("input", "both 1e300, no wear")];
+
+/// Scenes that break an invariant, as `reports/stability.md` says. One that is mended has to leave this list.
+const KNOWN_TO_FAIL: [&str; 1] = ["amplitude, shrinks 3 to 1e-3 u_max, force"];
+
+/// The outcome of a scene, and the invariant that it breaks, if any.
+fn judged(scene: &Scene) -> (Result<(), Error>, Option<String>) {
+    let mut judge = Judge::default();
+    let outcome = (scene.run)(&mut judge);
+    println!("{}: {outcome:?}, {:?}", scene.title(), judge.worst());
+    let broken = judge.worst().filter(|worst| worst.broken()).map(|worst| format!("{worst:?}"));
+    (outcome, broken)
+}
 
 #[test]
 fn extreme_scenes_keep_every_invariant_or_are_refused() {
-    let wanted = SOUND.map(|key| (key, true)).into_iter().chain(REFUSED.map(|key| (key, false)));
+    let (mut run, mut failed) = (0, Vec::new());
+    for (index, scene) in scenes::all().iter().enumerate() {
+        if index % EVERY == 0 || scene.name == ALL_OF {
+            // a refusal is as good as an end: that it changes nothing is among the invariants
+            if let (_, Some(broken)) = judged(scene) {
+                println!("{} breaks {broken}", scene.title());
+                failed.push(scene.title());
+            }
+            run += 1;
+        }
+    }
+    assert!(run >= 30, "only {run} scenes");
+    assert_eq!(failed, KNOWN_TO_FAIL);
+}
+
+#[test]
+fn what_double_precision_cannot_hold_is_refused() {
     let all = scenes::all();
-    for ((name, extreme), runs) in wanted {
+    for (name, extreme) in REFUSED {
         let scene = all.iter().find(|scene| scene.name == name && scene.extreme == extreme);
         let scene = scene.unwrap_or_else(|| panic!("no scene {name}, {extreme}"));
-        let mut judge = Judge::default();
-        let outcome = (scene.run)(&mut judge);
-        println!("{name}, {extreme}: {outcome:?}, {:?}", judge.worst());
-        assert_eq!(outcome.is_ok(), runs, "{name}, {extreme}: {outcome:?}");
-        if let Some(worst) = judge.worst().filter(|worst| worst.broken()) {
-            panic!("{name}, {extreme}: {worst:?}");
-        }
+        assert!(judged(scene).0.is_err(), "{}", scene.title());
     }
 }
 
