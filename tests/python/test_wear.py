@@ -75,9 +75,9 @@ def test_wear_never_heals(start_contact):
         contact.step(normal_force=force, tangential_displacement=displacement)
         now = contact.get("wear_volume", "wear_depth", "dissipated_energy")
         assert now[0] >= last[0] and now[2] >= last[2]
-        # Between two profile updates the depth is an estimate. Here each line, two thousand times faster than steel,
-        # wears several hundredths of the indentation depth, and the estimate was seen to fall by 1.1e-2 of that depth.
-        room = 2e-2 * 3.48e-6
+        # Between two profile updates the depth is an estimate, good to half of the tolerance times the indentation depth: here
+        # each line, two thousand times faster than steel, wears several hundredths of that depth.
+        room = 5e-4 * 3.48e-6
         assert now[1] >= last[1] - room
         last = now
         here = contact.field("radius_probe")
