@@ -23,7 +23,7 @@ mod rosenbrock;
 mod system;
 mod update;
 
-pub(crate) use life::{Amount, Fineness, live};
+pub(crate) use life::{Amount, Fineness, THINNING, live};
 pub(crate) use mesh::{Region, UnitMesh, depth_volume};
 pub(crate) use node_transforms::{NodeTransforms, TransformCache};
 pub(crate) use patch::{Motion, Sliding};
@@ -264,7 +264,7 @@ pub(crate) fn exceeds_limit(
 }
 
 /// Area of the slipping annulus, m².
-fn annulus(contact: &Contact, stick_radius: f64) -> f64 {
+pub(crate) fn annulus(contact: &Contact, stick_radius: f64) -> f64 {
     PI * (contact.radius - stick_radius).max(0.0) * (contact.radius + stick_radius)
 }
 

@@ -4,7 +4,7 @@
 use super::FrettingContact;
 use crate::error::Error;
 use crate::surface::Contact;
-use std::f64::consts::PI;
+use crate::wear::annulus;
 
 /// Share of the worn volume and of π a² d that may have found no place on the profile.
 const UNPLACED: f64 = 0.01;
@@ -33,14 +33,14 @@ impl FrettingContact {
         let force = force.max(self.normal_reaction());
         let driven = self.constants.friction_coefficient * force * (self.displacement - start).abs();
         let taken = self.work - work;
-        let disc = |contact: &Contact| PI * contact.radius * contact.radius * contact.depth.abs();
+        let disc = |contact: &Contact| annulus(contact, 0.0) * contact.depth.abs();
         let per_work = self.constants.wear_per_work;
         let unplaced = per_work * wear.pending.unplaced;
         let larger = disc(&before).max(disc(&self.contact));
         // what went wrong may have blown up the contact after
         let slack = UNPLACED * if before.is_open() { larger } else { disc(&before) };
         let bounded = per_work * taken <= (1.0 + SLACK) * per_work * (driven + stored) + slack;
-        let placed = unplaced <= UNPLACED * (per_work * self.work + larger);
+        let placed = unplaced <= UNPLACED * (self.wear_volume() + larger);
         if bounded && placed {
             return Ok(());
         }

@@ -16,8 +16,8 @@ const MOST_CHUNKS: u32 = 511;
 const FARTHEST: f64 = 1e6;
 
 impl FrettingContact {
-    /// Wears the surface by an amount (cycles or metres) of sliding at constant load, whatever the surface; returns the
-    /// work, J, which is added to the history's. Afterwards the contact is that of the new surface; the springs are still
+    /// Wears the surface by an amount (cycles or metres) of sliding at constant load, whatever the surface, and adds
+    /// the work to the history's. Afterwards the contact is that of the new surface; the springs are still
     /// those of before.
     ///
     /// # Errors

@@ -14,9 +14,6 @@ const LOAD_SHARE: f64 = 0.05;
 /// reversal an update is far more exact, since the stroke can be told for half a cycle there.
 pub(super) const STROKE: f64 = 20.0;
 
-/// Share of the tolerance that leaving out nodes may take of the largest image.
-const THINNING: f64 = 0.05;
-
 /// Most pieces into which wear may split a line.
 const MOST_PIECES: f64 = 512.0;
 
@@ -296,7 +293,9 @@ impl FrettingContact {
                 Some(Steady { sliding: Sliding::Cycles(amplitude), .. }) if followed => {
                     self.rest_at_reversal(amplitude, stick);
                 }
-                Some(Steady { sliding: Sliding::Cycles(amplitude), .. }) => self.expect_cycles(amplitude),
+                Some(Steady { sliding: Sliding::Cycles(amplitude), .. }) => {
+                    self.expect_cycles(amplitude);
+                }
                 _ => {}
             }
         }
@@ -306,7 +305,7 @@ impl FrettingContact {
     /// Whether the wear of so little work (J), with that which has found no place yet, is lost in the rounding of the profile.
     fn is_beyond_the_profile(&self, work: f64) -> bool {
         let unplaced = self.wear.as_ref().map_or(0.0, |wear| wear.pending.unplaced);
-        let disc = std::f64::consts::PI * self.contact.radius * self.contact.radius;
+        let disc = wear::annulus(&self.contact, 0.0);
         self.constants.wear_per_work * (work + unplaced) <= f64::EPSILON * disc * self.contact.depth.abs()
     }
 
@@ -433,8 +432,14 @@ impl FrettingContact {
                 again
             }
         };
+        self.move_to_nodes(adapted);
+        Ok(())
+    }
+
+    /// Takes over nodes that add to those of the surface without changing its shape: springs and what is pending go along.
+    pub(super) fn move_to_nodes(&mut self, nodes: Nodes) {
         let old = self.surface.clone();
-        self.surface.set_worn(Some(adapted));
+        self.surface.set_worn(Some(nodes));
         self.springs = self.springs.moved_to(&old, &self.surface);
         if let Some(wear) = &mut self.wear {
             wear.segment.unslipped = wear.segment.unslipped.moved_to(&old, &self.surface);
@@ -442,7 +447,6 @@ impl FrettingContact {
                 wear.pending.moved_to(before.x(), now.x());
             }
         }
-        Ok(())
     }
 
     /// Takes what is pending off the profile while a segment is going on.
@@ -494,7 +498,7 @@ impl FrettingContact {
     fn thin_nodes(&mut self) {
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return };
         let Some(contact) = wear.pending.contact else { return };
-        let share = THINNING * self.parameters.tolerance;
+        let share = wear::THINNING * self.parameters.tolerance;
         if let Some(thinned) = nodes.thinned(share, contact.radius, self.surface.profile()) {
             wear.pending.moved_to(nodes.x(), thinned.x());
             self.surface.set_worn(Some(thinned));

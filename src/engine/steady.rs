@@ -10,7 +10,7 @@ use super::snapshot::is_contact;
 use crate::error::Error;
 use crate::friction::Springs;
 use crate::surface::{Contact, Nodes};
-use crate::wear::{Edge, Pending, Sliding, Steady, pressure_nodes};
+use crate::wear::{Edge, Pending, Sliding, Steady, annulus, pressure_nodes};
 use serde::{Deserialize, Serialize};
 
 /// How near to a steady cycle's a segment's amplitude and work have to be, relative, to be taken for one.
@@ -104,8 +104,8 @@ impl FrettingContact {
         let stick = springs.stick_radius(&contact, self.constants.bound_slope(), amplitude);
         let half_work = 2.0 * quarter_work;
         let volume = self.constants.wear_per_work * half_work;
-        let annulus = std::f64::consts::PI * (contact.radius - stick) * (contact.radius + stick);
-        let calm = volume <= STROKE * self.parameters.tolerance * annulus * contact.depth.abs();
+        let calm =
+            volume <= STROKE * self.parameters.tolerance * annulus(&contact, stick) * contact.depth.abs();
         Rhythm { contact, amplitude, half_work, calm }
     }
 
@@ -198,25 +198,17 @@ impl FrettingContact {
                 }
             }
         };
-        let nodes = match self.surface.worn() {
-            None => Nodes::around(profile, self.parameters.resolution, contact.radius, stick),
-            Some(nodes) => {
+        match self.surface.worn() {
+            None => {
+                self.move_to_nodes(Nodes::around(profile, self.parameters.resolution, contact.radius, stick));
+            }
+            // those of an earlier contact may end inside this one
+            Some(nodes) if nodes.x()[nodes.last()] <= contact.radius => {
                 let mut adapted = nodes.clone();
-                // those of an earlier contact may end inside this one
-                if nodes.x()[nodes.last()] <= contact.radius {
-                    adapted.adapt(profile, contact.radius, stick);
-                }
-                adapted
+                adapted.adapt(profile, contact.radius, stick);
+                self.move_to_nodes(adapted);
             }
-        };
-        if self.surface.worn().is_none_or(|before| before.x().len() != nodes.x().len()) {
-            let old = self.surface.clone();
-            self.surface.set_worn(Some(nodes));
-            self.springs = self.springs.moved_to(&old, &self.surface);
-            if let (Some(wear), Some(before), Some(now)) = (&mut self.wear, old.worn(), self.surface.worn()) {
-                wear.segment.unslipped = wear.segment.unslipped.moved_to(&old, &self.surface);
-                wear.pending.moved_to(before.x(), now.x());
-            }
+            Some(_) => {}
         }
         let outer = self.surface.profile().outer_radius();
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return };
@@ -244,20 +236,20 @@ impl FrettingContact {
         self.counters.descent_transforms += 1;
     }
 
-    /// Takes the rhythm of cycles on the present surface, for the next stroke to be held against.
-    pub(super) fn expect_cycles(&mut self, amplitude: f64) {
+    /// Takes the rhythm of cycles on the present surface, for the next stroke to be held against. Returns their springs at the
+    /// end of a first quarter.
+    pub(super) fn expect_cycles(&mut self, amplitude: f64) -> Springs {
         let contact = self.contact;
         let (springs, quarter_work) = self.quarter(&contact, amplitude);
         self.set_rhythm(Some(self.rhythm_of(contact, amplitude, &springs, quarter_work)));
+        springs
     }
 
     /// Puts the slipping springs where a steady cycle has them at its end, on a surface that has just worn. Those that stuck
     /// all the time keep what they remember: the cycle need not be about the place where they are relaxed.
     pub(super) fn rest_at_reversal(&mut self, amplitude: f64, stick_before: f64) {
-        let contact = self.contact;
-        let (mut springs, quarter_work) = self.quarter(&contact, amplitude);
-        self.set_rhythm(Some(self.rhythm_of(contact, amplitude, &springs, quarter_work)));
-        let front = springs.stick_radius(&contact, self.constants.bound_slope(), amplitude);
+        let mut springs = self.expect_cycles(amplitude);
+        let front = springs.stick_radius(&self.contact, self.constants.bound_slope(), amplitude);
         springs.moved_by(self.direction, amplitude, self.displacement);
         self.springs.take_outer(front.min(stick_before), &springs);
         self.start_segment();

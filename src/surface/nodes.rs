@@ -144,20 +144,22 @@ impl Nodes {
         (x, worn_image, depth): (Vec<f64>, Vec<f64>, Vec<f64>),
         mesh: MeshPlace,
     ) -> Self {
-        let worn_load = vec![f64::NAN; x.len()];
-        let mut nodes = Self {
-            x,
-            worn_image,
-            depth,
-            whole: Vec::new(),
-            worn_load,
-            square: Vec::new(),
-            resolution,
-            mesh: Some(mesh),
-            remains: None,
-        };
+        let mut nodes = Self::holding(x, worn_image, depth, resolution, Some(mesh));
         nodes.extend_beyond(nodes.x[mesh.first + mesh.cells], profile.outer_radius());
         nodes
+    }
+
+    /// Nodes with what they carry; the integrals are still to be made.
+    fn holding(
+        x: Vec<f64>,
+        worn_image: Vec<f64>,
+        depth: Vec<f64>,
+        resolution: usize,
+        mesh: Option<MeshPlace>,
+    ) -> Self {
+        let worn_load = vec![f64::NAN; x.len()];
+        let (whole, square) = (Vec::new(), Vec::new());
+        Self { x, worn_image, depth, whole, worn_load, square, resolution, mesh, remains: None }
     }
 
     /// Adds a small volume (m³) to the wear inside the mesh, in proportion to what is there, and brings all that hangs on it up
@@ -209,18 +211,7 @@ impl Nodes {
         let x: Vec<f64> = kept.iter().map(|&k| x[k]).collect();
         let worn_image: Vec<f64> = kept.iter().map(|&k| worn_image[k]).collect();
         let depth = x.iter().map(|x| self.depth_at(*x) + others.depth_at(*x)).collect();
-        let worn_load = vec![f64::NAN; x.len()];
-        let mut nodes = Self {
-            x,
-            worn_image,
-            depth,
-            whole: Vec::new(),
-            worn_load,
-            square: Vec::new(),
-            resolution: self.resolution,
-            mesh: None,
-            remains: None,
-        };
+        let mut nodes = Self::holding(x, worn_image, depth, self.resolution, None);
         nodes.update_integrals(profile);
         nodes
     }
@@ -488,17 +479,8 @@ impl Nodes {
             return None;
         }
         let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect::<Vec<f64>>();
-        let mut nodes = Self {
-            x: pick(&self.x),
-            worn_image: pick(&self.worn_image),
-            depth: pick(&self.depth),
-            whole: Vec::new(),
-            worn_load: Vec::new(),
-            square: Vec::new(),
-            resolution: self.resolution,
-            mesh: None,
-            remains: None,
-        };
+        let (x, worn_image, depth) = (pick(&self.x), pick(&self.worn_image), pick(&self.depth));
+        let mut nodes = Self::holding(x, worn_image, depth, self.resolution, None);
         nodes.update_integrals(profile);
         Some(nodes)
     }

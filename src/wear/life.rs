@@ -18,7 +18,7 @@ const MOST_STEPS: u32 = 1000;
 const MOST_STEPS_OF_AN_UPDATE: f64 = 60.0;
 
 /// Share of the tolerance that leaving out nodes may take of the largest image.
-const THINNING: f64 = 0.05;
+pub(crate) const THINNING: f64 = 0.05;
 
 /// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth a mesh.
 const THINNEST: f64 = 1e-5;
