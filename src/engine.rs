@@ -11,6 +11,7 @@ mod derivatives;
 mod history;
 mod readout;
 mod retune;
+mod rig;
 mod slide;
 mod snapshot;
 mod steady;
@@ -65,6 +66,8 @@ pub struct FrettingContact {
     constants: Constants,
     /// m = μE*/G*, from `constants`.
     bound_slope: f64,
+    /// 1/k_rig, m/N; 0 where the contact is driven directly.
+    compliance: f64,
     surface: Surface,
     contact: Contact,
     springs: Springs,
@@ -135,8 +138,9 @@ impl FrettingContact {
         let wear = (constants.wear_per_work > 0.0 && constants.friction_coefficient > 0.0)
             .then(|| Box::new(WearState::default()));
         Ok(Self {
-            parameters: Arc::new(parameters),
             bound_slope: constants.bound_slope(),
+            compliance: parameters.rig_compliance(),
+            parameters: Arc::new(parameters),
             constants,
             surface,
             contact: Contact { control, depth: touch, radius: 0.0, load: 0.0 },

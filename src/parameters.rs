@@ -31,6 +31,10 @@ pub struct Parameters {
     pub hardness: f64,
     /// What [`crate::FrettingContact::advance_to`] takes as its first argument.
     pub normal_control: NormalControl,
+    /// Stiffness of what holds the moving body, in series with the contact, N/m; infinite by default. Where it is less than
+    /// [`Self::RIGID`], displacements that are given are those of the drive behind it.
+    #[serde(default = "rigid", with = "infinite_as_none")]
+    pub rig_stiffness: f64,
     /// Cells across the slipping annulus, 8 to 8192. Only wear uses them: forces are exact at any resolution.
     pub resolution: usize,
     /// Relative tolerance of the wear integration, in (0, 0.1].
@@ -47,6 +51,7 @@ impl Default for Parameters {
             wear_coefficient: 3.2e-4,
             hardness: 8e9,
             normal_control: NormalControl::Force,
+            rig_stiffness: f64::INFINITY,
             resolution: 64,
             tolerance: 1e-3,
         }
@@ -56,6 +61,17 @@ impl Default for Parameters {
 impl Parameters {
     /// Smallest and largest accepted [`Self::resolution`].
     pub const RESOLUTION_RANGE: (usize, usize) = (8, 8192);
+
+    /// A [`Self::rig_stiffness`] from which on the contact is driven directly, N/m.
+    pub const RIGID: f64 = 1e60;
+
+    /// The least accepted [`Self::rig_stiffness`], N/m: far below anything built, and its inverse a number to reckon with.
+    pub const LEAST_RIG_STIFFNESS: f64 = 1e-60;
+
+    /// 1/[`Self::rig_stiffness`], m/N; 0 where the contact is driven directly.
+    pub fn rig_compliance(&self) -> f64 {
+        if self.rig_stiffness >= Self::RIGID { 0.0 } else { 1.0 / self.rig_stiffness }
+    }
 
     /// k/σ₀, the worn volume per unit of friction work, m³/J.
     pub fn wear_per_work(&self) -> f64 {
@@ -86,6 +102,12 @@ impl Parameters {
             let requirement = "a hardness is finite and greater than 0 Pa";
             return Err(Error::Parameter { name: "hardness", value: self.hardness, requirement });
         }
+        let held = self.rig_stiffness >= Self::LEAST_RIG_STIFFNESS;
+        if !held {
+            let requirement =
+                "a rig stiffness is 1e-60 N/m or more, infinite where the contact is driven directly";
+            return Err(Error::Parameter { name: "rig_stiffness", value: self.rig_stiffness, requirement });
+        }
         let (least, most) = Self::RESOLUTION_RANGE;
         if !(least..=most).contains(&self.resolution) {
             let requirement = "the number of cells across the contact lies in 8 to 8192";
@@ -96,5 +118,23 @@ impl Parameters {
             return Err(Error::Parameter { name: "tolerance", value: self.tolerance, requirement });
         }
         Ok(())
+    }
+}
+
+fn rigid() -> f64 {
+    f64::INFINITY
+}
+
+/// Text formats know no infinity: it is saved as none.
+mod infinite_as_none {
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+    pub(super) fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+        (*value != f64::INFINITY).then_some(*value).serialize(serializer)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        Option::deserialize(deserializer).map(|value| value.unwrap_or(f64::INFINITY))
     }
 }

@@ -35,7 +35,12 @@ const SCENES: [(i32, i32, &str, f64); 4] = [
 ];
 
 fn started(loading: i32, control: i32, wear: f64) -> Fmu {
+    started_behind(f64::INFINITY, loading, control, wear)
+}
+
+fn started_behind(rig_stiffness: f64, loading: i32, control: i32, wear: f64) -> Fmu {
     Fmu::started(|fmu| {
+        assert_eq!(fmu.set_real("rig_stiffness", rig_stiffness), OK);
         assert_eq!(fmu.set_integer("loading", loading), OK);
         assert_eq!(fmu.set_integer("normal_control", control), OK);
         assert_eq!(fmu.set_real("wear_coefficient", wear), OK);
@@ -110,9 +115,9 @@ fn a_seed_is_a_linear_combination_and_lists_may_be_empty() {
     assert_eq!(fmu.bits(), before, "asking changes nothing");
 }
 
-/// In initialization mode the body is pressed down wherever it is.
+/// In initialization mode the body is pressed down wherever it is; only where that is follows the displacement.
 #[test]
-fn during_the_initialization_nothing_follows_the_displacement() {
+fn during_the_initialization_nothing_else_follows_the_displacement() {
     let fmu = Fmu::new();
     assert_eq!(fmu.enter_initialization(), OK);
     let h = 1e-3;
@@ -127,7 +132,7 @@ fn during_the_initialization_nothing_follows_the_displacement() {
     for (i, name) in outputs().iter().enumerate() {
         let difference = (above[i] - below[i]) / (2.0 * h);
         assert!(
-            (predicted[i] - difference).abs() <= 1e-7 * before[i].abs() / 100.0,
+            (predicted[i] - difference).abs() <= 1e-7 * before[i].abs() / 100.0 + 1e-10 * predicted[i].abs(),
             "{name}: {} against {difference}",
             predicted[i]
         );
@@ -185,7 +190,8 @@ fn cycles_wear_at_a_rate() {
     }
 }
 
-/// Every output depends on every input in some scene, as the ModelStructure says: by friction or, through wear, in time.
+/// Every output depends on every input in some scene, as the ModelStructure says: by friction, through a rig or, through wear, in
+/// time.
 #[test]
 fn every_declared_dependency_is_one() {
     let inputs: Vec<_> =
@@ -194,7 +200,7 @@ fn every_declared_dependency_is_one() {
         inputs.iter().flat_map(|input| outputs().into_iter().map(move |output| (*input, output))).collect();
     for (loading, control, ..) in SCENES {
         let run = |changed: Option<&str>| {
-            let fmu = started(loading, control, 0.1);
+            let fmu = started_behind(1e8, loading, control, 0.1);
             for (k, displacement) in [3e-6, -3e-6, 2e-6, -3e-6].into_iter().enumerate() {
                 let mut set = vec![
                     ("normal_force", 100.0),

@@ -19,7 +19,8 @@ const MOST_CELLS_ELSE: usize = 512;
 
 impl FrettingContact {
     /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) at a constant force (N) or
-    /// indentation depth (m). Afterwards the body stands at +amplitude, and [`Self::tangential_force`] is the
+    /// indentation depth (m). The amplitude is the drive's where there is a rig stiffness. Afterwards the body stands at
+    /// its own, and [`Self::tangential_force`] is the
     /// amplitude of T.
     ///
     /// # Errors
@@ -43,16 +44,19 @@ impl FrettingContact {
         self.settle()?;
         self.contact = self.contact_at(value)?;
         self.reach = self.reach.max(self.contact.radius);
-        if self.wear.is_none() {
+        let amplitude = if self.wear.is_none() {
+            let own = self.own_amplitude(amplitude);
             let contact = self.contact;
-            let (springs, work) = self.quarter(&contact, amplitude);
+            let (springs, work) = self.quarter(&contact, own);
             self.work += 4.0 * cycles * work;
             self.springs = springs;
+            own
         } else {
-            self.wear_cycles(value, amplitude, cycles)?;
-        }
+            self.wear_cycles(value, amplitude, cycles)?
+        };
         let Contact { depth, radius, .. } = self.contact;
         if !(self.work.is_finite()
+            && amplitude.is_finite()
             && depth.is_finite()
             && radius.is_finite()
             && self.normal_reaction().is_finite())
@@ -89,12 +93,18 @@ impl FrettingContact {
         (springs, 2.0 * self.constants.tangential_modulus * half_work)
     }
 
-    fn wear_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
-        self.wear_steadily(value, Sliding::Cycles(amplitude), cycles)?;
+    /// Returns the amplitude of the contact itself at the end, m.
+    fn wear_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<f64, Error> {
+        let own = if self.compliance == 0.0 {
+            self.wear_steadily(value, Sliding::Cycles(amplitude), cycles)?;
+            amplitude
+        } else {
+            self.wear_driven_cycles(value, amplitude, cycles)?
+        };
         let contact = self.contact;
-        (self.springs, _) = self.quarter(&contact, amplitude);
+        (self.springs, _) = self.quarter(&contact, own);
         self.reach = self.reach.max(self.contact.radius);
-        Ok(())
+        Ok(own)
     }
 
     /// Wears the surface by an amount of sliding at constant load; returns the work, J. Where that is `known`, the profile
@@ -114,8 +124,9 @@ impl FrettingContact {
             (Some((Sliding::Onward, step)), Sliding::Onward) => step,
             _ => 0.0,
         };
-        let pinned =
-            !self.constants.force_control && sliding.amplitude() < self.constants.bound_slope() * value;
+        let pinned = self.compliance == 0.0
+            && !self.constants.force_control
+            && sliding.amplitude() < self.constants.bound_slope() * value;
         let most = if pinned { MOST_CELLS } else { MOST_CELLS_ELSE };
         let fineness = Fineness {
             cells: UnitMesh::cells_from(self.parameters.resolution.min(most)),

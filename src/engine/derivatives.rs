@@ -29,7 +29,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 pub struct Gradient {
     /// With respect to the prescribed normal quantity: per N or, under depth control, per m.
     pub normal: f64,
-    /// With respect to the displacement, per m.
+    /// With respect to the displacement that is given, per m.
     pub displacement: f64,
 }
 
@@ -50,8 +50,28 @@ const INSIDE: f64 = 1e-9;
 impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
     fn gradient(&self, by_depth: f64, by_displacement: f64) -> Gradient {
-        let gradient = Gradient { normal: by_depth * self.depth_per_normal(), displacement: by_displacement };
+        let by_normal = by_depth * self.depth_per_normal();
+        let gradient = Gradient { normal: by_normal, displacement: by_displacement };
+        let gradient = if self.compliance > 0.0 { self.behind_the_rig(gradient) } else { gradient };
         gradient.times(if self.contact.is_open() { 0.0 } else { 1.0 })
+    }
+
+    /// With D = U + T/k_rig given in place of U: dU = (dD − ∂T/∂n dn/k_rig) / (1 + k/k_rig), k = ∂T/∂U.
+    fn behind_the_rig(&self, gradient: Gradient) -> Gradient {
+        let (by_depth, stiffness) = self.force_slopes();
+        let own = 1.0 / (1.0 + self.compliance * stiffness);
+        let by_normal = -self.compliance * by_depth * self.depth_per_normal() * own;
+        Gradient {
+            normal: gradient.normal + gradient.displacement * by_normal,
+            displacement: gradient.displacement * own,
+        }
+    }
+
+    /// ∂T/∂d and ∂T/∂U.
+    fn force_slopes(&self) -> (f64, f64) {
+        let (stick, side) = self.moving_zone();
+        let row = 2.0 * self.constants.tangential_modulus;
+        (row * self.bound_slope * side * (self.contact.radius - stick), row * stick)
     }
 
     /// ∂d/∂(prescribed normal quantity) of a closed contact.
@@ -104,11 +124,20 @@ impl FrettingContact {
         self.contact_radius_gradient().times(self.force_scale())
     }
 
-    /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`].
+    /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`] k or, behind a rig,
+    /// k k_rig/(k + k_rig).
     pub fn tangential_force_gradient(&self) -> Gradient {
-        let (stick, side) = self.moving_zone();
-        let row = 2.0 * self.constants.tangential_modulus;
-        self.gradient(row * self.bound_slope * side * (self.contact.radius - stick), row * stick)
+        let (by_depth, stiffness) = self.force_slopes();
+        self.gradient(by_depth, stiffness)
+    }
+
+    /// Of [`Self::displacement`].
+    pub fn displacement_gradient(&self) -> Gradient {
+        if self.contact.is_open() {
+            Gradient { normal: 0.0, displacement: 1.0 }
+        } else {
+            self.gradient(0.0, 1.0)
+        }
     }
 
     /// Of [`Self::stick_radius`]; 0 where the front jumps, as on a flat punch, and in gross slip.
@@ -189,10 +218,11 @@ impl FrettingContact {
         self.gradient((pressure(step) - pressure(-step)) / (2.0 * step), 0.0)
     }
 
-    /// Work of one cycle of this amplitude (m) at the present load and profile, J.
+    /// Work of one cycle of this amplitude (m) at the present load and profile, J. The amplitude is the drive's here, too.
     pub fn work_per_cycle(&self, amplitude: f64) -> f64 {
-        let contact = self.contact;
-        4.0 * self.clone().quarter(&contact, amplitude).1
+        let mut copy = self.clone();
+        let amplitude = copy.own_amplitude(amplitude);
+        4.0 * copy.quarter(&self.contact, amplitude).1
     }
 
     /// Volume that one cycle of this amplitude (m) wears, m³.
@@ -206,6 +236,7 @@ impl FrettingContact {
         if self.wear.is_none() || self.contact.is_open() {
             return 0.0;
         }
+        let amplitude = if self.compliance > 0.0 { self.clone().own_amplitude(amplitude) } else { amplitude };
         let per_length = self.constants.wear_per_work * self.constants.friction_coefficient;
         let room = |x: f64| self.bound_slope * (self.contact.depth - self.surface.image(x)).max(0.0);
         let bound_depth = self.contact.depth - amplitude / self.bound_slope;

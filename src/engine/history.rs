@@ -19,7 +19,7 @@ const MOST_PIECES: f64 = 512.0;
 
 impl FrettingContact {
     /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or indentation depth
-    /// in m, by `normal_control`, and displacement in m.
+    /// in m, by `normal_control`, and displacement in m, that of the drive where there is a rig stiffness.
     ///
     /// How the caller splits a line does not matter: without wear to rounding, with wear to the set tolerance.
     ///
@@ -28,11 +28,15 @@ impl FrettingContact {
     /// profile cannot carry the load; [`Error::NotFinite`] where double precision ends.
     pub fn advance_to(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         let (value, displacement) = self.checked(normal, displacement)?;
+        if self.compliance > 0.0 {
+            return self.advance_drive(value, displacement);
+        }
         if value == self.contact.control && displacement == self.displacement {
             self.counters.steps += 1;
             return Ok(());
         }
         if self.slides_to(value, displacement) {
+            self.counters.steps += 1;
             return Ok(());
         }
         let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
@@ -62,7 +66,7 @@ impl FrettingContact {
     }
 
     /// Pieces that the change of load along a line asks for.
-    fn pieces(&self, line: &Line) -> u32 {
+    pub(super) fn pieces(&self, line: &Line) -> u32 {
         if line.from.0 == line.to.0 {
             return 1;
         }
@@ -288,10 +292,16 @@ impl FrettingContact {
                 self.wear.as_ref().is_some_and(|wear| wear.pending.steady.is_some_and(|s| s.repeated));
             let stick =
                 self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
+            let drive = match candidate {
+                Some(Steady { sliding: Sliding::Cycles(own), .. }) if followed => self.drive_amplitude(own),
+                _ => 0.0,
+            };
             self.update_profile()?;
             match candidate {
                 Some(Steady { sliding: Sliding::Cycles(amplitude), .. }) if followed => {
-                    self.rest_at_reversal(amplitude, stick);
+                    let own = self.own_amplitude(drive);
+                    self.displacement += self.direction * (own - amplitude);
+                    self.rest_at_reversal(own, stick);
                 }
                 Some(Steady { sliding: Sliding::Cycles(amplitude), .. }) => {
                     self.expect_cycles(amplitude);
@@ -563,7 +573,7 @@ impl FrettingContact {
         self.solve_contact(value)
     }
 
-    fn solve_contact(&self, value: f64) -> Result<Contact, Error> {
+    pub(super) fn solve_contact(&self, value: f64) -> Result<Contact, Error> {
         self.surface.contact(self.parameters.normal_control, value, self.force_scale())
     }
 }
@@ -578,14 +588,14 @@ fn add_depth(nodes: &Nodes, transforms: &NodeTransforms, depth: &[f64]) -> Vec<f
 type Worn = (Vec<f64>, Vec<f64>);
 
 /// A straight line in (control, displacement).
-struct Line {
-    from: (f64, f64),
-    to: (f64, f64),
+pub(super) struct Line {
+    pub(super) from: (f64, f64),
+    pub(super) to: (f64, f64),
 }
 
 impl Line {
     /// Point k of n; the last is the end to the bit.
-    fn at(&self, k: u32, n: u32) -> (f64, f64) {
+    pub(super) fn at(&self, k: u32, n: u32) -> (f64, f64) {
         if k == n {
             return self.to;
         }
@@ -595,7 +605,7 @@ impl Line {
     }
 
     /// The line in two where the control crosses `level`, else whole.
-    fn split_at(&self, level: f64) -> [Option<Line>; 2] {
+    pub(super) fn split_at(&self, level: f64) -> [Option<Line>; 2] {
         let (c0, c1) = (self.from.0 - level, self.to.0 - level);
         if c0 * c1 >= 0.0 {
             return [Some(Line { from: self.from, to: self.to }), None];

@@ -10,7 +10,8 @@ use std::f64::consts::PI;
 const PROBES: usize = 64;
 
 impl FrettingContact {
-    /// Tangential displacement U, m.
+    /// Tangential displacement U of the body in the contact, m; in cyclic loading its amplitude. Where there is a rig stiffness,
+    /// [`Self::drive_displacement`] is that of the drive.
     pub fn displacement(&self) -> f64 {
         self.displacement
     }

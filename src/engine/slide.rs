@@ -38,7 +38,6 @@ impl FrettingContact {
         self.displacement = displacement;
         self.work += work;
         self.counters.spring_walks += 1;
-        self.counters.steps += 1;
         true
     }
 }

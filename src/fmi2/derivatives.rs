@@ -3,7 +3,7 @@
 //! Those of the engine ([`crate::engine::FrettingContact::tangential_force_gradient`] and its like) in the present sliding
 //! direction, with the profile as it is. In cyclic loading the displacement is the amplitude, and what accumulates does not
 //! follow the inputs but grows with the cycles. Before the end of the initialization the contact is pressed anew wherever it
-//! stands, so that nothing depends on the displacement.
+//! stands, so that nothing depends on the displacement but the displacement of the contact itself.
 
 use super::component::Component;
 use super::enumerations::Loading;
@@ -19,17 +19,23 @@ struct Change {
     normal: f64,
     displacement: f64,
     loading: Loading,
+    /// Whether the contact may still be pressed on anew.
+    starting: bool,
 }
 
 impl Change {
     fn of(&self, output: &Output, contact: &FrettingContact) -> f64 {
+        if self.starting && output.starts_anywhere {
+            return if self.loading == Loading::Transient { self.displacement } else { 0.0 };
+        }
         if self.normal == 0.0 && self.displacement == 0.0
             || self.loading == Loading::Cyclic && output.per_cycle.is_some()
         {
             return 0.0;
         }
         let gradient = (output.gradient)(contact);
-        gradient.normal * self.normal + gradient.displacement * self.displacement
+        let displacement = if self.starting { 0.0 } else { self.displacement };
+        gradient.normal * self.normal + gradient.displacement * displacement
     }
 }
 
@@ -67,8 +73,7 @@ impl Component {
             *field(&mut change) += value;
         }
         self.model.contact(&self.resources)?;
-        let initialized = self.model.is_initialized();
-        let change = self.change(&change, if initialized { 1.0 } else { 0.0 });
+        let change = self.change(&change);
         if let (Some(contact), _) = self.model.parts() {
             for (output, result) in outputs.iter().zip(results) {
                 result.write(change.of(output, contact));
@@ -96,7 +101,7 @@ impl Component {
         }
         let rates = self.model.staged().last_step.rates();
         let (frequency, amplitude) = self.model.staged().last_step.cycles();
-        let change = self.change(&rates, 1.0);
+        let change = self.change(&rates);
         if let (Some(contact), _) = self.model.parts() {
             for (output, value) in outputs.iter().zip(values) {
                 value.write(match output.per_cycle {
@@ -114,18 +119,15 @@ impl Component {
         Ok(())
     }
 
-    /// What a change of the inputs means for the contact; its displacement counts by `share`.
-    fn change(&mut self, change: &Inputs, share: f64) -> Change {
+    /// What a change of the inputs means for the contact.
+    fn change(&mut self, change: &Inputs) -> Change {
+        let starting = !self.model.is_initialized();
         let settings = &self.model.staged().settings;
         let loading = settings.loading();
         let displacement = match loading {
             Loading::Transient => change.tangential_displacement,
             Loading::Cyclic => change.displacement_amplitude,
         };
-        Change {
-            normal: change.normal(settings.normal_control()),
-            displacement: share * displacement,
-            loading,
-        }
+        Change { normal: change.normal(settings.normal_control()), displacement, loading, starting }
     }
 }

@@ -28,6 +28,7 @@ pub(super) struct Settings {
     pub(super) hardness: f64,
     pub(super) normal_control: i32,
     pub(super) loading: i32,
+    pub(super) rig_stiffness: f64,
     pub(super) resolution: i32,
     pub(super) tolerance: f64,
 }
@@ -54,6 +55,7 @@ impl Default for Settings {
             hardness: engine.hardness,
             normal_control: engine.normal_control.number(),
             loading: Loading::Transient.number(),
+            rig_stiffness: Parameters::RIGID,
             resolution: engine.resolution as i32,
             tolerance: engine.tolerance,
         }
@@ -97,9 +99,15 @@ impl Settings {
             wear_coefficient: self.wear_coefficient,
             hardness: self.hardness,
             normal_control: self.normal_control(),
+            rig_stiffness: self.rig_stiffness(),
             resolution: self.resolution as usize,
             tolerance: self.tolerance,
         }
+    }
+
+    /// Infinite where it is so for the engine: not every importer knows a number for that.
+    fn rig_stiffness(&self) -> f64 {
+        if self.rig_stiffness >= Parameters::RIGID { f64::INFINITY } else { self.rig_stiffness }
     }
 
     fn profile(&self, resources: &Resources) -> Checked<Profile> {

@@ -95,7 +95,7 @@ pub const UNITS: [Unit; 9] = [
     Unit { name: "rad", base: &[("rad", 1)] },
 ];
 
-/// Accepted values of a real variable; they are finite in any case.
+/// Accepted values of a real variable; they are finite, but where the upper bound itself is infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Lower bound.
@@ -112,13 +112,17 @@ impl Range {
     /// Whether `value` is accepted.
     #[inline]
     pub fn contains(&self, value: f64) -> bool {
-        value.is_finite() && (self.low, self.high).contains(&value)
+        (value.is_finite() || self.is_open_ended()) && (self.low, self.high).contains(&value)
+    }
+
+    fn is_open_ended(&self) -> bool {
+        self.high == Bound::Included(f64::INFINITY)
     }
 }
 
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("give a finite number")?;
+        f.write_str(if self.is_open_ended() { "give a number" } else { "give a finite number" })?;
         match self.low {
             Bound::Included(low) => write!(f, " >= {low:?}")?,
             Bound::Excluded(low) => write!(f, " > {low:?}")?,
@@ -126,6 +130,7 @@ impl fmt::Display for Range {
         }
         let and = if self.low == Bound::Unbounded { "" } else { " and" };
         match self.high {
+            Bound::Included(f64::INFINITY) => Ok(()),
             Bound::Included(high) => write!(f, "{and} <= {high:?}"),
             Bound::Excluded(high) => write!(f, "{and} < {high:?}"),
             Bound::Unbounded => Ok(()),
@@ -159,6 +164,9 @@ pub(super) struct Output {
     pub(super) gradient: fn(&FrettingContact) -> Gradient,
     /// What a cycle of a given amplitude (m) adds, for outputs that grow with the cycles of cyclic loading.
     pub(super) per_cycle: Option<fn(&FrettingContact, f64) -> f64>,
+    /// Whether it is, in transient loading, the displacement at which the contact is pressed on at the start; nothing else
+    /// follows that.
+    pub(super) starts_anywhere: bool,
 }
 
 /// A start value as modelDescription.xml writes it.
@@ -233,8 +241,21 @@ mod tests {
             else {
                 continue;
             };
-            let probes =
-                [f64::NAN, f64::INFINITY, -1.0, 0.0, 0.5, 0.05, 0.1, 0.100001, 0.51, 1.6, 99.0, 101.0];
+            let probes = [
+                f64::NAN,
+                f64::INFINITY,
+                1e-320,
+                -1.0,
+                0.0,
+                0.5,
+                0.05,
+                0.1,
+                0.100001,
+                0.51,
+                1.6,
+                99.0,
+                101.0,
+            ];
             for value in probes {
                 // A dimension counts only for the profiles that use it: refused by one of them is refused.
                 let by_engine = (1..=6).all(|profile| {
@@ -246,7 +267,7 @@ mod tests {
                 checked += 1;
             }
         }
-        assert_eq!(checked, 13 * 12);
+        assert_eq!(checked, 14 * 13);
     }
 
     #[test]
@@ -256,5 +277,8 @@ mod tests {
         assert_eq!(Range::FINITE.to_string(), "give a finite number");
         assert!(!ratio.contains(-1.0) && ratio.contains(0.5) && !ratio.contains(f64::NAN));
         assert!(!Range::FINITE.contains(f64::INFINITY));
+        let open = Range { low: Bound::Excluded(0.0), high: Bound::Included(f64::INFINITY) };
+        assert_eq!(open.to_string(), "give a number > 0.0");
+        assert!(open.contains(f64::INFINITY) && !open.contains(f64::NAN) && !open.contains(0.0));
     }
 }

@@ -133,7 +133,9 @@ fn type_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
             if let Bound::Included(min) = low {
                 attributes.push(("min", format!("{min:?}")));
             }
-            if let Bound::Included(max) = high {
+            if let Bound::Included(max) = high
+                && max.is_finite()
+            {
                 attributes.push(("max", format!("{max:?}")));
             }
             attributes.extend(nominal.map(|nominal| ("nominal", format!("{nominal:?}"))));

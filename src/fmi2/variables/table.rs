@@ -52,6 +52,8 @@ pub(super) fn rows() -> Vec<Variable> {
     rows.extend(outputs());
     rows.extend(parameters());
     rows.extend(fields());
+    // what came later stands at the end, so that the references before it stay
+    rows.extend(rig());
     rows
 }
 
@@ -73,8 +75,8 @@ fn inputs() -> Vec<Variable> {
 
 fn outputs() -> Vec<Variable> {
     type C = FrettingContact;
-    let follows = |read, gradient| Output { read, gradient, per_cycle: None };
-    let grows = |read, gradient, per_cycle| Output { read, gradient, per_cycle: Some(per_cycle) };
+    let follows = |read, gradient| Output { read, gradient, per_cycle: None, starts_anywhere: false };
+    let grows = |read, gradient, per_cycle| Output { per_cycle: Some(per_cycle), ..follows(read, gradient) };
     let (volume, depth, work) = (
         grows(C::wear_volume, C::wear_volume_gradient, C::wear_volume_per_cycle),
         grows(C::wear_depth, C::wear_depth_gradient, C::wear_depth_per_cycle),
@@ -157,6 +159,26 @@ fn parameters() -> Vec<Variable> {
             .about("Cells across the contact; the default suits most users"),
         real("tolerance", "1", tolerance, |s| &mut s.tolerance)
             .about("Relative tolerance of the wear integration"),
+    ]
+}
+
+/// A spring in series with the contact.
+fn rig() -> Vec<Variable> {
+    let least = Bound::Included(Parameters::LEAST_RIG_STIFFNESS);
+    let stiffness = Range { low: least, high: Bound::Included(f64::INFINITY) };
+    let own = Output {
+        read: FrettingContact::displacement,
+        gradient: FrettingContact::displacement_gradient,
+        per_cycle: None,
+        starts_anywhere: true,
+    };
+    vec![
+        real("rig_stiffness", "N/m", stiffness, |s| &mut s.rig_stiffness).about(
+            "Stiffness in series with the contact: tangential_displacement and displacement_amplitude are those of the drive behind it; none from 1e60 on",
+        ),
+        output("contact_displacement", "m", 1e-6, Range::FINITE, &["tangential_displacement", "loading"], own).about(
+            "Tangential displacement of body 1 in the contact, without the stretch of the rig; in cyclic loading its amplitude",
+        ),
     ]
 }
 

@@ -1,0 +1,246 @@
+//! A spring in series with the contact: what holds the body, and what a measured displacement contains of it.
+//!
+//! The drive stands at D, the body at U, and both carry the same force,
+//!
+//! k_rig (D − U) = T(U).
+//!
+//! **At constant load** T is a concave function of the way that the body has gone since its last reversal, since springs that slip go on
+//! slipping (Popov & Heß, chapter 5), and |T| ≤ μF_N. So Newton's method, and the place U = D ∓ μF_N/k_rig of gross slip, both end short
+//! of the solution or in it. The body is simply walked to them in turn: no motion is tried in vain, and wear sees a
+//! single stroke. Stick and gross slip take one walk, partial slip a few.
+//!
+//! **Where the load changes** T at the end depends on how body and load went there. The line of load and drive is walked in pieces like
+//! any other, the body goes straight in each, and its end is found by regula falsi over trial walks: D − U − T/k_rig falls with U.
+//! Where springs touch or leave amid that, a piece has an error of second order in its change of load.
+//!
+//! Nothing is kept: D follows from U and T. What an update of the worn profile changes in T is made up for with the motion that
+//! follows, so that it is never a reversal of its own.
+
+mod cycles;
+
+use super::FrettingContact;
+use super::history::Line;
+use crate::error::Error;
+
+/// Most walks for one equilibrium. Newton's method takes 3 to 6; a bisection in its place would take 52.
+const MOST_WALKS: u32 = 100;
+
+/// How far from equilibrium counts as none, relative to the lengths that are compared.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+impl FrettingContact {
+    /// Displacement of the drive: U + T/k_rig, m. It is [`Self::displacement`] where the rig is rigid.
+    pub fn drive_displacement(&self) -> f64 {
+        if self.compliance == 0.0 {
+            return self.displacement;
+        }
+        self.displacement + self.compliance * self.tangential_force()
+    }
+
+    /// [`Self::advance_to`] with the displacement of a drive.
+    pub(super) fn advance_drive(&mut self, value: f64, drive: f64) -> Result<(), Error> {
+        if !(value == self.contact.control && self.slides_after(drive)) {
+            if value != self.contact.control {
+                // refused with the caller's number, not with that of a piece
+                self.solve_contact(value)?;
+            }
+            self.transaction(|this| this.walk_with_drive(value, drive))?;
+        }
+        self.counters.steps += 1;
+        Ok(())
+    }
+
+    /// Follows the drive under an unchanged load by slip of outer springs alone; `false`, with nothing changed, if it takes a
+    /// walk.
+    fn slides_after(&mut self, drive: f64) -> bool {
+        if self.contact.is_open() {
+            return false;
+        }
+        let mut row = std::mem::take(&mut self.undo);
+        row.copy_from(&self.springs);
+        let Self { displacement, direction, work, counters, .. } = *self;
+        let segment_work = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
+        let value = self.contact.control;
+        let side = self.pull(drive).signum();
+        let mut arrived = false;
+        for _ in 0..MOST_WALKS {
+            let Some(target) = self.next_place(drive, side) else {
+                arrived = true;
+                break;
+            };
+            if !self.slides_to(value, target) {
+                break;
+            }
+        }
+        if !arrived {
+            std::mem::swap(&mut self.springs, &mut row);
+            (self.displacement, self.direction, self.work) = (displacement, direction, work);
+            self.counters = counters;
+            if let Some(wear) = &mut self.wear {
+                wear.segment.work = segment_work;
+            }
+        }
+        self.undo = row;
+        arrived
+    }
+
+    fn walk_with_drive(&mut self, value: f64, drive: f64) -> Result<(), Error> {
+        let start = self.drive_displacement();
+        let still = (drive - start).abs() <= ROUNDING * (drive.abs() + start.abs());
+        let line =
+            Line { from: (self.contact.control, if still { drive } else { start }), to: (value, drive) };
+        for part in line.split_at(self.touch_control()).iter().flatten() {
+            let pieces = self.pieces(part);
+            for k in 1..=pieces {
+                let (value, drive) = part.at(k, pieces);
+                self.walk_piece(value, drive)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn walk_piece(&mut self, value: f64, drive: f64) -> Result<(), Error> {
+        let mut side = self.pull(drive).signum();
+        if value != self.contact.control || self.contact.is_open() {
+            let displacement = self.equilibrium(value, drive)?;
+            let updates = self.counters.profile_updates;
+            self.walk(value, displacement, 1)?;
+            if self.counters.profile_updates == updates {
+                return Ok(());
+            }
+            side = self.direction;
+        }
+        for _ in 0..MOST_WALKS {
+            let Some(target) = self.next_place(drive, side) else { return Ok(()) };
+            self.walk(value, target, 1)?;
+        }
+        Ok(())
+    }
+
+    /// How far the drive is ahead of equilibrium, D − U − T/k_rig, m; 0 where that is rounding.
+    fn pull(&self, drive: f64) -> f64 {
+        let limit = self.constants.friction_coefficient * self.normal_reaction();
+        self.pull_on((drive, self.displacement), self.tangential_force(), limit)
+    }
+
+    fn pull_on(&self, (drive, displacement): (f64, f64), force: f64, limit: f64) -> f64 {
+        let pull = drive - displacement - self.compliance * force;
+        let scale = drive.abs() + displacement.abs() + self.compliance * limit;
+        if pull.abs() <= ROUNDING * scale { 0.0 } else { pull }
+    }
+
+    /// A place nearer to equilibrium on one side of where the body stands, and not beyond it; `None` in equilibrium.
+    fn next_place(&self, drive: f64, side: f64) -> Option<f64> {
+        let pull = side * self.pull(drive);
+        let moves = pull > 0.0 && pull.is_finite();
+        if !moves {
+            return None;
+        }
+        let (stick, zone) = self.springs.slip_zone(&self.contact, self.bound_slope, self.displacement);
+        let sticking = if zone * side < 0.0 { self.contact.radius } else { stick };
+        let newton = pull / (1.0 + self.compliance * 2.0 * self.constants.tangential_modulus * sticking);
+        let limit = self.constants.friction_coefficient * self.normal_reaction();
+        let gross_slip = side * (drive - self.displacement) - self.compliance * limit;
+        let target = self.displacement + side * newton.max(gross_slip);
+        (target != self.displacement).then_some(target)
+    }
+
+    /// Displacement of the body that balances the drive after a straight line to another load.
+    fn equilibrium(&mut self, value: f64, drive: f64) -> Result<f64, Error> {
+        let to = self.solve_contact(value)?;
+        self.counters.contact_solutions += 1;
+        if to.is_open() {
+            return Ok(drive);
+        }
+        let row_modulus = 2.0 * self.constants.tangential_modulus;
+        let limit = self.constants.friction_coefficient * to.load * self.force_scale();
+        let mut walks = 0;
+        let mut spare = std::mem::take(&mut self.spare);
+        let mut pull = |displacement: f64| {
+            let path = self.path_to(to, displacement);
+            let (row, _) = self.springs.walk(&path, std::mem::take(&mut spare));
+            walks += 1;
+            let force = row_modulus * row.deflection_integral(displacement);
+            spare = row;
+            self.pull_on((drive, displacement), force, limit)
+        };
+        let here = self.displacement;
+        let first = pull(here);
+        // all springs stick there at most, and none there
+        let stiffest = row_modulus * to.radius.max(self.contact.radius);
+        let ends = (here + first / (1.0 + self.compliance * stiffest), here + first);
+        let displacement = if first == 0.0 { here } else { falling_root(ends, pull) };
+        self.counters.spring_walks += walks;
+        self.spare = spare;
+        Ok(displacement)
+    }
+
+    /// Amplitude of the drive (m) in steady cycles of the contact itself at the present load: U₀ + T₀/k_rig.
+    pub(super) fn drive_amplitude(&mut self, own: f64) -> f64 {
+        if self.compliance == 0.0 {
+            return own;
+        }
+        let contact = self.contact;
+        let (springs, _) = self.quarter(&contact, own);
+        own + self.compliance * 2.0 * self.constants.tangential_modulus * springs.deflection_integral(own)
+    }
+
+    /// Amplitude of the contact itself in steady cycles of a drive (m) at the present load: the same law from rest.
+    pub(super) fn own_amplitude(&mut self, drive: f64) -> f64 {
+        if self.compliance == 0.0 || self.contact.is_open() {
+            return drive;
+        }
+        let contact = self.contact;
+        let row_modulus = 2.0 * self.constants.tangential_modulus;
+        let limit = self.constants.friction_coefficient * self.normal_reaction();
+        let mut amplitude = (drive - self.compliance * limit).max(0.0);
+        for _ in 0..MOST_WALKS {
+            let (mut force, mut stick) = (0.0, contact.radius);
+            if amplitude > 0.0 {
+                let (springs, _) = self.quarter(&contact, amplitude);
+                force = row_modulus * springs.deflection_integral(amplitude);
+                stick = springs.stick_radius(&contact, self.bound_slope, amplitude);
+            }
+            let pull = self.pull_on((drive, amplitude), force, limit);
+            let next = amplitude + pull / (1.0 + self.compliance * row_modulus * stick);
+            let moves = next > amplitude && next.is_finite();
+            if !moves {
+                break;
+            }
+            amplitude = next;
+        }
+        amplitude
+    }
+}
+
+/// Where a falling function is 0, to the last digits, between two ends where it is ≥ 0 and ≤ 0 in turn: regula falsi with
+/// halving of the value at an end that stays (Illinois), and bisection where that is slow.
+fn falling_root((mut low, mut high): (f64, f64), mut f: impl FnMut(f64) -> f64) -> f64 {
+    if low > high {
+        (low, high) = (high, low);
+    }
+    let (mut at_low, mut at_high) = (f(low), f(high));
+    if at_low <= 0.0 {
+        return low;
+    }
+    if at_high >= 0.0 {
+        return high;
+    }
+    let mut last = 0.0;
+    for k in 1..=MOST_WALKS {
+        let share = if k % 8 == 0 { 0.5 } else { at_low / (at_low - at_high) };
+        let middle = low + share * (high - low);
+        let value = f(middle);
+        if value == 0.0 || middle <= low || middle >= high || !value.is_finite() {
+            return middle;
+        }
+        let stays = if value * last > 0.0 { 0.5 } else { 1.0 };
+        if value > 0.0 {
+            (low, at_low, at_high) = (middle, value, stays * at_high);
+        } else {
+            (high, at_high, at_low) = (middle, value, stays * at_low);
+        }
+        last = value;
+    }
+    low
+}
