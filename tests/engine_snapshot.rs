@@ -174,3 +174,20 @@ fn a_refused_step_leaves_no_trace() {
         assert_eq!((state(&refused), readings(&refused)), (state(&spared), readings(&spared)), "wear {wear}");
     }
 }
+
+/// Bodies that are apart rub on nothing: a state that says otherwise would be worn off a contact of no size.
+#[test]
+fn a_state_with_work_between_bodies_apart_is_refused() {
+    let mut contact = FrettingContact::new(Parameters::default()).unwrap();
+    contact.start_at(-1.0, 0.0).unwrap();
+    let saved = serde_json::to_value(contact.snapshot()).unwrap();
+    let taken = |value: serde_json::Value| -> Result<(), fretting_contact::Error> {
+        contact.clone().restore(&serde_json::from_value(value).unwrap())
+    };
+    assert_eq!(taken(saved.clone()), Ok(()));
+    let mut changed = saved;
+    let work = changed.pointer_mut("/wear/segment_work").expect("the state has this part");
+    *work = 1e-9.into();
+    let refusal = taken(changed).unwrap_err().to_string();
+    assert!(refusal.contains("what is still to wear"), "{refusal}");
+}

@@ -7,6 +7,7 @@
 mod check;
 mod commands;
 mod documentation;
+mod fuzz;
 mod libclang;
 mod library;
 mod licences;
@@ -52,6 +53,17 @@ enum Task {
     Report,
     /// Build, then run every test there is: Rust and Python
     Test,
+    /// Run the fuzz targets under AddressSanitizer: calls, states, profiles
+    Fuzz {
+        /// The targets; all if none is given
+        targets: Vec<String>,
+        /// Time for each target, s
+        #[arg(long, default_value_t = 10)]
+        seconds: u32,
+        /// Inputs for each target, instead of a time
+        #[arg(long, conflicts_with = "seconds")]
+        runs: Option<u64>,
+    },
     /// Run rustfmt and clippy, warnings being errors
     Lint,
     /// Print the environment that plain cargo calls need to find libclang, for `eval "$(cargo fmu env)"`
@@ -87,6 +99,10 @@ fn run(task: Task) -> Result<()> {
         Task::Test => {
             let setup = commands::set_up(&workspace)?;
             setup.test(&setup.build(Platform::own()?)?)?;
+        }
+        Task::Fuzz { targets, seconds, runs } => {
+            let effort = runs.map_or(fuzz::Effort::Seconds(seconds), fuzz::Effort::Runs);
+            fuzz::run(&workspace, &commands::set_up(&workspace)?.environment, &targets, effort)?;
         }
         Task::Lint => commands::set_up(&workspace)?.lint()?,
         Task::Env => print_environment(&workspace)?,

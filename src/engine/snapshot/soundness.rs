@@ -24,7 +24,12 @@ fn is_sign(value: f64) -> bool {
 }
 
 fn close(a: f64, b: f64) -> bool {
-    (a - b).abs() <= CLOSE * a.abs().max(b.abs())
+    near(a, b, a.abs().max(b.abs()))
+}
+
+/// Near to each other on a scale. What has overflowed in both is the same.
+fn near(a: f64, b: f64, scale: f64) -> bool {
+    a == b || (a - b).abs() <= CLOSE * scale
 }
 
 fn is_motion(sliding: Sliding) -> bool {
@@ -47,7 +52,6 @@ fn is_row(row: &Springs, surface: &Surface, outermost: &Place, most: usize) -> b
     let placed = |knot: &Knot| {
         let Place { x, image, load, square } = knot.place;
         let on = surface.place(x);
-        let near = |a: f64, b: f64, scale: f64| (a - b).abs() <= CLOSE * scale;
         amount(x)
             && x <= outermost.x * (1.0 + CLOSE)
             && knot.origin.is_finite()
@@ -107,6 +111,7 @@ impl Snapshot {
         match &self.wear {
             Some(wear)
                 if !wear.is_sound(node_count)
+                    || self.contact.is_open() && wear.segment_work != 0.0
                     || !is_row(&wear.segment_springs, &surface, &outermost, most) =>
             {
                 Some("what is still to wear is out of range")
