@@ -13,6 +13,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
+/// What the tests with other masters need beyond the rest.
+const MASTERS: &str = "tests/python/masters-requirements.txt";
+
 /// What every command works with, set up on first use.
 pub(crate) struct Setup<'a> {
     workspace: &'a Workspace,
@@ -126,6 +129,10 @@ impl Setup<'_> {
         let rust_result =
             progress::shown("Rust tests", || run_tests(cargo, &mut rust, Totals::add_rust_line));
 
+        // their tests say what is missing
+        if let Err(problem) = Venv::with(self.workspace, &[self.workspace.file(MASTERS)]) {
+            eprintln!("The other masters are not tested, since they cannot be installed: {problem:#}");
+        }
         let mut pytest = self.venv.python();
         let cache = self.workspace.product("pytest");
         pytest.args(["-m", "pytest", "tests/python", "-o"]).arg(format!("cache_dir={}", cache.display()));
@@ -141,9 +148,12 @@ impl Setup<'_> {
     /// rustfmt and clippy, any warning being an error.
     pub(crate) fn lint(&self) -> Result<()> {
         progress::shown("rustfmt", || {
-            let mut cargo = self.cargo("fmt");
-            cargo.args(["--all", "--check"]);
-            run_shown(cargo)
+            // the fuzz targets are a workspace of their own
+            ["Cargo.toml", "fuzz/Cargo.toml"].iter().try_for_each(|manifest| {
+                let mut cargo = self.cargo("fmt");
+                cargo.args(["--all", "--check", "--manifest-path", manifest]);
+                run_shown(cargo)
+            })
         })?;
         progress::shown("clippy", || {
             let mut cargo = self.cargo("clippy");
