@@ -1,0 +1,131 @@
+"""The examples as a user starts them: each runs, and its numbers are right."""
+
+import re
+import shutil
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import fmpy
+import pytest
+from closed_forms import Sphere, Tangential
+from conftest import ROOT
+
+EXAMPLES = ROOT / "examples"
+BALL = Tangential(Sphere(), 100.0)
+NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
+
+
+def run(*command, **options):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=120, **options)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def run_python(name, fmu_path):
+    return run(sys.executable, EXAMPLES / "python" / name, fmu_path)
+
+
+def numbers(text, title):
+    """All numbers behind a title, one list for each line that begins with it."""
+    lines = [line for line in text.splitlines() if line.startswith(title)]
+    assert lines, f"{title} is not in:\n{text}"
+    return [[float(number) for number in NUMBER.findall(line[len(title) :])] for line in lines]
+
+
+def first(text, title):
+    return numbers(text, title)[0][0]
+
+
+@pytest.mark.parametrize("path", sorted(EXAMPLES.glob("[cpr]*/*.*")), ids=lambda path: path.name)
+def test_an_example_is_short(path):
+    if path.suffix in (".py", ".c", ".rs") and path.parent.name in ("c", "python", "rust"):
+        assert len(path.read_text(encoding="utf-8").splitlines()) < 100
+
+
+def test_every_example_is_listed():
+    page = (EXAMPLES / "README.md").read_text(encoding="utf-8")
+    for folder in ("c", "python", "rust"):
+        for path in (EXAMPLES / folder).glob("*"):
+            if path.is_file() and not path.name.startswith(("make_", "measured_")):
+                assert f"({folder}/{path.name})" in page, path
+
+
+def test_loop(fmu_path):
+    text = run_python("loop.py", fmu_path)
+    assert first(text, "force amplitude") == pytest.approx(BALL.loading(2e-6), rel=1e-4)
+    work = BALL.loop_work(2e-6)
+    assert first(text, "work of a loop") == pytest.approx(work, rel=2e-3)  # of the trapezium rule on 80 points
+    per_work = 4e-14
+    # of the tenth cycle the last quarter slips least: ten loops but for what the first quarter, from rest, does not slip
+    assert first(text, "worn volume, stepped") == pytest.approx(9.75 * work * per_work, rel=0.03)
+    assert first(text, "worn volume, at once") == pytest.approx(10 * work * per_work, rel=1e-3)
+
+
+def test_oscillator(fmu_path):
+    pytest.importorskip("pathsim_fmi", reason="PathSim and its FMI toolbox are not installed")
+    text = run_python("oscillator.py", fmu_path)
+    amplitude, work = first(text, "amplitude"), first(text, "work of a loop")
+    assert first(text, "force amplitude") == pytest.approx(60.0, rel=1e-6)  # gross slip, μF
+    full_slip = BALL.full_slip
+    assert amplitude > full_slip
+    assert work == pytest.approx(4 * 60.0 * (amplitude - 0.8 * full_slip), rel=0.05)  # it still swings in
+
+
+def test_joint(fmu_path):
+    """The trapezium rule is of second order: errors of a doubled number of steps fall to a quarter."""
+    text = run_python("joint.py", fmu_path)
+    for title in ("amplitude of body 1", "work of the joints"):
+        coarse, middle, fine = (line[0] for line in numbers(text, title))
+        assert abs(fine - middle) < 0.4 * abs(middle - coarse)
+        assert fine == pytest.approx(middle, rel=0.02)
+    iterations = [float(x) for x in re.findall(r"([\d.]+) iterations", text)]
+    assert len(iterations) == 3 and max(iterations) < 4  # Newton's, by the FMU's own derivatives
+
+
+def test_blade_root(fmu_path):
+    text = run_python("blade_root.py", fmu_path)
+    works = []
+    for title in ("steady load at speed", "load in step", "load a quarter apart"):
+        work, volume, worst = numbers(text, title)[0][0], *numbers(text, title)[0][-2:]
+        volume = float(re.search(rf"{title}.*worn ([\d.e-]+) m3", text)[1])
+        assert volume == pytest.approx(4e-13 * work, rel=1e-4)
+        assert worst <= 1.0
+        works.append(work)
+    assert works[0] != works[1] != works[2]
+
+
+def test_calibrate(fmu_path):
+    text = run_python("calibrate.py", fmu_path)
+    for title, truth in (("friction coefficient", 0.62), ("rig stiffness", 24e6)):
+        value, scatter = numbers(text, title)[0][:2]
+        assert value == pytest.approx(truth, rel=0.02)
+        assert abs(value - truth) < 4 * scatter < 0.1 * truth
+    assert first(text, "k/sigma0") == pytest.approx(5e-14, rel=0.03)
+
+
+def test_the_measured_loop_is_made_as_it_says(tmp_path):
+    script = tmp_path / "make_measured_loop.py"
+    shutil.copy(EXAMPLES / "python" / script.name, script)
+    run(sys.executable, script)
+    made = (tmp_path / "measured_loop.csv").read_text(encoding="utf-8")
+    assert made == (EXAMPLES / "python" / "measured_loop.csv").read_text(encoding="utf-8")
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the example loads a Linux library")
+def test_c(fmu_path, tmp_path):
+    compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+    if compiler is None:
+        pytest.skip("no C compiler")
+    headers = Path(fmpy.__file__).parent / "c-code"
+    program, folder = tmp_path / "drive", tmp_path / "contact"
+    strict = ["-Wall", "-Wextra", "-Werror", "-std=gnu11"]
+    run(compiler, *strict, "-I", headers, EXAMPLES / "c" / "drive.c", "-ldl", "-lm", "-o", program)
+    with zipfile.ZipFile(fmu_path) as archive:
+        archive.extractall(folder)
+    text = run(program, folder)
+    top = BALL.loading(2e-6)
+    assert numbers(text, "t = 0.25 s")[0][-1] == pytest.approx(top, rel=1e-4)
+    assert numbers(text, "t = 0.75 s")[0][-1] == pytest.approx(-top, rel=1e-4)
+    assert first(text, "worn volume") > 0
