@@ -95,29 +95,56 @@ fn the_error_of_the_final_profile_is_of_second_order_in_the_cells() {
     }
 }
 
-/// What is delivered follows the tolerance: V amid the life, against a run at a tenth of the finest. Where the front moves, each step
-/// lays the mesh anew, and that error, some 5e-5 on 128 cells, remains.
+/// A life in one call.
+fn lived(problem: &Problem, resolution: usize, tolerance: f64, life: f64) -> FrettingContact {
+    let mut problem = problem.clone();
+    problem.parameters.resolution = resolution;
+    problem.parameters.tolerance = tolerance;
+    let mut contact = problem.begin().expect("a ready problem is valid");
+    problem.advance(&mut contact, life).expect("it can be advanced");
+    contact
+}
+
+/// Errors of the worn profile (largest, in the indentation depth), of it away from the front, of the stick radius and of the volume.
+fn errors(contact: &FrettingContact, exact: &FrettingContact) -> [f64; 4] {
+    let (reach, depth, front) =
+        (1.1 * exact.contact_radius(), exact.indentation_depth(), exact.stick_radius());
+    let off = |r: f64| (contact.worn_depth_at(r) - exact.worn_depth_at(r)).abs() / depth;
+    let radii = || (0..=1000).map(|i| reach * f64::from(i) / 1000.0);
+    let relative = |a: f64, b: f64| (a / b - 1.0).abs();
+    [
+        radii().map(off).fold(0.0, f64::max),
+        radii().filter(|r| (r / front - 1.0).abs() > 0.05).map(off).fold(0.0, f64::max),
+        relative(contact.stick_radius(), front),
+        relative(contact.wear_volume(), exact.wear_volume()),
+    ]
+}
+
+/// What is delivered follows the tolerance, amid the life and at its end, where the front stands still and where it moves: against
+/// runs on the same cells at a tenth of the finest tolerance. Behind a pinned front the worn depth starts like a square root, so that
+/// there an error in its place counts by its root.
 #[test]
 fn the_delivered_error_follows_the_tolerance() {
     const TOLERANCES: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
-    for (control, life, followed) in [(NormalControl::Indentation, 0.36, 4), (NormalControl::Force, 1.0, 3)] {
-        let problem = Problem::partial_slip(PARABOLA, control, 0.4);
-        let volume = |tolerance: f64| {
-            let mut problem = problem.clone();
-            problem.parameters.resolution = 128;
-            problem.parameters.tolerance = tolerance;
-            let mut contact = problem.begin().expect("a ready problem is valid");
-            problem.advance(&mut contact, life).expect("it can be advanced");
-            contact.wear_volume()
-        };
-        let exact = volume(1e-6);
-        let errors = TOLERANCES.map(|tolerance| (volume(tolerance) / exact - 1.0).abs());
-        println!("{}: {errors:?}", problem.name);
-        for pair in errors[..followed].windows(2) {
-            assert!(pair[1] < pair[0], "{}: {errors:?}", problem.name);
-        }
-        for (error, tolerance) in errors.iter().zip(TOLERANCES) {
-            assert!(*error <= tolerance.max(1e-4), "{}: {error:e} at {tolerance:e}", problem.name);
+    for control in [NormalControl::Indentation, NormalControl::Force] {
+        for (body, life) in [(PARABOLA, 0.36), (PARABOLA, 4.0), (CONE, 1.0)] {
+            let problem = Problem::partial_slip(body, control, 0.4);
+            let exact = lived(&problem, 128, 1e-6, life);
+            let all = TOLERANCES.map(|tolerance| errors(&lived(&problem, 128, tolerance, life), &exact));
+            println!("{} at {life}:", problem.name);
+            for (error, tolerance) in all.iter().zip(TOLERANCES) {
+                println!("  {tolerance:e}: {error:?}");
+                assert!(error[0] <= 0.15 * tolerance.sqrt(), "{} at {life}: {all:?}", problem.name);
+                for error in &error[1..] {
+                    assert!(*error <= tolerance, "{} at {life}: {all:?}", problem.name);
+                }
+            }
+            for pair in all.windows(2) {
+                // a front that is held to its place has no error at any tolerance
+                for (coarse, fine) in pair[0].iter().zip(pair[1]) {
+                    assert!(fine < *coarse || fine < 1e-9, "{} at {life}: {all:?}", problem.name);
+                }
+            }
         }
     }
 }

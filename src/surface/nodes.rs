@@ -50,11 +50,11 @@ const SPARE: usize = 6;
 const MOST_ITERATIONS: usize = 100;
 
 /// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
-/// crowd at the end: there each lies a quarter of its distance from the end apart from the next, or a hundredth of the radius.
+/// crowd at the end: there each lies a tenth of its distance from the end apart from the next, or a thousandth of the radius.
 pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: bool) -> Vec<usize> {
     let last = x.len() - 1;
     let crowded = |anchor: usize, end: usize| {
-        let close = (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
+        let close = (0.1 * (x[last] - x[anchor])).min(0.001 * x[last]);
         crowd_at_end && x[end] - x[anchor] < close
     };
     thin_unless(x, image, share, crowded, |_, _| true)

@@ -2,7 +2,7 @@
 
 use super::Constants;
 use super::mesh::{Region, UnitMesh};
-use super::patch::{Front, Frozen, Motion, Patch, RIM, Rate, State, front_cells, lost};
+use super::patch::{FRONT_CELLS, Front, Frozen, Motion, Patch, RIM, Rate, State, lost};
 use super::rosenbrock;
 use crate::engine::Counters;
 use crate::error::Error;
@@ -235,7 +235,7 @@ fn fits(nodes: &Nodes, place: &MeshPlace, mesh: &UnitMesh, front: f64) -> bool {
     place.region == mesh.region
         && place.cells == mesh.cells
         && front >= x[0] * (1.0 - 1e-7)
-        && front <= x[front_cells(place.cells)]
+        && front <= x[FRONT_CELLS]
 }
 
 /// What lies inside the front: the surface's nodes up to there, without those that a line through others replaces.

@@ -67,13 +67,13 @@ impl Scene {
         (patch, state, rate, a / (0.6 * 1e-13 * 115e9 * slip))
     }
 
-    /// Calls `sink` with the states of a life, until its front moves, and the steps that error control takes there; returns what
+    /// Calls `sink` with the states of a life, on one mesh wherever its front goes, and the steps that error control takes there; returns what
     /// was counted.
     fn live(self, cells: usize, halved: bool, sink: &mut dyn FnMut(&State, &Rate, f64)) -> Counters {
         let (patch, mut state, mut rate, life) = self.begin(cells, halved);
         let (mut passed, mut step) = (0.0, 1e-4 * life);
         let mut counters = Counters::default();
-        while passed < 3.0 * life && patch.front(&rate) == Front::Kept {
+        while passed < 3.0 * life {
             let trial = rosenbrock::step(&patch, &state, &rate, step, &mut counters);
             let ratio = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error) / (1e-3 * DEPTH);
             let factor = if ratio.is_finite() { (0.8 * ratio.cbrt().recip()).clamp(0.2, 4.0) } else { 0.2 };
