@@ -185,14 +185,15 @@ fn derivatives_agree_on_a_worn_profile() {
             let amplitude = 0.7 * MU * E_STAR / G_STAR * contact.indentation_depth();
             contact.advance_cycles(normal, amplitude, 2e8).unwrap();
             // at the very load of the cycles the contact edge is where they have left it, elsewhere where the image is d: the
-            // two differ by the error of the cells
-            let normal = 1.001 * normal;
+            // two differ by the error of the cells; no front then passes a node, where its slope has a kink
+            let normal = 1.002 * normal;
             assert!(contact.wear_depth() > 0.03 * contact.indentation_depth(), "{}", contact.wear_depth());
             let updates = contact.counters().profile_updates;
             for target in [-0.2, 0.3] {
-                let step = 1e-6 * amplitude * f64::signum(target * amplitude - contact.displacement());
+                // the image jumps within a cell as narrow as 1e-8 of the radius: T there is good to 1e-9, not to rounding
+                let step = 1e-4 * amplitude * f64::signum(target * amplitude - contact.displacement());
                 to(&mut contact, normal, target * amplitude);
-                for share in [0.0, 1e-7, -1e-7] {
+                for share in [0.0, 1e-5, -1e-5] {
                     let what = format!("{profile:?}, {control:?}, to {target}, load {share}");
                     let at = (normal, target * amplitude);
                     agrees_along(&contact, at, (share * normal, step), 1e-4, &["p"], &what);

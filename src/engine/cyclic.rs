@@ -10,12 +10,8 @@ use crate::friction::{Path, Springs};
 use crate::surface::Contact;
 use crate::wear::{Amount, Fineness, Motion, Sliding, UnitMesh, live};
 
-/// Most cells of the moving mesh in partial slip at constant depth, where its inner edge never moves.
+/// Most cells of the moving mesh.
 const MOST_CELLS: usize = 8192;
-
-/// And else: what is left of a mesh has a kink at the contact edge, of the size of the error in the volume, from which meshes of narrower
-/// cells take many steps to recover. Their error is a few parts in a million here.
-const MOST_CELLS_ELSE: usize = 512;
 
 impl FrettingContact {
     /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) at a constant force (N) or
@@ -124,12 +120,8 @@ impl FrettingContact {
             (Some((Sliding::Onward, step)), Sliding::Onward) => step,
             _ => 0.0,
         };
-        let pinned = self.compliance == 0.0
-            && !self.constants.force_control
-            && sliding.amplitude() < self.constants.bound_slope() * value;
-        let most = if pinned { MOST_CELLS } else { MOST_CELLS_ELSE };
         let fineness = Fineness {
-            cells: UnitMesh::cells_from(self.parameters.resolution.min(most)),
+            cells: UnitMesh::cells_from(self.parameters.resolution.min(MOST_CELLS)),
             tolerance: self.parameters.tolerance,
             last_step,
         };

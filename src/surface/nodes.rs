@@ -144,8 +144,14 @@ impl Nodes {
         (x, worn_image, depth): (Vec<f64>, Vec<f64>, Vec<f64>),
         mesh: MeshPlace,
     ) -> Self {
+        let end = mesh.first + mesh.cells;
         let mut nodes = Self::holding(x, worn_image, depth, resolution, Some(mesh));
-        nodes.extend_beyond(nodes.x[mesh.first + mesh.cells], profile.outer_radius());
+        nodes.extend_beyond(nodes.x[end], profile.outer_radius());
+        for k in end + 1..nodes.x.len() {
+            nodes.worn_image[k] =
+                transform::ascend_last(&nodes.x[..=k], &nodes.worn_image[..=k], nodes.depth[k]);
+        }
+        nodes.update_integrals(profile);
         nodes
     }
 
@@ -160,32 +166,6 @@ impl Nodes {
         let worn_load = vec![f64::NAN; x.len()];
         let (whole, square) = (Vec::new(), Vec::new());
         Self { x, worn_image, depth, whole, worn_load, square, resolution, mesh, remains: None }
-    }
-
-    /// Adds a small volume (m³) to the wear inside the mesh, in proportion to what is there, and brings all that hangs on it up
-    /// to date. The image at the contact edge stays what the contact made it.
-    pub(crate) fn add_volume(&mut self, volume: f64, profile: &Profile) {
-        if let Some(mesh) = self.mesh {
-            let own = if mesh.region == Region::Annulus { mesh.first + 1 } else { mesh.first };
-            let end = mesh.first + mesh.cells;
-            let radius = self.x[self.last()];
-            let mut present = 0.0;
-            for j in own.saturating_sub(1)..end {
-                let (inner, outer) = depth_volume(self.x[j], self.x[j + 1], radius);
-                present += if j >= own { inner * self.worn_image[j] } else { 0.0 };
-                present += if j + 1 < end { outer * self.worn_image[j + 1] } else { 0.0 };
-            }
-            let share = volume / present;
-            if share.is_finite() && share.abs() < 0.1 {
-                self.worn_image[own..end].iter_mut().for_each(|h| *h *= 1.0 + share);
-                self.depth[own..end].iter_mut().for_each(|w| *w *= 1.0 + share);
-            }
-            for k in end + 1..self.x.len() {
-                self.worn_image[k] =
-                    transform::ascend_last(&self.x[..=k], &self.worn_image[..=k], self.depth[k]);
-            }
-        }
-        self.update_integrals(profile);
     }
 
     /// Adds a small volume (m³) to the wear outside a radius, in proportion to what is there.

@@ -27,6 +27,9 @@ const THINNEST: f64 = 1e-5;
 /// fast leaves there by an inexact contact edge.
 const FAINT: f64 = 1e-3;
 
+/// Corrections of the volume: the second takes what the first leaves by the difference between the integrals of mesh and nodes.
+const CORRECTIONS: usize = 2;
+
 /// How finely to integrate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Fineness {
@@ -133,9 +136,14 @@ pub(crate) fn live(
         if let (true, Some(known)) = (left <= 0.0, amount.known) {
             life.volume = known;
         }
-        let (nodes, defect) =
-            left_behind(&patch, &state, &rate, fineness.tolerance, amount.worn + life.volume);
-        life.defect += defect;
+        let nodes = if left > 0.0 {
+            left_behind(&patch, &state, &rate, fineness.tolerance)
+        } else {
+            let target = amount.worn + life.volume;
+            let (nodes, defect) = left_at_the_end(&patch, (state, rate), fineness.tolerance, target);
+            life.defect += defect;
+            nodes
+        };
         if !(life.volume.is_finite() && life.defect.is_finite() && nodes.worn_volume().is_finite()) {
             return Err(lost(motion));
         }
@@ -260,10 +268,33 @@ fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
     all.thinned(THINNING * tolerance)
 }
 
-/// Nodes of the surface that a patch leaves, the wear inside the mesh scaled such that the worn volume is `target` (m³);
-/// and by how much that missed. The depths follow the motion of the mesh, which keeps the volume to second order in the cells;
-/// the work of the springs is exact.
-fn left_behind(patch: &Patch, state: &State, rate: &Rate, tolerance: f64, target: f64) -> (Nodes, f64) {
+/// Nodes that a patch leaves where the worn volume is known to be `target` (m³), and by how much the patch missed that. The depths
+/// follow the motion of the mesh, which keeps the volume to second order in the cells; the work of the springs is exact.
+fn left_at_the_end(
+    patch: &Patch,
+    (mut state, mut rate): (State, Rate),
+    tolerance: f64,
+    target: f64,
+) -> (Nodes, f64) {
+    let mut nodes = left_behind(patch, &state, &rate, tolerance);
+    let defect = (target - nodes.worn_volume()).abs();
+    if patch.body.worn().is_some() {
+        // what the mesh carries may be far less than what is there
+        let missing = target - nodes.worn_volume();
+        nodes.add_volume_beyond(patch.inner_radius, missing, patch.body.profile());
+        return (nodes, defect);
+    }
+    for _ in 0..CORRECTIONS {
+        let missing = target - nodes.worn_volume();
+        let Some(grown) = patch.with_volume(&state, &rate, missing) else { break };
+        (state, rate) = grown;
+        nodes = left_behind(patch, &state, &rate, tolerance);
+    }
+    (nodes, defect)
+}
+
+/// Nodes of the surface that a patch leaves.
+fn left_behind(patch: &Patch, state: &State, rate: &Rate, tolerance: f64) -> Nodes {
     let (mut x, mut image, mut depth) =
         (patch.inside.x.clone(), patch.inside.image.clone(), patch.inside.depth.clone());
     // the inner edge is a node of both
@@ -289,18 +320,9 @@ fn left_behind(patch: &Patch, state: &State, rate: &Rate, tolerance: f64, target
     image.extend(patch.worn_image(rate));
     let (cells, region) = (patch.mesh.cells, patch.mesh.region);
     let place = MeshPlace { region, cells, first, contact: patch.contact(rate) };
-    let mut nodes = Nodes::assembled(patch.body.profile(), cells, (x, image, depth), place);
+    let nodes = Nodes::assembled(patch.body.profile(), cells, (x, image, depth), place);
     match patch.body.worn() {
-        None => {
-            let missing = target - nodes.worn_volume();
-            nodes.add_volume(missing, patch.body.profile());
-            (nodes, missing.abs())
-        }
-        Some(base) => {
-            let mut nodes = base.with(&nodes, THINNING * tolerance, patch.body.profile());
-            let missing = target - nodes.worn_volume();
-            nodes.add_volume_beyond(patch.inner_radius, missing, patch.body.profile());
-            (nodes, missing.abs())
-        }
+        None => nodes,
+        Some(base) => base.with(&nodes, THINNING * tolerance, patch.body.profile()),
     }
 }

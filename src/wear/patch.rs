@@ -26,6 +26,9 @@ use std::sync::Arc;
 /// would come and go at every step.
 pub(crate) const RIM: f64 = 1e-4;
 
+/// Largest share by which depths may grow for a volume to be met: what is off by more is no error of a mesh.
+const MOST_GROWTH: f64 = 0.1;
+
 pub(super) use linear::Linear;
 
 /// What wears the surface: a motion that repeats, at constant load.
@@ -398,7 +401,7 @@ impl Patch {
         let mut area_rate = 0.0;
         if !self.rim {
             for i in 1..n {
-                drift[i] = dot(&mesh.drift[i], &depth[i - 1..=i + 1]) / span;
+                drift[i] = mesh.drift_of(&depth, i) / span;
             }
             let condition = self.edge_condition(&depth, area, scale[n]);
             area_rate = -dot(&condition.depth, &growth) / (condition.area + dot(&condition.depth, &drift));
@@ -496,6 +499,40 @@ impl Patch {
         let mut z = rate.image.clone();
         z.iter_mut().for_each(|z| *z *= self.span(rate.area));
         dot(&self.mesh.volume_of_image, &z) + 2.0 * std::f64::consts::PI * inside
+    }
+
+    /// Worn depth outside the front at the nodes, m.
+    fn depth_outside(&self, state: &State, rate: &Rate) -> Vec<f64> {
+        let (first, end) = (self.mesh.first(), self.end());
+        let depth = |i: usize| state.depth[i] + self.depth_from_inside(rate.radius[i]);
+        (0..=self.cells()).map(|i| if i >= first && i < end { depth(i) } else { 0.0 }).collect()
+    }
+
+    /// The state that carries a little more volume (m³) outside the front, and its rate. The depths grow by the share α φ + β φ²,
+    /// which leaves the contact edge where it is, and leaves the image smooth at both edges; one that is not takes many steps to
+    /// recover from on narrow cells. `None` where that is no small change.
+    pub(crate) fn with_volume(&self, state: &State, rate: &Rate, volume: f64) -> Option<(State, Rate)> {
+        let rising = |depth: &[f64]| -> Vec<f64> {
+            depth.iter().zip(&self.mesh.share).map(|(depth, phi)| depth * phi).collect()
+        };
+        let first = rising(&self.depth_outside(state, rate));
+        let second = rising(&first);
+        let volume_of = |depth: &[f64]| self.span(rate.area) * dot(&self.mesh.volume.depth, depth);
+        let (alpha, beta) = if self.rim {
+            (volume / volume_of(&first), 0.0)
+        } else {
+            let condition = self.edge_condition(&state.depth, rate.area, rate.scale[self.cells()]);
+            let change = |depth: &[f64]| dot(&condition.depth, depth);
+            let determinant = volume_of(&first) * change(&second) - volume_of(&second) * change(&first);
+            (volume * change(&second) / determinant, -volume * change(&first) / determinant)
+        };
+        if !(alpha.abs() < MOST_GROWTH && beta.abs() < MOST_GROWTH) {
+            return None;
+        }
+        let grown = |((depth, first), second): ((&f64, &f64), &f64)| depth + alpha * first + beta * second;
+        let depth: Vec<f64> = state.depth.iter().zip(&first).zip(&second).map(grown).collect();
+        let rate = self.rate(&depth, rate.area)?;
+        Some((State { depth, area: rate.area }, rate))
     }
 
     /// Image of the wear at the nodes, m.

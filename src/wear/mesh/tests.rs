@@ -42,6 +42,27 @@ fn transforms_are_exact_for_lines_and_of_second_order_else() {
 }
 
 #[test]
+fn the_drift_is_of_fourth_order() {
+    for region in [Region::Annulus, Region::Disc] {
+        let p = grading(region, 64);
+        // w = sin 2ξ − 2ξ + (4/3) ξ³, of fifth order at ξ = 0, where the last neighbours are missing
+        let error = |n: usize| {
+            let mesh = UnitMesh::graded(region, n, p, false);
+            let xi = |i: usize| i as f64 / n as f64;
+            let w = |x: f64| (2.0 * x).sin() - 2.0 * x + 4.0 / 3.0 * x.powi(3);
+            let slope = |x: f64| 2.0 * (2.0 * x).cos() - 2.0 + 4.0 * x * x;
+            let values: Vec<f64> = (0..=n).map(|i| w(xi(i))).collect();
+            let rate = |x: f64| x * (p + 1.0 - p * x) / (p * (p + 1.0) * (1.0 - x));
+            let off = |i: usize| (mesh.drift_of(&values, i) / rate(xi(i)) - slope(xi(i))).abs();
+            (1..n).map(off).fold(0.0, f64::max)
+        };
+        let (coarse, fine) = (error(40), error(80));
+        let order = (coarse / fine).log2();
+        assert!(order > 3.7 && fine < 1e-5, "{region:?}: {coarse:e} {fine:e}, order {order}");
+    }
+}
+
+#[test]
 fn ascending_undoes_descending_and_functionals_agree() {
     for region in [Region::Annulus, Region::Disc] {
         let mesh = UnitMesh::shared(region, 40);

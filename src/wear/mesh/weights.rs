@@ -4,11 +4,15 @@ use crate::quadrature::GAUSS;
 use crate::transform::{descent_row, leg};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
-/// φ times the weights of a derivative at node i from its neighbours.
-pub(super) fn drift_at(share: &[f64], i: usize) -> [f64; 3] {
-    let (h0, h1) = (share[i] - share[i - 1], share[i + 1] - share[i]);
-    let (before, after) = (-h1 / (h0 * (h0 + h1)), h0 / (h1 * (h0 + h1)));
-    [share[i] * before, -share[i] * (before + after), share[i] * after]
+/// φ times the weights of a derivative at node i of a mesh graded with the power p, by the central difference in ξ; none at the ends.
+pub(super) fn drift_at(p: f64, i: usize, cells: usize) -> [f64; 3] {
+    if i == 0 || i == cells {
+        return [0.0; 3];
+    }
+    let xi = i as f64 / cells as f64;
+    // φ/φ'(ξ) over 2 Δξ
+    let weight = 0.5 * i as f64 * (p + 1.0 - p * xi) / (p * (p + 1.0) * (1.0 - xi));
+    [-weight, 0.0, weight]
 }
 
 /// Rows of D̂ for k piecewise linear in X: (1/π) ∫ k dX/√(Z − X).

@@ -4,7 +4,7 @@ use crate::profile::Profile;
 use crate::surface::Surface;
 use crate::wear::mesh::{Region, UnitMesh, grading};
 use crate::wear::patch::multigrid::TOLERANCE;
-use crate::wear::patch::{Front, Frozen, Motion, Rate, State};
+use crate::wear::patch::{Frozen, Motion, Rate, State};
 use crate::wear::{Constants, Sliding, rosenbrock};
 use std::sync::Arc;
 
