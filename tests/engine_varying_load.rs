@@ -305,3 +305,26 @@ fn a_sweep_over_six_decades_of_load_keeps_its_digits() {
     println!("worst error of T over mu F_N in the sweep: {worst:e}");
     assert!(worst <= 1e-9, "{worst:e}");
 }
+
+/// A twentieth of the smallest load is none, and so is a part of the smallest radius: neither may ask for steps without end.
+#[test]
+fn the_smallest_loads_and_radii_take_no_more_steps_than_others() {
+    let most = |control: NormalControl, loads: &[f64]| {
+        let parameters = Parameters {
+            profile: Profile::Cone { slope: 0.02 },
+            wear_coefficient: 0.0,
+            normal_control: control,
+            ..Parameters::default()
+        };
+        let mut contact = FrettingContact::new(parameters).unwrap();
+        contact.start_at(0.0, 0.0).unwrap();
+        for (k, &load) in loads.iter().enumerate() {
+            contact.advance_to(load, 1e-320 * (k % 2) as f64).unwrap();
+        }
+        assert!(contact.counters().spring_walks <= 20 * loads.len() as u64 + 20, "{}", contact.counters());
+    };
+    let smallest = f64::from_bits(1);
+    most(NormalControl::Indentation, &[smallest, 3.0 * smallest, smallest, 7.0 * smallest, 0.0]);
+    let light = 1e-312; // N; over 2E* it is of the smallest numbers
+    most(NormalControl::Force, &[light, 3.0 * light, light, 7.0 * light, 0.0]);
+}

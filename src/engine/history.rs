@@ -76,7 +76,8 @@ impl FrettingContact {
         if low == high || rising_in_place {
             return 1;
         }
-        ((high - low).abs() / (LOAD_SHARE * high.max(low))).ceil().max(1.0) as u32
+        // a share at the most, divided last: a part of the smallest numbers may be none
+        ((high - low).abs() / high.max(low) / LOAD_SHARE).ceil().max(1.0) as u32
     }
 
     /// Walks one piece, after closing the segment where the motion turns. `splits` > 0 allows wear to split it further.

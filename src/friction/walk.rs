@@ -149,7 +149,8 @@ impl Springs {
             take(&self.knots);
         } else if new > old {
             let moved = path.start != path.end;
-            let samples = if moved { ((new - old) / (path.sampling * new)).ceil().max(1.0) } else { 1.0 };
+            // divided by the radius first: a part of the smallest numbers may be none
+            let samples = if moved { ((new - old) / new / path.sampling).ceil().max(1.0) } else { 1.0 };
             match &self.knots[..] {
                 [] => take(&[path.touching(0.0)]),
                 // a ramp in many small steps would leave a knot at each former edge

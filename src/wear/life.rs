@@ -17,6 +17,9 @@ const MOST_STEPS: u32 = 1000;
 /// many.
 const MOST_STEPS_OF_AN_UPDATE: f64 = 60.0;
 
+/// And as many times that at the most, however tight the tolerance: no call may go on for ever.
+const MOST_TIGHTER: f64 = 100.0;
+
 /// Share of the tolerance that leaving out nodes may take of the largest image.
 pub(crate) const THINNING: f64 = 0.05;
 
@@ -89,7 +92,8 @@ pub(crate) fn live(
     let cycles = amount.cycles;
     let mut left = cycles;
     let mut steps = 0;
-    let most_of_an_update = (MOST_STEPS_OF_AN_UPDATE * (1e-3 / fineness.tolerance).cbrt().max(1.0)) as u32;
+    let tighter = (1e-3 / fineness.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
+    let most_of_an_update = (MOST_STEPS_OF_AN_UPDATE * tighter) as u32;
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
