@@ -1,5 +1,6 @@
 //! documentation/index.html: a written page, with the tables of variables taken from modelDescription.xml.
 
+use crate::xml::escape;
 use anyhow::{Context, Result};
 use roxmltree::{Document, Node};
 
@@ -112,10 +113,6 @@ fn short_number(text: &str) -> String {
         Ok(value) => value.to_string(),
         Err(_) => text.to_owned(),
     }
-}
-
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

@@ -16,8 +16,11 @@ mod platform;
 mod process;
 mod progress;
 mod python;
+mod reference;
+mod terminals;
 mod totals;
 mod workspace;
+mod xml;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};

@@ -2,7 +2,7 @@
 
 use crate::platform::Platform;
 use crate::workspace::{MODEL_IDENTIFIER, Workspace};
-use crate::{documentation, licences};
+use crate::{documentation, licences, reference, terminals};
 use anyhow::{Context, Result};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -31,7 +31,12 @@ pub(crate) fn write(workspace: &Workspace, platform: &Platform, library: &Path, 
     }
     entries
         .insert("documentation/licenses/third-party.txt".to_owned(), licences::text(workspace)?.into_bytes());
-    entries.insert("model.png".to_owned(), read(&workspace.file("fmu-build/assets/model.png"))?);
+    let icon = read(&workspace.file("fmu-build/assets/model.png"))?;
+    entries.insert("terminalsAndIcons/icon.png".to_owned(), icon.clone());
+    entries
+        .insert("terminalsAndIcons/terminalsAndIcons.xml".to_owned(), terminals::description().into_bytes());
+    entries.insert("model.png".to_owned(), icon);
+    entries.extend(reference::files(&description)?.into_iter().map(|(name, text)| (name, text.into_bytes())));
     entries.insert("modelDescription.xml".to_owned(), description.into_bytes());
     write_zip(&entries, fmu)
 }

@@ -12,7 +12,8 @@ const LINK: u32 = 0o120_000;
 const TYPE_MASK: u32 = 0o170_000;
 
 /// Folders the standard names at the top level.
-const FOLDERS: [&str; 4] = ["binaries", "documentation", "resources", "sources"];
+const FOLDERS: [&str; 6] =
+    ["binaries", "documentation", "extra", "resources", "sources", "terminalsAndIcons"];
 
 /// One entry as it is stored.
 pub(crate) struct Entry {

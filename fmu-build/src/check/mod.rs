@@ -1,6 +1,7 @@
 //! Checks of a packaged FMU: what an importer relies on and common validators let pass.
 
 mod archive;
+mod companions;
 mod description;
 mod library;
 mod structure;
@@ -29,6 +30,7 @@ pub(crate) fn problems(archive: &Archive) -> Vec<String> {
             problems.extend(description::problems(root));
             problems.extend(structure::problems(root));
             problems.extend(library::problems(archive, root));
+            problems.extend(companions::problems(archive, root));
         }
     }
     problems
