@@ -13,8 +13,11 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-/// What the tests with other masters need beyond the rest.
-const MASTERS: &str = "tests/python/masters-requirements.txt";
+/// What some tests need beyond the rest: the other masters, and the sweep on Dask.
+const EXTRAS: [(&str, &str); 2] = [
+    ("The other masters", "tests/python/masters-requirements.txt"),
+    ("The sweep", "examples/sweep/sweep-requirements.txt"),
+];
 
 /// What every command works with, set up on first use.
 pub(crate) struct Setup<'a> {
@@ -130,8 +133,10 @@ impl Setup<'_> {
             progress::shown("Rust tests", || run_tests(cargo, &mut rust, Totals::add_rust_line));
 
         // their tests say what is missing
-        if let Err(problem) = Venv::with(self.workspace, &[self.workspace.file(MASTERS)]) {
-            eprintln!("The other masters are not tested, since they cannot be installed: {problem:#}");
+        for (what, requirements) in EXTRAS {
+            if let Err(problem) = Venv::with(self.workspace, &[self.workspace.file(requirements)]) {
+                eprintln!("{what}: not tested, since it cannot be installed: {problem:#}");
+            }
         }
         let mut pytest = self.venv.python();
         let cache = self.workspace.product("pytest");

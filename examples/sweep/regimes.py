@@ -1,0 +1,38 @@
+"""The map of a sweep: what slips at which load and amplitude, and what wears."""
+
+from collections import Counter
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+MARKS = {"stick": "o", "partial": "s", "gross": "^"}
+
+
+def full_slip(load):
+    """Amplitude at which the whole contact of the default steel ball begins to slip, m: μ (E*/G*) d, d ∝ F^(2/3)."""
+    return 2.53755e-6 * (np.asarray(load) / 100.0) ** (2 / 3)
+
+
+def draw(results, path):
+    """Writes the picture; returns how many sets are in each regime."""
+    load, amplitude = np.array(results["load"]), np.array(results["amplitude"])
+    volume, regime = np.array(results["wear_volume"]), np.array(results["regime"])
+    figure, axes = plt.subplots(figsize=(8, 6), layout="constrained")
+    shades = dict(norm=matplotlib.colors.LogNorm(np.percentile(volume, 2), volume.max()), cmap="viridis")
+    for name, mark in MARKS.items():
+        here = regime == name
+        dots = axes.scatter(amplitude[here] * 1e6, load[here], c=volume[here], marker=mark, s=12, label=name, **shades)
+    loads = np.geomspace(load.min(), load.max(), 100)
+    axes.plot(full_slip(loads) * 1e6, loads, "k-", lw=1.5, label="all slips (Mindlin)")
+    stick = (1 - 0.95**2) * full_slip(loads)
+    axes.plot(stick * 1e6, loads, "k--", lw=1.5, label="5 % of the radius slips")
+    axes.set(xscale="log", yscale="log", xlabel="displacement amplitude (µm)", ylabel="normal force (N)")
+    axes.set_title("Running conditions of a steel ball, R = 10 mm, by the first cycle")
+    figure.legend(loc="outside lower center", ncols=5, fontsize=8)
+    figure.colorbar(dots, label="volume worn in all cycles (m³)")
+    figure.savefig(path, dpi=130)
+    plt.close(figure)
+    return f"{dict(Counter(results['regime']))} in the first cycle, {dict(Counter(results['regime_at_end']))} in the last: {path}"
