@@ -7,6 +7,7 @@ use fretting_contact::fmi2::variables::variables;
 use host::{ERROR, Fmu, OK};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
+use std::{env, fs, process};
 
 /// An instance in a random scene, ready for steps.
 fn scene(random: &mut StdRng) -> Fmu {
@@ -45,9 +46,16 @@ fn readings(fmu: &Fmu) -> Vec<u64> {
     outputs.map(|v| v.name.as_ref()).chain(fields).map(|name| fmu.real(name).to_bits()).collect()
 }
 
+/// A state as bytes, the seed of what follows, and what can be read after that.
+type History = (Vec<u8>, u64, Vec<u64>);
+
+/// Names the file with histories for [`histories_of_another_process_go_on_with_the_same_bits`].
+const HISTORIES: &str = "FRETTING_TEST_HISTORIES";
+
 #[test]
 fn a_state_goes_on_with_the_same_bits_wherever_it_is() {
     let mut random = StdRng::seed_from_u64(7);
+    let mut histories: Vec<History> = Vec::new();
     for history in 0..1000 {
         let fmu = scene(&mut random);
         run(&fmu, &mut random, 0.0);
@@ -65,6 +73,30 @@ fn a_state_goes_on_with_the_same_bits_wherever_it_is() {
         assert_eq!(other.restore(state), OK);
         assert_eq!(other.serialized(state), bytes, "{history}: the same bytes");
         assert_eq!(again(&other), first, "{history}: in another instance");
+        histories.push((bytes, seed, first));
+    }
+    let file = tempfile::NamedTempFile::new().unwrap();
+    fs::write(file.path(), serde_json::to_vec(&histories).unwrap()).unwrap();
+    let child = process::Command::new(env::current_exe().unwrap())
+        .args(["--exact", "histories_of_another_process_go_on_with_the_same_bits", "--ignored"])
+        .env(HISTORIES, file.path())
+        .output()
+        .unwrap();
+    let text = String::from_utf8_lossy(&child.stdout);
+    assert!(child.status.success() && text.contains("1 passed"), "{text}");
+}
+
+#[test]
+#[ignore = "the test above runs it, in a process of its own"]
+fn histories_of_another_process_go_on_with_the_same_bits() {
+    let file = env::var_os(HISTORIES).expect("the test above names the file");
+    let histories: Vec<History> = serde_json::from_slice(&fs::read(file).unwrap()).unwrap();
+    assert_eq!(histories.len(), 1000);
+    for (bytes, seed, expected) in histories {
+        let fmu = Fmu::new();
+        let (state, status) = fmu.deserialized(&bytes);
+        assert_eq!((status, fmu.restore(state)), (OK, OK), "{:?}", fmu.messages());
+        assert_eq!(run(&fmu, &mut StdRng::seed_from_u64(seed), 5.0), expected);
     }
 }
 

@@ -8,6 +8,7 @@ mod check;
 mod commands;
 mod documentation;
 mod fuzz;
+mod harden;
 mod libclang;
 mod library;
 mod licences;
@@ -67,6 +68,8 @@ enum Task {
         #[arg(long, conflicts_with = "seconds")]
         runs: Option<u64>,
     },
+    /// Run a C master with 10,000 instances under valgrind and AddressSanitizer
+    Harden,
     /// Run rustfmt and clippy, warnings being errors
     Lint,
     /// Print the environment that plain cargo calls need to find libclang, for `eval "$(cargo fmu env)"`
@@ -107,6 +110,7 @@ fn run(task: Task) -> Result<()> {
             let effort = runs.map_or(fuzz::Effort::Seconds(seconds), fuzz::Effort::Runs);
             fuzz::run(&workspace, &commands::set_up(&workspace)?.environment, &targets, effort)?;
         }
+        Task::Harden => harden::run(&workspace, &commands::set_up(&workspace)?.environment)?,
         Task::Lint => commands::set_up(&workspace)?.lint()?,
         Task::Env => print_environment(&workspace)?,
     }
