@@ -28,12 +28,18 @@ fn step(c: &mut Criterion) {
         });
         let inputs = [reference("normal_force"), reference("tangential_displacement")];
         let outputs = [reference("tangential_force"), reference("dissipated_energy")];
+        // sine and cosine are the host's work
+        let cycle: Vec<[f64; 2]> = (0..STEPS)
+            .map(|k| {
+                let phase = TAU * f64::from(k) / f64::from(STEPS);
+                [100.0 + load_swing * phase.cos(), amplitude * phase.sin()]
+            })
+            .collect();
         let mut count = 0u32;
         group.bench_function(name, |b| {
             b.iter(|| {
-                let phase = TAU * f64::from(count % STEPS) / f64::from(STEPS);
-                let values = [100.0 + load_swing * phase.cos(), amplitude * phase.sin()];
-                assert_eq!(fmu.set_reals(&inputs, black_box(&values)), OK);
+                let values = &cycle[(count % STEPS) as usize];
+                assert_eq!(fmu.set_reals(&inputs, black_box(values)), OK);
                 assert_eq!(fmu.do_step(f64::from(count), 1.0), OK);
                 let mut read = [0.0; 2];
                 assert_eq!(fmu.get_reals(&outputs, &mut read), OK);

@@ -49,12 +49,17 @@ const SPARE: usize = 6;
 /// Most iterations in the search for a radius; bisection alone would need 60.
 const MOST_ITERATIONS: usize = 100;
 
+/// Share of the largest image that thinning may take at the usual tolerance.
+const USUAL_SHARE: f64 = 5e-5;
+
 /// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
-/// crowd at the end: there each lies a tenth of its distance from the end apart from the next, or a thousandth of the radius.
+/// crowd at the end: there each lies a part of its distance from the end apart from the next, or of the radius, which falls with the
+/// root of the share, as the error of a line does with the square of its length.
 pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: bool) -> Vec<usize> {
     let last = x.len() - 1;
+    let spread = (share / USUAL_SHARE).sqrt().min(1.0);
     let crowded = |anchor: usize, end: usize| {
-        let close = (0.1 * (x[last] - x[anchor])).min(0.001 * x[last]);
+        let close = spread * (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
         crowd_at_end && x[end] - x[anchor] < close
     };
     thin_unless(x, image, share, crowded, |_, _| true)

@@ -30,8 +30,12 @@ const THINNEST: f64 = 1e-5;
 /// fast leaves there by an inexact contact edge.
 const FAINT: f64 = 1e-3;
 
-/// Corrections of the volume: the second takes what the first leaves by the difference between the integrals of mesh and nodes.
+/// Most corrections of the volume: the second takes what the first leaves by the difference between the integrals of mesh and nodes.
 const CORRECTIONS: usize = 2;
+
+/// How near to the work, relative, the volume has to be, as a share of the tolerance. Each correction makes the nodes anew, a third of
+/// the time of a short update.
+const MET: f64 = 1e-3;
 
 /// How finely to integrate.
 #[derive(Debug, Clone, Copy)]
@@ -281,18 +285,21 @@ fn left_at_the_end(
     target: f64,
 ) -> (Nodes, f64) {
     let mut nodes = left_behind(patch, &state, &rate, tolerance);
-    let defect = (target - nodes.worn_volume()).abs();
+    let mut missing = target - nodes.worn_volume();
+    let defect = missing.abs();
     if patch.body.worn().is_some() {
         // what the mesh carries may be far less than what is there
-        let missing = target - nodes.worn_volume();
         nodes.add_volume_beyond(patch.inner_radius, missing, patch.body.profile());
         return (nodes, defect);
     }
     for _ in 0..CORRECTIONS {
-        let missing = target - nodes.worn_volume();
+        if missing.abs() <= MET * tolerance * target {
+            break;
+        }
         let Some(grown) = patch.with_volume(&state, &rate, missing) else { break };
         (state, rate) = grown;
         nodes = left_behind(patch, &state, &rate, tolerance);
+        missing = target - nodes.worn_volume();
     }
     (nodes, defect)
 }

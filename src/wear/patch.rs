@@ -16,6 +16,7 @@ use super::Constants;
 use super::mesh::{Region, UnitMesh};
 use crate::error::Error;
 use crate::parameters::NormalControl;
+use crate::profile::Profile;
 use crate::quadrature::GAUSS;
 use crate::surface::{Contact, Surface};
 use crate::transform::dot;
@@ -440,11 +441,38 @@ impl Patch {
 
     /// (k/σ₀) times the work of the springs in a cycle, m³: 2π ∫ p s r dr = 2 ∫ q σ dx.
     fn volume_rate(&self, x: &[f64], room: &[f64], slip: &[f64]) -> f64 {
+        // a table is linear in x² between its points
+        let curved = !matches!(
+            self.body.profile(),
+            Profile::Parabola { .. } | Profile::FlatPunch { .. } | Profile::Table(_)
+        );
         let mut work = 0.0;
         for j in 0..self.cells() {
-            work += product_integral((x[j], x[j + 1]), (room[j], room[j + 1]), (slip[j], slip[j + 1]));
+            let (ends, room, slip) = ((x[j], x[j + 1]), (room[j], room[j + 1]), (slip[j], slip[j + 1]));
+            work += product_integral(ends, room, slip);
+            if curved && slip.1 > 0.0 {
+                work += self.work_of_curvature(ends, room, slip);
+            }
         }
         2.0 * self.factor * work
+    }
+
+    /// What ∫ q σ dx over a slipping cell differs by where the body's own image is not linear in x², as q and σ are taken to be. On
+    /// the cone at Ñ = 2.5 V is 0.20 % too large on 64 cells with it and 0.29 % without.
+    fn work_of_curvature(&self, (x0, x1): (f64, f64), room: (f64, f64), slip: (f64, f64)) -> f64 {
+        let profile = self.body.profile();
+        let image = (profile.image(x0), profile.image(x1));
+        let (middle, half) = (0.5 * (x0 + x1), 0.5 * (x1 - x0));
+        let mut work = 0.0;
+        for (node, weight) in GAUSS {
+            let x = middle + half * node;
+            let share = (x - x0) * (x + x0) / ((x1 - x0) * (x1 + x0));
+            let line = |ends: (f64, f64)| ends.0 + share * (ends.1 - ends.0);
+            let more_room = line(image) - profile.image(x);
+            let slip = line(slip) - self.bound_slope * (line(room) + more_room);
+            work += half * weight * more_room * slip;
+        }
+        work
     }
 
     /// Largest image (m) that belongs to a change of the depths.
