@@ -1,6 +1,7 @@
 //! The commands, each a list of named steps.
 
 use crate::check::{self, Archive};
+use crate::cross::Outcome;
 use crate::libclang::{self, Environment};
 use crate::platform::Platform;
 use crate::process::{run_lines, run_quietly, run_shown};
@@ -43,17 +44,31 @@ pub(crate) fn set_up(workspace: &Workspace) -> Result<Setup<'_>> {
 }
 
 impl Setup<'_> {
-    /// Builds, packages and checks the FMU; returns its path. A package with a fault stays beside it under
-    /// another name.
-    pub(crate) fn build(&self, platform: &Platform) -> Result<PathBuf> {
+    /// Builds, packages and checks the FMU for some platforms; returns its path. A package with a fault stays beside it under
+    /// another name. Libraries for other machines are tried out under an emulator, where there is one.
+    pub(crate) fn build(&self, platforms: &[&Platform]) -> Result<PathBuf> {
         let fmu = self.workspace.fmu();
         let unchecked = fmu.with_extension("unchecked.fmu");
-        let library =
-            progress::shown("Building the library", || library::build(self.workspace, &self.environment))?;
-        progress::quiet("Packaging", |_| package::write(self.workspace, platform, &library, &unchecked))?;
+        let mut libraries = Vec::new();
+        for &platform in platforms {
+            let title = format!("Building the library for {}", platform.folder);
+            let build = || library::build(self.workspace, &self.environment, platform);
+            libraries.push((platform, progress::shown(&title, build)?));
+        }
+        progress::quiet("Packaging", |_| package::write(self.workspace, &libraries, &unchecked))?;
         self.check(&unchecked)?;
+        for (platform, library) in &libraries {
+            if let (Some(route), true) = (platform.route, *platform != Platform::own()?) {
+                match route.try_out(self.workspace, library)? {
+                    Outcome::Ran(how) => eprintln!("{}: {how}", platform.folder),
+                    Outcome::NotRun(why) => eprintln!("{}: built, but NOT RUN: {why}", platform.folder),
+                }
+            }
+        }
         std::fs::rename(&unchecked, &fmu)?;
-        eprintln!("FMU for {}: {}", platform.package_folders().join(", "), fmu.display());
+        let folders: Vec<_> =
+            platforms.iter().flat_map(|platform| platform.package_folders(platforms)).collect();
+        eprintln!("FMU for {}: {}", folders.join(", "), fmu.display());
         Ok(fmu)
     }
 

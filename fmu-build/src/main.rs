@@ -6,12 +6,14 @@
 
 mod check;
 mod commands;
+mod cross;
 mod documentation;
 mod fuzz;
 mod harden;
 mod libclang;
 mod library;
 mod licences;
+mod merge;
 mod package;
 mod platform;
 mod process;
@@ -45,6 +47,15 @@ enum Task {
         /// Platform folders to build for, such as linux64; this machine's own if not given
         #[arg(long, value_delimiter = ',', value_name = "FOLDER")]
         platforms: Vec<String>,
+    },
+    /// Join FMUs that were built on different machines into one
+    Merge {
+        /// The FMUs; what is not a library is taken from the first
+        #[arg(required = true, num_args = 2..)]
+        fmus: Vec<PathBuf>,
+        /// Where to write; target/fmu/FrettingContact.fmu if not given
+        #[arg(long)]
+        output: Option<PathBuf>,
     },
     /// Check an FMU: exported functions, archive, model description, `fmpy validate`
     Check {
@@ -90,8 +101,13 @@ fn run(task: Task) -> Result<()> {
     let workspace = Workspace::of_this_program();
     match task {
         Task::Build { platforms } => {
-            let platform = Platform::requested(&platforms)?;
-            commands::set_up(&workspace)?.build(platform)?;
+            let platforms = Platform::requested(&platforms)?;
+            commands::set_up(&workspace)?.build(&platforms)?;
+        }
+        Task::Merge { fmus, output } => {
+            let output = std::path::absolute(output.unwrap_or_else(|| workspace.fmu()))?;
+            merge::merge(&fmus, &output)?;
+            commands::set_up(&workspace)?.check(&output)?;
         }
         Task::Check { path } => {
             let path = std::path::absolute(path.unwrap_or_else(|| workspace.fmu()))?;
@@ -99,12 +115,12 @@ fn run(task: Task) -> Result<()> {
         }
         Task::Demo => {
             let setup = commands::set_up(&workspace)?;
-            setup.demo(&setup.build(Platform::own()?)?)?;
+            setup.demo(&setup.build(&[Platform::own()?])?)?;
         }
         Task::Report => commands::set_up(&workspace)?.report()?,
         Task::Test => {
             let setup = commands::set_up(&workspace)?;
-            setup.test(&setup.build(Platform::own()?)?)?;
+            setup.test(&setup.build(&[Platform::own()?])?)?;
         }
         Task::Fuzz { targets, seconds, runs } => {
             let effort = runs.map_or(fuzz::Effort::Seconds(seconds), fuzz::Effort::Runs);

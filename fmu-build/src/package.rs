@@ -7,23 +7,26 @@ use anyhow::{Context, Result};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
 /// Entry names and content.
-type Entries = BTreeMap<String, Vec<u8>>;
+pub(crate) type Entries = BTreeMap<String, Vec<u8>>;
 
-/// Writes the FMU for one platform.
-pub(crate) fn write(workspace: &Workspace, platform: &Platform, library: &Path, fmu: &Path) -> Result<()> {
+/// Writes the FMU with a library for each platform.
+pub(crate) fn write(workspace: &Workspace, libraries: &[(&Platform, PathBuf)], fmu: &Path) -> Result<()> {
     let read = |path: &Path| fs::read(path).with_context(|| format!("cannot read {}", path.display()));
     let description = workspace.file("modelDescription.xml");
     let description =
         fs::read_to_string(&description).with_context(|| format!("cannot read {}", description.display()))?;
     let mut entries = Entries::new();
-    for folder in platform.package_folders() {
-        let name = format!("binaries/{folder}/{MODEL_IDENTIFIER}.{}", std::env::consts::DLL_EXTENSION);
-        entries.insert(name, read(library)?);
+    let platforms: Vec<_> = libraries.iter().map(|(platform, _)| *platform).collect();
+    for (platform, library) in libraries {
+        for folder in platform.package_folders(&platforms) {
+            let name = format!("binaries/{folder}/{MODEL_IDENTIFIER}.{}", platform.library_extension());
+            entries.insert(name, read(library)?);
+        }
     }
     entries.insert("documentation/index.html".to_owned(), documentation::page(&description)?.into_bytes());
     for file in ["LICENSE-APACHE", "LICENSE-MIT"] {
@@ -42,7 +45,7 @@ pub(crate) fn write(workspace: &Workspace, platform: &Platform, library: &Path, 
 }
 
 /// Names in order and one date for all: two builds give the same bytes.
-fn write_zip(entries: &Entries, path: &Path) -> Result<()> {
+pub(crate) fn write_zip(entries: &Entries, path: &Path) -> Result<()> {
     if let Some(parent) = path.parent() {
         fs::create_dir_all(parent)?;
     }

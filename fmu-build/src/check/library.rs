@@ -74,8 +74,8 @@ pub(super) fn problems(archive: &Archive, root: Node<'_, '_>) -> Vec<String> {
 }
 
 fn symbol_problems(entry: &Entry) -> Vec<String> {
-    let exported = match exported_symbols(&entry.bytes) {
-        Ok(symbols) => symbols,
+    let (format, exported) = match exported_symbols(&entry.bytes) {
+        Ok(found) => found,
         Err(error) => return vec![format!("{} cannot be read as a shared library: {error}", entry.name)],
     };
     let expected: BTreeSet<String> = FUNCTIONS.iter().map(|&function| function.to_owned()).collect();
@@ -86,14 +86,20 @@ fn symbol_problems(entry: &Entry) -> Vec<String> {
     if !missing.is_empty() {
         problems.push(format!("{} does not export {missing}: add them to the C interface", entry.name));
     }
-    if !extra.is_empty() {
+    if !extra.is_empty() && names_are_shared(format) {
         problems.push(format!("{} exports {extra} beyond the FMI functions: hide them", entry.name));
     }
     problems
 }
 
-/// Names a loader can find in a shared library.
-fn exported_symbols(bytes: &[u8]) -> Result<BTreeSet<String>> {
+/// Whether libraries in one process see each other's names. Those of a DLL are its own, and rustc exports from it whatever a
+/// dependency marks so.
+fn names_are_shared(format: BinaryFormat) -> bool {
+    format != BinaryFormat::Pe
+}
+
+/// Format of a shared library, and the names a loader can find in it.
+fn exported_symbols(bytes: &[u8]) -> Result<(BinaryFormat, BTreeSet<String>)> {
     let file = object::File::parse(bytes)?;
     // Mach-O puts an underscore before C names.
     let prefix = if file.format() == BinaryFormat::MachO { "_" } else { "" };
@@ -104,7 +110,8 @@ fn exported_symbols(bytes: &[u8]) -> Result<BTreeSet<String>> {
         }
         NameOrOrdinal::Ordinal(number) => format!("#{number}"),
     };
-    Ok(file.exports()?.map(|export| Ok(name(export?))).collect::<object::Result<_>>()?)
+    let names = file.exports()?.map(|export| Ok(name(export?))).collect::<object::Result<_>>()?;
+    Ok((file.format(), names))
 }
 
 fn contains(bytes: &[u8], part: &[u8]) -> bool {
@@ -118,6 +125,12 @@ mod tests {
 
     fn with_functions(functions: &[&str]) -> Fixture {
         fixture::good().with_file(LIBRARY_ENTRY, &compile(functions, fixture::GUID))
+    }
+
+    #[test]
+    fn names_of_a_dll_are_its_own() {
+        use object::BinaryFormat::{Elf, MachO, Pe};
+        assert_eq!([Elf, MachO, Pe].map(super::names_are_shared), [true, true, false]);
     }
 
     #[test]
