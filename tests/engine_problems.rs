@@ -105,6 +105,25 @@ fn lived(problem: &Problem, resolution: usize, tolerance: f64, life: f64) -> Fre
     contact
 }
 
+/// No closed form is known at constant force: the values that the cells converge to, with their order.
+#[test]
+fn the_worn_volume_at_constant_force_converges() {
+    for (body, life) in [(PARABOLA, 1.0), (PARABOLA, 4.0), (CONE, 1.0), (CONE, 2.5)] {
+        let problem = Problem::partial_slip(body, NormalControl::Force, 0.4);
+        let volume = |resolution: usize, tolerance: f64| {
+            lived(&problem, resolution, tolerance, life).wear_volume() / problem.volume_unit()
+        };
+        let volumes = [32, 64, 128, 256].map(|resolution| volume(resolution, 1e-5));
+        let usual = volume(64, 1e-3);
+        println!("{} at {life}: V {volumes:.5?}, at default settings {usual:.5}", problem.name);
+        let changes: Vec<f64> = volumes.windows(2).map(|pair| (pair[1] / pair[0] - 1.0).abs()).collect();
+        // on the ball errors of either sign all but cancel: what is left is that of the moving front, below 2e-4
+        assert!(changes[2] < changes[0] / 8.0 + 2e-4, "{}: {volumes:?}", problem.name);
+        assert!(changes[2] <= 1e-3, "{}: {volumes:?}", problem.name);
+        assert!((usual / volumes[3] - 1.0).abs() <= 3e-3, "{}: {usual} {volumes:?}", problem.name);
+    }
+}
+
 /// Errors of the worn profile (largest, in the indentation depth), of it away from the front, of the stick radius and of the volume.
 fn errors(contact: &FrettingContact, exact: &FrettingContact) -> [f64; 4] {
     let (reach, depth, front) =
