@@ -121,7 +121,7 @@ impl Snapshot {
     }
 
     /// Whether the saved contact is the one that its load makes. The radius may be uncertain where wear has left the image
-    /// flat up to the edge.
+    /// flat up to the edge, and where the load is next to none.
     fn rests_on(&self, surface: &Surface, target: &FrettingContact) -> bool {
         let saved = &self.contact;
         let (control, scale) = (target.parameters.normal_control, target.force_scale());
@@ -130,7 +130,7 @@ impl Snapshot {
         contact.is_open() == saved.is_open()
             && close(contact.depth, saved.depth)
             && close(contact.load, saved.load)
-            && (contact.radius - saved.radius).abs() <= 1e-2 * contact.radius
+            && (contact.radius - saved.radius).abs() <= 1e-2 * contact.radius + CLOSE * self.reach
     }
 
     fn obeys_friction(&self, target: &FrettingContact) -> bool {
