@@ -269,3 +269,39 @@ fn copies_of_a_table_share_their_data() {
     assert_eq!(table, ProfileTable::new(table.points().to_vec()).unwrap());
     assert_ne!(table, waved_sphere(101));
 }
+
+/// A tip that is all but a point: what is left is the parabola f = r²/(2R), by as much as b is of x.
+#[test]
+fn a_rounded_punch_with_next_to_no_flat_is_a_parabola() {
+    let (radius, x) = (0.01, 2e-4);
+    let parabola = Profile::Parabola { radius };
+    for b in [1e-9, 1e-14, 1e-30, 1e-100, 1e-284] {
+        let punch = Profile::RoundedPunch { radius, flat_radius: b };
+        let values =
+            |p: &Profile| [p.image(x), p.image_slope(x), p.load_integral(x), p.image_and_integrals(x).2];
+        for (value, limit) in values(&punch).into_iter().zip(values(&parabola)) {
+            assert!((value - limit).abs() <= (5.0 * b / x + 1e-14) * limit, "b = {b}: {value:e}, {limit:e}");
+        }
+    }
+}
+
+/// Whatever the flat is of the radius: the integrals have the derivatives that they should, also where their forms meet.
+#[test]
+fn the_integrals_of_a_rounded_punch_have_its_image_as_derivative() {
+    let (radius, b) = (0.01, 1e-5);
+    let profile = Profile::RoundedPunch { radius, flat_radius: b };
+    for share in [1.5, 3.0, 4.1, 4.13, 5.0, 30.0, 1e3, 1e5] {
+        let x = share * b;
+        let h = 1e-4 * x;
+        let slope = |f: &dyn Fn(f64) -> f64| {
+            // fourth order
+            (8.0 * (f(x + h) - f(x - h)) - (f(x + 2.0 * h) - f(x - 2.0 * h))) / (12.0 * h)
+        };
+        let (square, load) =
+            (slope(&|x| profile.image_and_integrals(x).2), slope(&|x| profile.load_integral(x)));
+        let (g, rise) = (profile.image(x), profile.image_slope(x));
+        assert!((square - g * g).abs() <= 1e-9 * g * g, "{share}: {square:e} {:e}", g * g);
+        assert!((load - x * rise).abs() <= 1e-9 * x * rise, "{share}: {load:e} {:e}", x * rise);
+        assert!((slope(&|x| profile.image(x)) - rise).abs() <= 1e-9 * rise, "{share}");
+    }
+}
