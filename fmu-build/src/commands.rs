@@ -3,6 +3,7 @@
 use crate::check::{self, Archive};
 use crate::cross::Outcome;
 use crate::libclang::{self, Environment};
+use crate::library::OldGlibc;
 use crate::platform::Platform;
 use crate::process::{run_lines, run_quietly, run_shown};
 use crate::python::Venv;
@@ -13,6 +14,9 @@ use anyhow::{Result, bail, ensure};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
+
+/// What a build for an old glibc needs beyond the rest.
+const ZIG: &str = "fmu-build/zig-requirements.txt";
 
 /// What some tests need beyond the rest: the other masters, and the sweep on Dask.
 const EXTRAS: [(&str, &str); 2] = [
@@ -47,12 +51,25 @@ impl Setup<'_> {
     /// Builds, packages and checks the FMU for some platforms; returns its path. A package with a fault stays beside it under
     /// another name. Libraries for other machines are tried out under an emulator, where there is one.
     pub(crate) fn build(&self, platforms: &[&Platform]) -> Result<PathBuf> {
+        self.build_with(platforms, None)
+    }
+
+    /// The same for systems with a glibc as old as `version`.
+    pub(crate) fn build_for_glibc(&self, platforms: &[&Platform], version: &str) -> Result<PathBuf> {
+        OldGlibc::numbers(version)?;
+        ensure!(cfg!(target_os = "linux"), "--glibc is for Linux");
+        let venv = Venv::with(self.workspace, &[self.workspace.file(ZIG)])?;
+        let old = OldGlibc { version, target: Platform::own()?.target, programs: venv.programs() };
+        self.build_with(platforms, Some(&old))
+    }
+
+    fn build_with(&self, platforms: &[&Platform], old: Option<&OldGlibc<'_>>) -> Result<PathBuf> {
         let fmu = self.workspace.fmu();
         let unchecked = fmu.with_extension("unchecked.fmu");
         let mut libraries = Vec::new();
         for &platform in platforms {
             let title = format!("Building the library for {}", platform.folder);
-            let build = || library::build(self.workspace, &self.environment, platform);
+            let build = || library::build(self.workspace, &self.environment, platform, old);
             libraries.push((platform, progress::shown(&title, build)?));
         }
         progress::quiet("Packaging", |_| package::write(self.workspace, &libraries, &unchecked))?;

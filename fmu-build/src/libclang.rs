@@ -49,15 +49,20 @@ pub(crate) fn of_wheel(site_packages: &Path) -> Result<Environment> {
 
 /// Points clang at the C compiler's own headers (stddef.h and such).
 fn compiler_headers() -> Result<(&'static str, OsString)> {
-    let output = crate::process::command("cc").arg("-print-file-name=include").output().context(
-        "a C compiler is needed, but `cc` was not found: install one (Debian, Ubuntu: `apt install gcc libc6-dev`)",
-    )?;
     let mut arguments = std::env::var("BINDGEN_EXTRA_CLANG_ARGS").unwrap_or_default();
-    let include = format!("-I{}", String::from_utf8_lossy(&output.stdout).trim());
+    let include = format!("-I{}", header_directory()?);
     if !arguments.contains(&include) {
         arguments = format!("{arguments} {include}").trim_start().to_owned();
     }
     Ok(("BINDGEN_EXTRA_CLANG_ARGS", arguments.into()))
+}
+
+/// Where the C compiler has its own headers.
+pub(crate) fn header_directory() -> Result<String> {
+    let output = crate::process::command("cc").arg("-print-file-name=include").output().context(
+        "a C compiler is needed, but `cc` was not found: install one (Debian, Ubuntu: `apt install gcc libc6-dev`)",
+    )?;
+    Ok(String::from_utf8_lossy(&output.stdout).trim().to_owned())
 }
 
 fn llvm_config_directory() -> Option<PathBuf> {

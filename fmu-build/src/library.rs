@@ -1,30 +1,41 @@
 //! Building the shared library: one call of cargo, with the paths of this machine left out of the binary.
 
-use crate::libclang::Environment;
+use crate::check::newest_glibc;
+use crate::libclang::{self, Environment};
 use crate::platform::Platform;
 use crate::process::run_lines;
 use crate::workspace::Workspace;
 use anyhow::{Context, Result, bail};
 use serde_json::Value;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// The crate that the library is made from.
 pub(crate) const PACKAGE: &str = "fretting_contact";
 
-/// Builds the library for a platform in release mode without debug information; returns its path.
+/// Builds the library for a platform in release mode without debug information; returns its path. `old` builds it for an old
+/// glibc, where it is for this machine's own platform.
 pub(crate) fn build(
     workspace: &Workspace,
     environment: &Environment,
     platform: &Platform,
+    old: Option<&OldGlibc<'_>>,
 ) -> Result<PathBuf> {
-    let mut cargo = workspace.cargo();
+    let own = platform == Platform::own()?;
+    let old = old.filter(|_| own);
+    let mut cargo = match old {
+        Some(old) => old.cargo(workspace)?,
+        None => workspace.cargo(),
+    };
     // As a cdylib alone: beside an rlib cargo would leave link-time optimisation out.
     cargo.args(["rustc", "--release", "--locked", "--package", PACKAGE, "--lib", "--crate-type", "cdylib"]);
     cargo.args(["--message-format", "json-render-diagnostics"]);
     cargo.args(["--config", "profile.release.strip=\"debuginfo\""]);
     cargo.args(["--config", &remap_paths(workspace)?]);
     cargo.envs(environment.iter().map(|(name, value)| (name, value)));
-    if platform != Platform::own()? {
+    if let Some(old) = old {
+        cargo.args(["--target", &format!("{}.{}", old.target, old.version)]);
+    } else if !own {
         let route = platform.route.context("there is no way to build for this platform here")?;
         cargo.args(["--target", route.target]).envs(route.environment()?);
     }
@@ -35,7 +46,56 @@ pub(crate) fn build(
     if !status.success() {
         bail!("cargo could not build the library {PACKAGE}: mend what it says above");
     }
-    library.context("cargo built no shared library: the package must have the crate type cdylib")
+    let library =
+        library.context("cargo built no shared library: the package must have the crate type cdylib")?;
+    old.map_or(Ok(()), |old| old.check(&library))?;
+    Ok(library)
+}
+
+/// A build that runs on Linux systems with a glibc as old as this: linked by zig, which has all of them.
+pub(crate) struct OldGlibc<'a> {
+    /// Such as 2.17.
+    pub(crate) version: &'a str,
+    /// Rust target.
+    pub(crate) target: &'static str,
+    /// Folder with cargo-zigbuild, and the Python that has zig.
+    pub(crate) programs: PathBuf,
+}
+
+impl OldGlibc<'_> {
+    /// Major and minor number of a version.
+    pub(crate) fn numbers(version: &str) -> Result<(u32, u32)> {
+        let numbers = version.split_once('.').map(|(major, minor)| (major.parse(), minor.parse()));
+        match numbers {
+            Some((Ok(major), Ok(minor))) => Ok((major, minor)),
+            _ => bail!("--glibc: `{version}` is not a version such as 2.17"),
+        }
+    }
+
+    fn cargo(&self, workspace: &Workspace) -> Result<Command> {
+        let mut cargo = workspace.command(self.programs.join("cargo-zigbuild"));
+        let path = std::env::var_os("PATH").unwrap_or_default();
+        let paths = std::iter::once(self.programs.clone()).chain(std::env::split_paths(&path));
+        cargo.env("PATH", std::env::join_paths(paths)?);
+        // bindgen would else look for the headers of C where zig keeps none
+        let architecture = self.target.split('-').next().unwrap_or_default();
+        let headers = libclang::header_directory()?;
+        let clang = format!("-I{headers} -I/usr/include -I/usr/include/{architecture}-linux-gnu");
+        cargo.env(format!("BINDGEN_EXTRA_CLANG_ARGS_{}", self.target), clang);
+        Ok(cargo)
+    }
+
+    /// Whether the library asks for nothing newer.
+    fn check(&self, library: &Path) -> Result<()> {
+        let newest = newest_glibc(&std::fs::read(library)?);
+        let allowed = Self::numbers(self.version)?;
+        match newest {
+            Some((major, minor)) if (major, minor) > allowed => {
+                bail!("the library asks for glibc {major}.{minor}, which is newer than {}", self.version)
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// The library's path, if the message of cargo tells of it.
@@ -70,7 +130,15 @@ fn remap_paths(workspace: &Workspace) -> Result<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::library_of;
+    use super::{OldGlibc, library_of};
+
+    #[test]
+    fn versions_are_two_numbers() {
+        assert_eq!(OldGlibc::numbers("2.17").unwrap(), (2, 17));
+        for wrong in ["2", "2.x", "", "new"] {
+            assert!(OldGlibc::numbers(wrong).unwrap_err().to_string().contains("such as 2.17"));
+        }
+    }
 
     #[test]
     fn the_library_is_found_among_the_messages() {

@@ -47,6 +47,9 @@ enum Task {
         /// Platform folders to build for, such as linux64; this machine's own if not given
         #[arg(long, value_delimiter = ',', value_name = "FOLDER")]
         platforms: Vec<String>,
+        /// Oldest glibc to run on, such as 2.17: for releases; this machine's own if not given
+        #[arg(long, value_name = "VERSION")]
+        glibc: Option<String>,
     },
     /// Join FMUs that were built on different machines into one
     Merge {
@@ -100,9 +103,13 @@ fn main() -> ExitCode {
 fn run(task: Task) -> Result<()> {
     let workspace = Workspace::of_this_program();
     match task {
-        Task::Build { platforms } => {
+        Task::Build { platforms, glibc } => {
             let platforms = Platform::requested(&platforms)?;
-            commands::set_up(&workspace)?.build(&platforms)?;
+            let setup = commands::set_up(&workspace)?;
+            glibc.map_or_else(
+                || setup.build(&platforms),
+                |version| setup.build_for_glibc(&platforms, &version),
+            )?;
         }
         Task::Merge { fmus, output } => {
             let output = std::path::absolute(output.unwrap_or_else(|| workspace.fmu()))?;

@@ -12,7 +12,7 @@ pub(crate) struct Platform {
     os: &'static str,
     arch: &'static str,
     /// Rust target that a build for it on such a machine needs.
-    target: &'static str,
+    pub(crate) target: &'static str,
     /// How to build for it on Linux.
     pub(crate) route: Option<&'static Route>,
 }

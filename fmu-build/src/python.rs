@@ -56,6 +56,11 @@ impl<'a> Venv<'a> {
         command
     }
 
+    /// The folder of its programs.
+    pub(crate) fn programs(&self) -> PathBuf {
+        self.directory.join(if cfg!(windows) { "Scripts" } else { "bin" })
+    }
+
     /// The folder that packages are installed in.
     pub(crate) fn site_packages(&self) -> Result<PathBuf> {
         let mut python = self.python();

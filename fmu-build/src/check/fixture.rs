@@ -120,6 +120,11 @@ impl Fixture {
 
 /// A shared library with these functions and the GUID in its data, made by the C compiler.
 pub(super) fn compile(functions: &[&str], guid: &str) -> Vec<u8> {
+    compile_with(functions, guid, &[])
+}
+
+/// The same with further arguments for the compiler.
+pub(super) fn compile_with(functions: &[&str], guid: &str, arguments: &[&str]) -> Vec<u8> {
     static COUNT: AtomicU32 = AtomicU32::new(0);
     let number = COUNT.fetch_add(1, Ordering::Relaxed);
     let directory = std::env::temp_dir().join(format!("fmu-build-test-{}-{number}", std::process::id()));
@@ -128,8 +133,13 @@ pub(super) fn compile(functions: &[&str], guid: &str) -> Vec<u8> {
     let bodies: String = functions.iter().map(|name| format!("int {name}(void) {{ return 0; }}\n")).collect();
     let guid = format!("__attribute__((used)) static const char guid[] = \"{guid}\";\n");
     std::fs::write(&source, guid + &bodies).unwrap();
-    let status =
-        Command::new("cc").args(["-shared", "-fPIC", "-o"]).arg(&library).arg(&source).status().unwrap();
+    let status = Command::new("cc")
+        .args(["-shared", "-fPIC", "-o"])
+        .arg(&library)
+        .arg(&source)
+        .args(arguments)
+        .status()
+        .unwrap();
     assert!(status.success(), "the C compiler made no library");
     let bytes = std::fs::read(&library).unwrap();
     std::fs::remove_dir_all(&directory).unwrap();

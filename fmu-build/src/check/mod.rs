@@ -10,6 +10,7 @@ mod structure;
 mod fixture;
 
 pub(crate) use archive::{Archive, Entry};
+pub(crate) use library::newest_glibc;
 
 use roxmltree::{Document, Node};
 
