@@ -16,15 +16,21 @@ const STEPS: u32 = 100;
 
 fn step(c: &mut Criterion) {
     let mut group = c.benchmark_group("set 2, doStep, get 2");
-    for (name, amplitude, load_swing, wear) in [
-        ("full stick, no wear", 1e-9, 0.0, 0.0),
-        ("partial slip, no wear", 1e-6, 0.0, 0.0),
-        ("partial slip, varying load, no wear", 1e-6, 30.0, 0.0),
-        ("partial slip, wear of steel", 1e-6, 0.0, 3.2e-4),
-        ("gross slip, wear of steel", 5e-6, 0.0, 3.2e-4),
+    let rigid = f64::INFINITY;
+    for (name, amplitude, load_swing, wear, rig) in [
+        ("full stick, no wear", 1e-9, 0.0, 0.0, rigid),
+        ("partial slip, no wear", 1e-6, 0.0, 0.0, rigid),
+        ("partial slip, varying load, no wear", 1e-6, 30.0, 0.0, rigid),
+        ("partial slip, wear of steel", 1e-6, 0.0, 3.2e-4, rigid),
+        ("gross slip, wear of steel", 5e-6, 0.0, 3.2e-4, rigid),
+        // as stiff as the sticking contact: half the drive's way
+        ("partial slip behind a rig, no wear", 2e-6, 0.0, 0.0, 3.5e7),
+        ("partial slip behind a rig, varying load, no wear", 2e-6, 30.0, 0.0, 3.5e7),
+        ("partial slip behind a rig, wear of steel", 2e-6, 0.0, 3.2e-4, 3.5e7),
     ] {
         let fmu = Fmu::started(|fmu| {
             assert_eq!(fmu.set_real("wear_coefficient", wear), OK);
+            assert_eq!(fmu.set_real("rig_stiffness", rig), OK);
         });
         let inputs = [reference("normal_force"), reference("tangential_displacement")];
         let outputs = [reference("tangential_force"), reference("dissipated_energy")];
