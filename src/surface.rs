@@ -10,7 +10,7 @@ pub(crate) use nodes::{MeshPlace, Nodes, kept_nodes, outer_weight};
 
 use crate::error::Error;
 use crate::parameters::NormalControl;
-use crate::profile::Profile;
+use crate::profile::{Profile, ProfileTable};
 use std::sync::Arc;
 
 /// Image values at one radius.
@@ -168,7 +168,7 @@ impl Surface {
         };
         if let Profile::Table(table) = &*self.profile
             && contact.radius > table.monotone_up_to()
-            && self.falls_before(table.monotone_up_to(), contact.radius)
+            && self.falls_behind(table, contact.radius)
         {
             return Err(Error::NonMonotoneImage {
                 radius: table.monotone_up_to(),
@@ -178,9 +178,12 @@ impl Surface {
         Ok(contact)
     }
 
-    /// Whether the present image still falls right behind the radius at which the unworn one does.
-    fn falls_before(&self, radius: f64, contact_radius: f64) -> bool {
-        let next = radius + 1e-3 * (contact_radius - radius);
+    /// Whether the present image still falls right behind the radius at which the unworn one does: up to the next point of the table,
+    /// since waves may be as short as a few.
+    fn falls_behind(&self, table: &ProfileTable, contact_radius: f64) -> bool {
+        let radius = table.monotone_up_to();
+        let next = table.radii().partition_point(|r| *r <= radius);
+        let next = table.radii().get(next).map_or(contact_radius, |next| next.min(contact_radius));
         self.image(next) < self.image(radius)
     }
 

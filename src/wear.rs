@@ -33,6 +33,9 @@ use crate::friction::Springs;
 use crate::surface::{Contact, Nodes, Surface};
 use std::f64::consts::PI;
 
+/// Largest share of work at hand of which the wear without a place may go along with it.
+pub(crate) const PLACED_WITH: f64 = 0.25;
+
 /// Constants that the update needs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Constants {
@@ -76,7 +79,7 @@ pub(crate) struct Pending {
     pub(crate) slip_path: Vec<f64>,
     /// Work of friction of the same history, from the springs, J.
     pub(crate) work: f64,
-    /// Work that found no field yet to go to, J.
+    /// Work whose wear has found no place on the profile yet, J; below 0 where the profile has worn by more.
     pub(crate) unplaced: f64,
     /// Work per area whose sign would have healed the surface, integrated, J.
     pub(crate) clipped: f64,
@@ -118,7 +121,7 @@ impl Pending {
         self.clipped += nodes.volume(&healing);
         let gain: Vec<f64> = product.iter().zip(&healing).map(|(p, h)| p + h).collect();
         let found = nodes.integral_to_edge(&gain, contact.radius);
-        let placed = work + std::mem::take(&mut self.unplaced);
+        let placed = work + self.take_unplaced(work);
         let share = if found > 0.0 { (placed / found).clamp(1.0 / most_share, most_share) } else { 0.0 };
         for i in 0..count {
             let gain = share * gain[i];
@@ -138,6 +141,23 @@ impl Pending {
             *self = self.scaled(1.0 + work / self.work);
             self.clipped = clipped;
         } else {
+            self.unplaced += work;
+        }
+    }
+
+    /// As much of the work without a place as may go along with some more of it: much of it at one place would dig a groove there.
+    pub(crate) fn take_unplaced(&mut self, work: f64) -> f64 {
+        let taken = self.unplaced.clamp(-PLACED_WITH * work, PLACED_WITH * work);
+        self.unplaced -= taken;
+        taken
+    }
+
+    /// Work whose wear a change of the nodes has lost, or below 0 found: depths are told at the nodes, and their volume from there.
+    pub(crate) fn owe(&mut self, work: f64) {
+        let present = self.work + self.steady.map_or(0.0, |steady| steady.work);
+        if work.abs() <= PLACED_WITH * present {
+            self.add_work(work);
+        } else if work.is_finite() {
             self.unplaced += work;
         }
     }
@@ -260,7 +280,9 @@ pub(crate) fn exceeds_limit(
         return None;
     }
     let limit = update_limit(tolerance, surface, contact, stick_radius);
-    (volume > limit && limit > 0.0).then(|| volume / limit)
+    // of a contact so small that the limit is lost to underflow, any wear is infinitely much
+    let slips = stick_radius < contact.radius && contact.depth > 0.0;
+    (volume > limit && (limit > 0.0 || slips)).then(|| volume / limit)
 }
 
 /// Area of the slipping annulus, m².

@@ -130,3 +130,16 @@ fn load_and_displacement_in_step() {
     let outcome = compare(&usual(), (240, 2), &history);
     outcome.assert_within_a_percent();
 }
+
+/// Gross slip wears a ball flat all over, then smaller and smaller strokes go on at its edge, which updates at rest know to a cell
+/// only: whatever is made of that edge decides which springs slip.
+#[test]
+fn blocks_that_shrink_from_gross_slip() {
+    let mut history = Vec::new();
+    for amplitude in [2.0, 0.9, 0.5, 0.1] {
+        history.extend((0..20).map(|n| (1.0, if n % 2 == 0 { amplitude } else { -amplitude })));
+    }
+    let outcome = compare(&usual(), (240, 60), &history);
+    // as the README says of gross slip amid strokes; the volume keeps what it says of the others
+    assert!(outcome.volume.abs() < 1e-2 && outcome.profile < 2e-2 && outcome.force < 2e-2, "{outcome:?}");
+}

@@ -24,26 +24,41 @@ impl FrettingContact {
     ) -> Result<(), Error> {
         let (work, start, updates) = (self.work, self.displacement, self.counters.profile_updates);
         let stored = self.constants.tangential_modulus * self.springs.energy_integral(start);
-        let (force, before) = (self.normal_reaction(), self.contact);
+        let (force, before, unplaced) = (self.normal_reaction(), self.contact, self.unplaced());
         change(self)?;
-        let Some(wear) = &self.wear else { return Ok(()) };
-        if self.counters.profile_updates == updates {
+        if self.wear.is_none() || self.counters.profile_updates == updates {
             return Ok(());
         }
         let force = force.max(self.normal_reaction());
         let driven = self.constants.friction_coefficient * force * (self.displacement - start).abs();
         let taken = self.work - work;
-        let disc = |contact: &Contact| annulus(contact, 0.0) * contact.depth.abs();
         let per_work = self.constants.wear_per_work;
-        let unplaced = per_work * wear.pending.unplaced;
-        let larger = disc(&before).max(disc(&self.contact));
         // what went wrong may have blown up the contact after
-        let slack = UNPLACED * if before.is_open() { larger } else { disc(&before) };
+        let slack =
+            UNPLACED * if before.is_open() { disc(&before).max(disc(&self.contact)) } else { disc(&before) };
         let bounded = per_work * taken <= (1.0 + SLACK) * per_work * (driven + stored) + slack;
-        let placed = unplaced <= UNPLACED * (self.wear_volume() + larger);
+        let placed = self.is_placed((&before, unplaced));
         if bounded && placed {
             return Ok(());
         }
         Err(Error::WearOutrun { displacement: self.displacement, from: start })
     }
+
+    /// Volume that has found no place on the profile, m³.
+    fn unplaced(&self) -> f64 {
+        let work = self.wear.as_ref().map_or(0.0, |wear| wear.pending.unplaced);
+        (self.constants.wear_per_work * work).abs()
+    }
+
+    /// Whether nearly all that has worn shows on the profile, or at least no less than before a step; the contact of then
+    /// counts, too.
+    fn is_placed(&self, (contact, unplaced): (&Contact, f64)) -> bool {
+        let now = self.unplaced();
+        now <= unplaced || now <= UNPLACED * (self.wear_volume() + disc(contact).max(disc(&self.contact)))
+    }
+}
+
+/// π a² d, m³.
+fn disc(contact: &Contact) -> f64 {
+    annulus(contact, 0.0) * contact.depth.abs()
 }

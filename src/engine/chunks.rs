@@ -49,7 +49,10 @@ impl FrettingContact {
                     return Err(refused);
                 }
                 self.work += chunk.work;
-                self.update_surface()?;
+                match self.update_surface() {
+                    Err(Error::WearOutrun { .. }) => return Err(refused),
+                    other => other?,
+                };
                 self.contact = self.contact_at(value)?;
                 left -= chunk.amount;
                 chunks += 1;

@@ -7,7 +7,7 @@
 use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Path, Springs};
-use crate::surface::Contact;
+use crate::surface::{Contact, Nodes, Surface};
 use crate::wear::{Amount, Fineness, Motion, Sliding, UnitMesh, live};
 
 /// Most cells of the moving mesh.
@@ -31,7 +31,8 @@ impl FrettingContact {
             }
         }
         self.view.take();
-        self.transaction(|this| this.run_cycles(value, amplitude, cycles))?;
+        let run = self.transaction(|this| this.run_cycles(value, amplitude, cycles));
+        run.map_err(|error| self.told_of_step(error, amplitude))?;
         self.counters.steps += 1;
         Ok(())
     }
@@ -127,13 +128,16 @@ impl FrettingContact {
         };
         let per_work = self.constants.wear_per_work;
         let known = known.map(|work| work * per_work);
-        let worn = self.wear_volume() - known.unwrap_or(0.0);
+        let on_profile = |surface: &Surface| surface.worn().map_or(0.0, Nodes::worn_volume);
+        let unplaced = self.wear.as_ref().map_or(0.0, |wear| wear.pending.unplaced);
+        let worn = on_profile(&self.surface) + per_work * unplaced;
         let amount = Amount { cycles: amount, worn, known };
         let life = live(&self.surface, &motion, &amount, &self.constants, &fineness, &mut self.counters)?;
         let Some(wear) = &mut self.wear else { return Ok(0.0) };
         if let (Some(before), Some(now)) = (self.surface.worn(), life.surface.worn()) {
             wear.pending.moved_to(before.x(), now.x());
         }
+        wear.pending.unplaced = (worn + life.volume - on_profile(&life.surface)) / per_work;
         wear.next_step = Some((sliding, life.next_step));
         wear.mesh = life.mesh.or(wear.mesh.take());
         wear.transform_defect += life.defect / per_work;

@@ -4,7 +4,7 @@ use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Path, Springs};
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{self, Edge, NodeTransforms, Pending, Segment, Sliding, Steady};
+use crate::wear::{self, Edge, Pending, Segment, Sliding, Steady};
 
 /// Largest change of load, relative to the larger one, over which the friction work of a spring takes the mean of its
 /// bound and one pair of transforms serves; the error is of second order in it.
@@ -13,6 +13,9 @@ const LOAD_SHARE: f64 = 0.05;
 /// How much more than the limit between two updates may wear in one stroke before the profile follows within it. At a
 /// reversal an update is far more exact, since the stroke can be told for half a cycle there.
 pub(super) const STROKE: f64 = 20.0;
+
+/// Most by which the depth of an update is scaled up to the volume that its work wears.
+const MOST_SCALE: f64 = 1.5;
 
 /// Most pieces into which wear may split a line.
 const MOST_PIECES: f64 = 512.0;
@@ -40,15 +43,27 @@ impl FrettingContact {
             return Ok(());
         }
         let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
-        if self.pieces(&line) == 1 {
-            self.walk(value, displacement, 1)?;
+        let walked = if self.pieces(&line) == 1 {
+            self.walk(value, displacement, 1)
         } else {
             // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
             self.solve_contact(value)?;
-            self.transaction(|this| this.walk_line(&line))?;
-        }
+            self.transaction(|this| this.walk_line(&line))
+        };
+        walked.map_err(|error| self.told_of_step(error, displacement))?;
         self.counters.steps += 1;
         Ok(())
+    }
+
+    /// An error with the step that the caller asked for in the place of a piece of it.
+    pub(super) fn told_of_step(&self, error: Error, displacement: f64) -> Error {
+        match error {
+            // cycles have a finite amplitude: this was a slide
+            Error::TooMuchWear { amplitude: f64::INFINITY, .. } | Error::WearOutrun { .. } => {
+                Error::WearOutrun { from: self.displacement, displacement }
+            }
+            other => other,
+        }
     }
 
     /// Walks a line in pieces, cut where the bodies touch or part.
@@ -179,7 +194,9 @@ impl FrettingContact {
                 (1..=pieces).try_for_each(|k| {
                     let (value, displacement) = line.at(k, pieces);
                     this.walk(value, displacement, splits - 1)
-                })
+                })?;
+                // the last piece is worn off later: a profile that cannot follow it is refused now
+                this.look()
             });
         }
         let start = wear.segment.contact.unwrap_or(to);
@@ -456,6 +473,7 @@ impl FrettingContact {
             wear.segment.unslipped = wear.segment.unslipped.moved_to(&old, &self.surface);
             if let (Some(before), Some(now)) = (old.worn(), self.surface.worn()) {
                 wear.pending.moved_to(before.x(), now.x());
+                wear.pending.owe((before.worn_volume() - now.worn_volume()) / self.constants.wear_per_work);
             }
         }
     }
@@ -512,7 +530,12 @@ impl FrettingContact {
         let share = wear::THINNING * self.parameters.tolerance;
         if let Some(thinned) = nodes.thinned(share, contact.radius, self.surface.profile()) {
             wear.pending.moved_to(nodes.x(), thinned.x());
+            wear.pending.owe((nodes.worn_volume() - thinned.worn_volume()) / self.constants.wear_per_work);
             self.surface.set_worn(Some(thinned));
+        } else {
+            // of a mesh the volume is told from the image, after the update from the depths
+            let told_anew = nodes.volume(nodes.depth());
+            wear.pending.owe((nodes.worn_volume() - told_anew) / self.constants.wear_per_work);
         }
     }
 
@@ -542,7 +565,7 @@ impl FrettingContact {
     }
 
     /// Image of the wear and depth at the nodes with what is pending taken off; `None` if nothing is.
-    pub(super) fn pending_image(&mut self) -> Result<Option<Worn>, Error> {
+    fn pending_image(&mut self) -> Result<Option<Worn>, Error> {
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(None) };
         if wear.pending.is_empty() {
             return Ok(None);
@@ -558,14 +581,19 @@ impl FrettingContact {
         )?;
         self.counters.descent_transforms += update.iterations;
         self.counters.pressure_transforms += update.iterations;
+        if !update.followed {
+            return Err(Error::WearOutrun { from: wear.segment.start, displacement: self.displacement });
+        }
         let mut depth = update.depth;
+        let mut change = transforms.ascend(&depth);
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape and takes that volume
         let volume = nodes.volume(&depth);
         let target = self.constants.wear_per_work * wear.pending.work;
-        let scale = if volume > 0.0 { target / volume } else { 1.0 };
-        depth.iter_mut().for_each(|w| *w *= scale);
-        let total = nodes.depth().iter().zip(&depth).map(|(old, new)| old + new).collect();
-        Ok(Some((add_depth(nodes, &transforms, &depth), total)))
+        let scale = if volume > 0.0 { (target / volume).min(MOST_SCALE) } else { 0.0 };
+        wear.pending.unplaced += (target - scale * volume) / self.constants.wear_per_work;
+        depth.iter_mut().chain(&mut change).for_each(|value| *value *= scale);
+        let sum = |old: &[f64], new: &[f64]| old.iter().zip(new).map(|(old, new)| old + new).collect();
+        Ok(Some((sum(nodes.worn_image(), &change), sum(nodes.depth(), &depth))))
     }
 
     /// Contact of the present surface at another value of the control.
@@ -577,12 +605,6 @@ impl FrettingContact {
     pub(super) fn solve_contact(&self, value: f64) -> Result<Contact, Error> {
         self.surface.contact(self.parameters.normal_control, value, self.force_scale())
     }
-}
-
-/// Image after `depth` (m, at the nodes) has been worn off.
-fn add_depth(nodes: &Nodes, transforms: &NodeTransforms, depth: &[f64]) -> Vec<f64> {
-    let change = transforms.ascend(depth);
-    nodes.worn_image().iter().zip(change).map(|(h, dh)| h + dh).collect()
 }
 
 /// Image of the wear and depth at the nodes, m.

@@ -1,6 +1,7 @@
 //! What can be read from a contact. Scalars come from the knots; fields are computed when asked for.
 
 use super::{FrettingContact, SlipState};
+use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, Nodes};
 use crate::transform;
@@ -128,15 +129,21 @@ impl FrettingContact {
     /// The profile with what is pending taken off.
     pub(super) fn view(&self) -> Option<&Nodes> {
         self.wear.as_ref()?;
+        // where it cannot be taken off, that of the last update is the best there is
+        if self.look().is_err() { self.surface.worn() } else { self.view.get() }
+    }
+
+    /// Makes the profile with what is pending taken off, unless it is there already.
+    pub(super) fn look(&self) -> Result<(), Error> {
         if self.view.get().is_none() {
             let mut copy = self.clone();
-            // the depth that the next update would leave
-            copy.settle().ok()?;
-            let nodes = copy.surface.worn()?.clone();
-            // a race is impossible: the cell belongs to this thread
-            let _ = self.view.set(nodes);
+            copy.settle()?;
+            if let Some(nodes) = copy.surface.worn() {
+                // a race is impossible: the cell belongs to this thread
+                let _ = self.view.set(nodes.clone());
+            }
         }
-        self.view.get()
+        Ok(())
     }
 
     /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn cone or flat.

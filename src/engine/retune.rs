@@ -52,6 +52,7 @@ impl FrettingContact {
         self.transaction(|this| {
             this.settle()?;
             this.former = FormerWear { volume: this.wear_volume(), work: this.work };
+            let former_wear_per_work = this.constants.wear_per_work;
             this.parameters = Arc::new(new);
             (this.constants, this.bound_slope) = (constants, bound_slope);
             let contact = this.contact;
@@ -64,6 +65,8 @@ impl FrettingContact {
             this.springs = springs;
             this.work += work;
             if let Some(wear) = &mut this.wear {
+                // a volume, told as the work that wears it
+                wear.pending.unplaced *= former_wear_per_work / constants.wear_per_work;
                 wear.pending.unplaced += work;
                 wear.rhythm = None;
                 wear.next_step = None;

@@ -151,7 +151,7 @@ impl FrettingContact {
             self.update_under_segment()?;
         }
         if let Some(wear) = &mut self.wear {
-            let work = segment.work + std::mem::take(&mut wear.pending.unplaced);
+            let work = segment.work + wear.pending.take_unplaced(segment.work);
             match &mut wear.pending.steady {
                 Some(steady) => {
                     steady.amount += segment.amount;

@@ -2,7 +2,7 @@
 
 use super::FrettingContact;
 use crate::error::Error;
-use crate::wear::{Segment, Sliding, Steady};
+use crate::wear::{PLACED_WITH, Segment, Sliding, Steady};
 use std::mem::{replace, swap, take};
 
 impl FrettingContact {
@@ -45,7 +45,8 @@ impl FrettingContact {
             matches!((before.sliding, steady.sliding), (Sliding::Cycles(a), Sliding::Cycles(b)) if a == b);
         let unplaced = wear.pending.unplaced;
         let work = before.work + (steady.work + unplaced);
-        if !alike || wear.pending.work > 0.0 || per_work * (work + steady.work) > limit {
+        let few = unplaced.abs() <= PLACED_WITH * steady.work;
+        if !alike || !few || wear.pending.work > 0.0 || per_work * (work + steady.work) > limit {
             return None;
         }
         let amount = before.amount + steady.amount;

@@ -3,7 +3,7 @@
 use super::Contact;
 use crate::profile::Profile;
 use crate::transform;
-use crate::wear::{Region, depth_volume};
+use crate::wear::{NodeTransforms, Region, depth_volume};
 use serde::{Deserialize, Serialize};
 
 /// Nodes 0 = x₀ < x₁ < … with the image h of the wear at each, linear in X = x² between them; behind the last node,
@@ -73,25 +73,30 @@ fn thin_unless(
     near: impl Fn(usize, usize) -> bool,
     may_be: impl Fn(usize, usize) -> bool,
 ) -> Vec<usize> {
-    let least = share * image.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
+    let meets = met_by_lines(x, image, share);
     let mut kept = vec![0];
     let (mut anchor, last) = (0, x.len() - 1);
     while anchor < last {
-        let meets = |end: usize| {
-            let slope = (image[end] - image[anchor]) / ((x[end] - x[anchor]) * (x[end] + x[anchor]));
-            (anchor + 1..end).all(|k| {
-                let line = image[anchor] + slope * (x[k] - x[anchor]) * (x[k] + x[anchor]);
-                (line - image[k]).abs() <= least
-            })
-        };
         let mut end = anchor + 1;
-        while end < last && (near(anchor, end) || (may_be(anchor, end + 1) && meets(end + 1))) {
+        while end < last && (near(anchor, end) || (may_be(anchor, end + 1) && meets(anchor, end + 1))) {
             end += 1;
         }
         kept.push(end);
         anchor = end;
     }
     kept
+}
+
+/// Whether the line (in x²) between two nodes meets a field at all between them within a share of its largest value.
+fn met_by_lines(x: &[f64], field: &[f64], share: f64) -> impl Fn(usize, usize) -> bool {
+    let least = share * field.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
+    move |anchor, end| {
+        let slope = (field[end] - field[anchor]) / ((x[end] - x[anchor]) * (x[end] + x[anchor]));
+        (anchor + 1..end).all(|k| {
+            let line = field[anchor] + slope * (x[k] - x[anchor]) * (x[k] + x[anchor]);
+            (line - field[k]).abs() <= least
+        })
+    }
 }
 
 /// Slope at the node between two cells, each given by its width and secant, of a cubic that is monotone where the data are
@@ -173,29 +178,26 @@ impl Nodes {
         Self { x, worn_image, depth, whole, worn_load, square, resolution, mesh, remains: None }
     }
 
-    /// Adds a small volume (m³) to the wear outside a radius, in proportion to what is there.
-    pub(crate) fn add_volume_beyond(&mut self, radius: f64, volume: f64, profile: &Profile) {
-        let start = self.x.partition_point(|x| *x <= radius);
-        let mut outside = self.depth.clone();
-        outside[..start].fill(0.0);
-        let share = volume / self.volume(&outside);
-        if share.is_finite() && share.abs() < 0.1 {
-            self.worn_image[start..].iter_mut().for_each(|h| *h *= 1.0 + share);
-            self.depth[start..].iter_mut().for_each(|w| *w *= 1.0 + share);
-            self.update_integrals(profile);
-        }
-    }
-
-    /// These nodes with the wear of others on top. Nodes that the line between others meets within a share of the largest image are left out.
+    /// These nodes with the wear of others on top. Nodes at which the line between others meets image and depth within a share of
+    /// their largest values are left out: the volume is told from the depths.
     pub(crate) fn with(&self, others: &Self, share: f64, profile: &Profile) -> Self {
         let mut x: Vec<f64> = self.x.iter().chain(&others.x).copied().collect();
         x.sort_by(f64::total_cmp);
         x.dedup_by(|b, a| *b - *a <= 1e-13 * *a);
         let worn_image: Vec<f64> = x.iter().map(|x| self.worn_part(*x).0 + others.worn_part(*x).0).collect();
-        let kept = kept_nodes(&x, &worn_image, share, false);
-        let x: Vec<f64> = kept.iter().map(|&k| x[k]).collect();
-        let worn_image: Vec<f64> = kept.iter().map(|&k| worn_image[k]).collect();
-        let depth = x.iter().map(|x| self.depth_at(*x) + others.depth_at(*x)).collect();
+        let transforms = NodeTransforms::new(&x);
+        let descended = |nodes: &Self| {
+            let image: Vec<f64> = x.iter().map(|x| nodes.worn_part(*x).0).collect();
+            let end = nodes.x[nodes.last()];
+            // behind its last node nothing of a surface has worn, where lines cannot follow its image exactly
+            let depth = transforms.descend(&image).into_iter().zip(&x);
+            depth.map(|(w, x)| if *x < end { w.max(0.0) } else { 0.0 }).collect::<Vec<f64>>()
+        };
+        let depth: Vec<f64> =
+            descended(self).iter().zip(descended(others)).map(|(base, top)| base + top).collect();
+        let kept = thin_unless(&x, &worn_image, share, |_, _| false, met_by_lines(&x, &depth, share));
+        let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect::<Vec<f64>>();
+        let (x, worn_image, depth) = (pick(&x), pick(&worn_image), pick(&depth));
         let mut nodes = Self::holding(x, worn_image, depth, self.resolution, None);
         nodes.update_integrals(profile);
         nodes

@@ -28,7 +28,20 @@ const THINNEST: f64 = 1e-5;
 
 /// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an update of a profile that wears very
 /// fast leaves there by an inexact contact edge.
-const FAINT: f64 = 1e-3;
+const FAINT: f64 = 1e-2;
+
+/// How far the contact edge may move where a mesh is laid over a surface at rest, on which it is known to a cell: in cells of an even
+/// mesh over the contact.
+const EDGE_CELLS: f64 = 1.0;
+
+/// And in shares of the slipping region.
+const EDGE_SHARE: f64 = 0.2;
+
+/// Share of the worn volume that laying a mesh may miss: its depths are then raised to it.
+const MISSING: f64 = 0.05;
+
+/// And of what the mesh carries of it; in a thin annulus, whose image may be below 0, a small part of the whole is more than that.
+const MISSING_OF_OWN: f64 = 0.09;
 
 /// Most corrections of the volume: the second takes what the first leaves by the difference between the integrals of mesh and nodes.
 const CORRECTIONS: usize = 2;
@@ -67,7 +80,7 @@ pub(crate) struct Life {
 pub(crate) struct Amount {
     /// Cycles, or metres where it slides onward.
     pub(crate) cycles: f64,
-    /// Volume worn so far by the work of friction, m³.
+    /// Volume worn so far, m³: that of the profile, and what has found no place on it yet.
     pub(crate) worn: f64,
     /// Volume that the motion wears, m³, where the springs on the surface of before have told it already.
     pub(crate) known: Option<f64>,
@@ -228,8 +241,12 @@ fn over(
             let volume = nodes.worn_volume();
             if let Some((patch, state)) = laid
                 && patch.rate(&state.depth, state.area).is_some_and(|rate| {
-                    (patch.volume(&rate) - volume).abs() <= 0.05 * volume
-                        && (state.area - a * a).abs() <= 3e-4 * patch.span(state.area)
+                    let missing = (patch.volume(&rate) - volume).abs();
+                    let off = (state.area - a * a).abs();
+                    missing <= (MISSING * volume).min(MISSING_OF_OWN * patch.own_volume(&rate))
+                        && off
+                            <= (EDGE_CELLS * 2.0 * a * a / mesh.cells as f64)
+                                .min(EDGE_SHARE * patch.span(a * a))
                 })
             {
                 return Ok(Some((patch, state)));
@@ -288,8 +305,7 @@ fn left_at_the_end(
     let mut missing = target - nodes.worn_volume();
     let defect = missing.abs();
     if patch.body.worn().is_some() {
-        // what the mesh carries may be far less than what is there
-        nodes.add_volume_beyond(patch.inner_radius, missing, patch.body.profile());
+        // what the mesh carries may be far less than what is there, and less than what is missing
         return (nodes, defect);
     }
     for _ in 0..CORRECTIONS {

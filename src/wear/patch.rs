@@ -28,7 +28,7 @@ use std::sync::Arc;
 pub(crate) const RIM: f64 = 1e-4;
 
 /// Largest share by which depths may grow for a volume to be met: what is off by more is no error of a mesh.
-const MOST_GROWTH: f64 = 0.1;
+const MOST_GROWTH: f64 = 0.5;
 
 pub(super) use linear::Linear;
 
@@ -524,9 +524,14 @@ impl Patch {
         let inside: f64 =
             self.sources.iter().map(|(x2, weight)| weight * (rate.area - x2).max(0.0).sqrt()).sum();
         // 4 ∫ h √(a² − x²) dx, of which the weights hold (2/π) ∫ h dx
+        self.own_volume(rate) + 2.0 * std::f64::consts::PI * inside
+    }
+
+    /// Worn volume that the mesh alone carries, m³.
+    pub(crate) fn own_volume(&self, rate: &Rate) -> f64 {
         let mut z = rate.image.clone();
         z.iter_mut().for_each(|z| *z *= self.span(rate.area));
-        dot(&self.mesh.volume_of_image, &z) + 2.0 * std::f64::consts::PI * inside
+        dot(&self.mesh.volume_of_image, &z)
     }
 
     /// Worn depth outside the front at the nodes, m.

@@ -197,3 +197,25 @@ fn an_update_takes_a_bounded_number_of_iterations_whatever_the_nodes() {
         }
     }
 }
+
+/// Under a held force a contact that wears much grows through many cells, and the iteration loses its edge: it is then made in
+/// parts, and says so where even those are not followed.
+#[test]
+fn an_update_under_which_the_contact_grows_far_is_followed_in_parts() {
+    let constants = Constants { force_control: true, ..constants() };
+    let volume = |path: f64| {
+        let (surface, contact, transforms) = scene(64, 0.4);
+        let contact = Contact { control: contact.load, ..contact };
+        let pending =
+            Pending { contact: Some(contact), ..pending(&surface, &contact, &transforms, 0.4, path) };
+        let update = worn_depth(&surface, &transforms, &pending, NormalControl::Force, &constants)
+            .expect("it can be solved");
+        println!("path {path}: {} systems, followed {}", update.systems, update.followed);
+        let nodes = surface.worn().expect("the scene has nodes");
+        (nodes.volume(&update.depth), update.systems, update.followed)
+    };
+    let (small, large, absurd) = (volume(1e-3), volume(0.1), volume(1e3));
+    assert!(small.2 && small.1 <= 8, "{small:?}");
+    assert!(large.2 && large.1 > 8, "{large:?}");
+    assert!(small.0 < large.0 && !absurd.2, "{small:?} {large:?} {absurd:?}");
+}

@@ -75,9 +75,11 @@ pub(crate) struct Update {
     pub(crate) systems: u64,
     /// Iterations that these took, each with two transforms.
     pub(crate) iterations: u64,
+    /// Whether the depths solve the equations of the update.
+    pub(crate) followed: bool,
 }
 
-/// Most Newton iterations of an update. The pressure is linear in the wear as long as the contact edge stays in its cell.
+/// Most Newton iterations of a part of an update. The pressure is linear in the wear as long as the contact edge stays in its cell.
 const MOST_NEWTON: u64 = 8;
 
 /// What an iteration leaves of the residual, the next one takes up.
@@ -86,13 +88,20 @@ const REDUCTION: f64 = 1e-2;
 /// Residual, as a share of the first, at which an update is done: far below the error of one implicit step.
 const ACCURACY: f64 = 1e-4;
 
+/// Residual at which it may be left: where the contact edge goes to and fro between two nodes, it falls no further.
+const LEFT: f64 = 0.1;
+
+/// Least part in which an update is made, where its residual does not fall that far in one.
+const LEAST_PART: f64 = 1.0 / 256.0;
+
 /// Most iterations of a linear system.
 const MOST_KRYLOV: usize = 200;
 
 /// Worn depth that a pending history brings, with the pressure and the contact edge taken at the end of the update.
 ///
 /// Solves Δw = (k/σ₀) A + κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with the wear: were it held, a
-/// whole update's wear would end at it like a square root, and its image would have a logarithmic dip there.
+/// whole update's wear would end at it like a square root, and its image would have a logarithmic dip there. Where it moves so far
+/// that the iteration loses it, the update is made in parts, halved until they are followed.
 ///
 /// # Errors
 /// Those of the normal contact; [`Error::NotFinite`] if the system cannot be solved.
@@ -103,80 +112,144 @@ pub(crate) fn worn_depth(
     control: NormalControl,
     constants: &Constants,
 ) -> Result<Update, Error> {
-    let mut update = Update { depth: Vec::new(), systems: 0, iterations: 0 };
+    let mut update = Update { depth: Vec::new(), systems: 0, iterations: 0, followed: true };
     let Some(nodes) = surface.worn() else { return Ok(update) };
-    update.depth = vec![0.0; nodes.x().len()];
+    let count = nodes.x().len();
+    update.depth = vec![0.0; count];
     // nodes may have been added outside since the history was gathered: nothing has slipped there
     let mut pending = pending.clone();
-    pending.work_per_area.resize(nodes.x().len(), 0.0);
-    pending.slip_path.resize(nodes.x().len(), 0.0);
-    let pending = &pending;
+    pending.work_per_area.resize(count, 0.0);
+    pending.slip_path.resize(count, 0.0);
     let Some(first) = pending.slip_path.iter().position(|s| *s > 0.0) else { return Ok(update) };
-    let Some(present) = &pending.contact else { return Ok(update) };
+    let Some(present) = pending.contact else { return Ok(update) };
     let profile = surface.profile();
-    let unworn: Vec<f64> = nodes.x().iter().map(|&x| profile.image(x)).collect();
-    let pressure = |contact: &Contact, worn: &[f64]| {
-        let edge = Edge::new(nodes, contact, profile.outer_radius());
-        let load: Vec<f64> = (0..=edge.last)
-            .map(|i| constants.normal_modulus * (contact.depth - unworn[i] - worn[i]).max(0.0))
-            .collect();
-        (pressure_nodes(transforms, nodes.x(), &load, &edge), edge)
+    let unworn = nodes.x().iter().map(|&x| profile.image(x)).collect();
+    let mut solver = Solver {
+        surface,
+        nodes,
+        transforms,
+        control,
+        constants,
+        first,
+        present,
+        unworn,
+        reference: Vec::new(),
     };
-    let (reference, _) = pressure(present, nodes.worn_image());
-    let kappa = constants.wear_per_work * constants.friction_coefficient;
-    let mut trial = surface.clone();
-    let mut contact = *present;
-    let mut change = vec![0.0; nodes.x().len()];
-    let mut start = 0.0;
-    while update.systems < MOST_NEWTON {
-        let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
-        let (now, edge) = pressure(&contact, &worn);
-        // a trial that wears so much that the contact opens has no pressure to go on with
-        if contact.is_open() || first > edge.last {
-            break;
+    (solver.reference, _) = solver.pressure(&present, nodes.worn_image());
+    let (mut done, mut part) = (0.0, 1.0);
+    while done < 1.0 {
+        let trial = solver.part(&pending.scaled(part), &mut update)?;
+        if trial.residual > LEFT && part > LEAST_PART {
+            part *= 0.5;
+            continue;
         }
-        let residual: Vec<f64> = (first..=edge.last)
-            .map(|i| {
-                let before = reference.get(i).copied().unwrap_or(0.0);
-                constants.wear_per_work * pending.work_per_area[i]
-                    + kappa * pending.slip_path[i] * (now[i] - before)
-                    - update.depth[i]
-            })
-            .collect();
-        let size = dot(&residual, &residual).sqrt();
-        if update.systems == 0 {
-            start = size;
-        }
-        if size <= ACCURACY * start {
-            break;
-        }
-        let system = System::new(nodes.x(), transforms, pending, first, edge, constants);
-        let levels = system.levels();
-        let solved =
-            krylov::solve(|x| system.apply(x), |r| levels.relax(r), &residual, (REDUCTION, MOST_KRYLOV));
-        let Some((correction, iterations)) = solved else { return Err(not_finite(present)) };
-        update.systems += 1;
-        update.iterations += iterations;
-        if correction.iter().any(|w| !w.is_finite()) {
-            return Err(not_finite(present));
-        }
-        for (row, w) in correction.iter().enumerate() {
-            update.depth[first + row] += w;
-        }
-        for i in edge.last + 1..update.depth.len() {
-            update.depth[i] = constants.wear_per_work * pending.work_per_area[i];
-        }
-        change = transforms.ascend(&update.depth);
-        let mut moved = nodes.clone();
-        let image = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
-        moved.set_worn(image, nodes.depth().to_vec(), profile);
-        trial.set_worn(Some(moved));
-        contact = trial.contact(control, present.control, 2.0 * constants.normal_modulus)?;
+        update.followed &= trial.residual <= LEFT;
+        update.depth = trial.depth;
+        done += part;
     }
     for (w, path) in update.depth.iter_mut().zip(&pending.slip_path) {
         *w = if *path > 0.0 { w.max(0.0) } else { 0.0 };
     }
     Ok(update)
+}
+
+/// Everything an update solves with that does not change in it.
+struct Solver<'a> {
+    surface: &'a Surface,
+    nodes: &'a Nodes,
+    transforms: &'a NodeTransforms,
+    control: NormalControl,
+    constants: &'a Constants,
+    /// First node that slips.
+    first: usize,
+    /// The contact in which the history was gathered.
+    present: Contact,
+    /// Unworn image at the nodes, m.
+    unworn: Vec<f64>,
+    /// Pressure with which the history was gathered, Pa.
+    reference: Vec<f64>,
+}
+
+/// Depths at all nodes, m, and what their residual is of the first.
+struct Trial {
+    depth: Vec<f64>,
+    residual: f64,
+}
+
+impl Solver<'_> {
+    fn pressure(&self, contact: &Contact, worn: &[f64]) -> (Vec<f64>, Edge) {
+        let edge = Edge::new(self.nodes, contact, self.surface.profile().outer_radius());
+        let load: Vec<f64> = (0..=edge.last)
+            .map(|i| self.constants.normal_modulus * (contact.depth - self.unworn[i] - worn[i]).max(0.0))
+            .collect();
+        (pressure_nodes(self.transforms, self.nodes.x(), &load, &edge), edge)
+    }
+
+    /// Wears a part of the history on top of the depths so far: the best iterate of Newton's method.
+    fn part(&self, part: &Pending, update: &mut Update) -> Result<Trial, Error> {
+        let Constants { wear_per_work, friction_coefficient, normal_modulus, .. } = *self.constants;
+        let (nodes, before) = (self.nodes, update.depth.clone());
+        let mut depth = before.clone();
+        let mut best = Trial { depth: depth.clone(), residual: f64::INFINITY };
+        let mut trial = self.surface.clone();
+        let mut start = 0.0;
+        for iteration in 0..=MOST_NEWTON {
+            let change = self.transforms.ascend(&depth);
+            let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
+            let contact = if depth.iter().all(|w| *w == 0.0) {
+                self.present
+            } else {
+                let mut moved = nodes.clone();
+                moved.set_worn(worn.clone(), nodes.depth().to_vec(), self.surface.profile());
+                trial.set_worn(Some(moved));
+                trial.contact(self.control, self.present.control, 2.0 * normal_modulus)?
+            };
+            let (now, edge) = self.pressure(&contact, &worn);
+            // a trial that wears so much that the contact opens has no pressure to go on with; a body held in depth may wear free
+            if contact.is_open() || self.first > edge.last {
+                let free = iteration == 0 || !self.constants.force_control;
+                return Ok(if free { Trial { depth, residual: 0.0 } } else { best });
+            }
+            let residual: Vec<f64> = (self.first..=edge.last)
+                .map(|i| {
+                    let reference = self.reference.get(i).copied().unwrap_or(0.0);
+                    wear_per_work
+                        * (part.work_per_area[i]
+                            + friction_coefficient * part.slip_path[i] * (now[i] - reference))
+                        + before[i]
+                        - depth[i]
+                })
+                .collect();
+            let size = dot(&residual, &residual).sqrt();
+            if iteration == 0 {
+                start = size;
+            }
+            let left = if start > 0.0 { size / start } else { 0.0 };
+            if left <= best.residual {
+                best = Trial { depth: depth.clone(), residual: left };
+            }
+            if left <= ACCURACY || iteration == MOST_NEWTON {
+                break;
+            }
+            let system = System::new(nodes.x(), self.transforms, part, self.first, edge, self.constants);
+            let levels = system.levels();
+            let solved =
+                krylov::solve(|x| system.apply(x), |r| levels.relax(r), &residual, (REDUCTION, MOST_KRYLOV));
+            let Some((correction, iterations)) = solved else { return Err(not_finite(&self.present)) };
+            update.systems += 1;
+            update.iterations += iterations;
+            if correction.iter().any(|w| !w.is_finite()) {
+                return Err(not_finite(&self.present));
+            }
+            for (row, w) in correction.iter().enumerate() {
+                depth[self.first + row] += w;
+            }
+            for i in edge.last + 1..depth.len() {
+                depth[i] = before[i] + wear_per_work * part.work_per_area[i];
+            }
+        }
+        Ok(best)
+    }
 }
 
 fn not_finite(contact: &Contact) -> Error {

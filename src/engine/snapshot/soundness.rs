@@ -160,9 +160,10 @@ impl WearSnapshot {
         let contacts = [segment_contact, &pending.contact];
         fields.iter().all(sized)
             && steady
-            && [pending.work, pending.unplaced, pending.clipped, self.segment_work, self.transform_defect]
+            && [pending.work, pending.clipped, self.segment_work, self.transform_defect]
                 .iter()
                 .all(|value| amount(*value))
+            && pending.unplaced.is_finite()
             && contacts.into_iter().flatten().all(is_contact)
             && self.segment_start.is_finite()
             && is_sign(self.segment_sliding)
