@@ -1,4 +1,4 @@
-//! The contact under three masters, as the report has it: where explicit coupling ends, and that the contact's derivative takes
+//! The contact under four masters, as the report has it: where explicit coupling ends, and that the contact's derivative takes
 //! one beyond.
 
 #[path = "../examples/report/masters.rs"]

@@ -1,5 +1,5 @@
 //! The contact as a part of a stiff system: a mass m on a spring k, driven harmonically by its far end, with the contact
-//! between the mass and the ground, under three masters with a fixed step h.
+//! between the mass and the ground, under four masters with a fixed step h.
 //!
 //! m v' = k (x_d − x) − T(x), x' = v. All masters are of first order and update the velocity first, so that the position at
 //! the end of the step is what the contact is given:

@@ -27,6 +27,47 @@ const ONE: &str = "--scene";
 /// First argument for running some scenes by name.
 const ONLY: &str = "--only";
 
+/// What the scenes have found: where it was seen, its cause, and what became of it.
+const MENDED: [(&str, &str, &str); 9] = [
+    (
+        "fast wear, N0 = 5 and 1",
+        "an unsteady update was accepted after eight iterations whatever its residual: needles at the contact edge, and a call for a cycle that wore nothing",
+        "made in parts, halved until each is solved; refused where none is",
+    ),
+    (
+        "amplitude that shrinks from gross slip",
+        "a mesh was laid over a worn body only where the edge fitted to 3e-4 of the annulus, else on top of it, along the old edge: V 6 % off against an explicit row of springs",
+        "laid with an edge known to a cell, its depths raised to the volume",
+    ),
+    (
+        "the same, thin annuli",
+        "the depths were scaled where their image is below 0, which took volume away instead of adding it",
+        "what is missing is carried to the next wear",
+    ),
+    (
+        "most scenes with varying loads",
+        "thinned and inserted nodes changed the volume of the profile",
+        "what they change is booked, and placed with the next wear",
+    ),
+    ("one step wears more than d0", "an update that could place nothing lost its wear silently", "refused"),
+    (
+        "E = 1e300 Pa",
+        "the room for wear, a² d, is below the least double, and no limit was taken from that",
+        "any wear is too much for it: refused",
+    ),
+    (
+        "table rough by 0.1",
+        "waves of a few points were looked for at a thousandth of the contact radius: not seen, and run for 10 s",
+        "the next point of the table tells: refused at the first press",
+    ),
+    ("tolerance 1e-6", "depths of merged nodes were summed one by one, O(n²)", "one transform, O(n)"),
+    (
+        "refusals",
+        "the message named a piece of the step, or a slide as cycles of infinite amplitude",
+        "it names the step that was asked for",
+    ),
+];
+
 enum Outcome {
     Passed,
     Refused(String),
@@ -264,6 +305,10 @@ fn page(lines: &[Line], coupling: &coupling::Coupling) -> String {
     for line in sorted {
         text += &row(line);
         text.push('\n');
+    }
+    text += "\n## What had to be mended on the way\n\n| seen in | cause | now |\n| --- | --- | --- |\n";
+    for (seen, cause, now) in MENDED {
+        let _ = writeln!(text, "| {seen} | {cause} | {now} |");
     }
     let _ = writeln!(text, "\n{}{}", coupling.section(), machine::provenance());
     text
