@@ -219,3 +219,16 @@ fn an_image_that_falls_is_refused_where_it_matters_and_only_there() {
     assert_eq!(state(&contact), before);
     to(&mut contact, 105.0, 0.5e-6);
 }
+
+/// Where the mean pressure overflows nothing that follows from it is a number.
+#[test]
+fn a_pressure_beyond_all_numbers_is_refused() {
+    let parameters = Parameters {
+        profile: Profile::FlatPunch { flat_radius: 1e-282 },
+        wear_coefficient: 0.0,
+        ..Parameters::default()
+    };
+    let mut contact = FrettingContact::new(parameters).unwrap();
+    let refusal = contact.start_at(100.0, 0.0).unwrap_err();
+    assert!(matches!(refusal, Error::NotFinite { .. }), "{refusal}");
+}

@@ -166,7 +166,13 @@ impl FrettingContact {
         let (springs, half_work) = self.springs.walk(&path, spare);
         let work = 2.0 * self.constants.tangential_modulus * half_work;
         let force = to.load * self.force_scale();
-        if !(work.is_finite() && to.depth.is_finite() && to.radius.is_finite() && force.is_finite()) {
+        let pressure = if to.is_open() { 0.0 } else { force / to.radius / to.radius };
+        if !(pressure.is_finite()
+            && work.is_finite()
+            && to.depth.is_finite()
+            && to.radius.is_finite()
+            && force.is_finite())
+        {
             let normal = if self.constants.force_control { value * self.force_scale() } else { value };
             return Err(Error::NotFinite { what: "the state of the contact", normal, displacement });
         }
