@@ -1,0 +1,225 @@
+//! Where nodes lie: laid around a contact, left by a moving mesh, put together, refined and thinned.
+
+use super::thinning::{met_by_lines, thin_unless};
+use super::{MeshPlace, Nodes};
+use crate::profile::Profile;
+use crate::transform;
+use crate::wear::NodeTransforms;
+
+/// Nodes kept ready outside the contact, into which it may grow within one update.
+const SPARE: usize = 6;
+
+impl Nodes {
+    /// Unworn nodes for a contact of radius `a` whose slip reaches inward to `front`. All cells go to the slipping
+    /// annulus (where nothing slips there is no wear to resolve), with nodes at the rim of a flat tip and at the
+    /// front, and cells that shrink towards the front from outside.
+    pub(crate) fn around(profile: &Profile, resolution: usize, a: f64, front: f64) -> Self {
+        let mut nodes = Self {
+            x: vec![0.0, a],
+            worn_image: vec![0.0; 2],
+            depth: vec![0.0; 2],
+            whole: Vec::new(),
+            worn_load: vec![0.0; 2],
+            square: Vec::new(),
+            resolution,
+            mesh: None,
+            remains: None,
+        };
+        let flat = profile.flat_radius();
+        let start = if front < a { front } else { 0.0 };
+        for k in 0..resolution {
+            nodes.insert(start + (a - start) * k as f64 / resolution as f64);
+        }
+        nodes.insert(flat);
+        nodes.refine_at(front);
+        if a >= profile.outer_radius() {
+            // the pressure ends in a singularity there until the rim has worn
+            let width = (a - start) / resolution as f64;
+            for level in 1..=8 {
+                nodes.insert(a - width * 0.25f64.powi(level));
+            }
+        }
+        nodes.extend_beyond(a, profile.outer_radius());
+        nodes.update_integrals(profile);
+        nodes
+    }
+
+    /// Nodes left by a moving mesh: radii, image of the wear and depth, m, with the mesh's place among them. Nodes beyond
+    /// the mesh keep their depth; their image is that which belongs to it.
+    pub(crate) fn assembled(
+        profile: &Profile,
+        resolution: usize,
+        (x, worn_image, depth): (Vec<f64>, Vec<f64>, Vec<f64>),
+        mesh: MeshPlace,
+    ) -> Self {
+        let end = mesh.first + mesh.cells;
+        let mut nodes = Self::holding(x, worn_image, depth, resolution, Some(mesh));
+        nodes.extend_beyond(nodes.x[end], profile.outer_radius());
+        for k in end + 1..nodes.x.len() {
+            nodes.worn_image[k] =
+                transform::ascend_last(&nodes.x[..=k], &nodes.worn_image[..=k], nodes.depth[k]);
+        }
+        nodes.update_integrals(profile);
+        nodes
+    }
+
+    /// Nodes with what they carry; the integrals are still to be made.
+    fn holding(
+        x: Vec<f64>,
+        worn_image: Vec<f64>,
+        depth: Vec<f64>,
+        resolution: usize,
+        mesh: Option<MeshPlace>,
+    ) -> Self {
+        let worn_load = vec![f64::NAN; x.len()];
+        let (whole, square) = (Vec::new(), Vec::new());
+        Self { x, worn_image, depth, whole, worn_load, square, resolution, mesh, remains: None }
+    }
+
+    /// These nodes with the wear of others on top. Nodes at which the line between others meets image and depth within a share of
+    /// their largest values are left out: the volume is told from the depths.
+    pub(crate) fn with(&self, others: &Self, share: f64, profile: &Profile) -> Self {
+        let mut x: Vec<f64> = self.x.iter().chain(&others.x).copied().collect();
+        x.sort_by(f64::total_cmp);
+        x.dedup_by(|b, a| *b - *a <= 1e-13 * *a);
+        let worn_image: Vec<f64> = x.iter().map(|x| self.worn_part(*x).0 + others.worn_part(*x).0).collect();
+        let transforms = NodeTransforms::new(&x);
+        let descended = |nodes: &Self| {
+            let image: Vec<f64> = x.iter().map(|x| nodes.worn_part(*x).0).collect();
+            let end = nodes.x[nodes.last()];
+            // behind its last node nothing of a surface has worn, where lines cannot follow its image exactly
+            let depth = transforms.descend(&image).into_iter().zip(&x);
+            depth.map(|(w, x)| if *x < end { w.max(0.0) } else { 0.0 }).collect::<Vec<f64>>()
+        };
+        let depth: Vec<f64> =
+            descended(self).iter().zip(descended(others)).map(|(base, top)| base + top).collect();
+        let kept = thin_unless(&x, &worn_image, share, |_, _| false, met_by_lines(&x, &depth, share));
+        let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect::<Vec<f64>>();
+        let (x, worn_image, depth) = (pick(&x), pick(&worn_image), pick(&depth));
+        let mut nodes = Self::holding(x, worn_image, depth, self.resolution, None);
+        nodes.update_integrals(profile);
+        nodes
+    }
+
+    /// Adapts the nodes to a contact of radius `a` whose slip has reached inward to `front`: extends them beyond a,
+    /// halves cells of the slipping annulus that are too wide, puts a node at the front. h does not change by that.
+    pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, front: f64) {
+        let before = self.x.len();
+        self.extend_beyond(a, profile.outer_radius());
+        if self.wants_node_at(front, a) {
+            self.insert(front);
+        }
+        let start = if front < a { front } else { 0.0 };
+        self.refine_between(start, a, 1.5 * a / self.resolution as f64);
+        if self.x.len() != before {
+            self.update_integrals(profile);
+        }
+    }
+
+    /// These nodes, for a contact of radius `a`, without those that a line (in x²) between others meets within `share` of the
+    /// largest image, as long as no cell becomes wider than an even one; `None` where that would spare less than a
+    /// fifth of them. What a front needed where it no longer stands makes an update stiff.
+    ///
+    /// A mesh that has moved with the contact edge leaves narrow cells there, too. In its outer half none stays narrower than half an
+    /// even one: an implicit update takes the contact edge for one that stays in its cell or goes on to the next, and across
+    /// many narrow ones it overshoots.
+    pub(crate) fn thinned(&self, share: f64, a: f64, profile: &Profile) -> Option<Self> {
+        let width = |anchor: usize, end: usize| self.x[end] - self.x[anchor];
+        let (outer_half, least) = self.remains.or(self.remains_of_mesh()).unwrap_or((f64::INFINITY, 0.0));
+        let narrow = |anchor: usize, end: usize| self.x[anchor] >= outer_half && width(anchor, end) < least;
+        let may_be = |anchor: usize, end: usize| {
+            width(anchor, end) <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
+        };
+        let kept = thin_unless(&self.x, &self.worn_image, share, narrow, may_be);
+        if kept.len() * 5 > self.x.len() * 4 {
+            return None;
+        }
+        let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect::<Vec<f64>>();
+        let (x, worn_image, depth) = (pick(&self.x), pick(&self.worn_image), pick(&self.depth));
+        let mut nodes = Self::holding(x, worn_image, depth, self.resolution, None);
+        nodes.update_integrals(profile);
+        Some(nodes)
+    }
+
+    /// The mesh does not carry the surface any more.
+    pub(super) fn leave_mesh(&mut self) {
+        self.remains = self.remains_of_mesh().or(self.remains);
+        self.mesh = None;
+    }
+
+    /// Middle of the mesh and the width that its cells outside that should have on a surface at rest: an even one of
+    /// its own, or half an even one of the contact unless that would leave less than sixteen.
+    fn remains_of_mesh(&self) -> Option<(f64, f64)> {
+        let mesh = self.mesh?;
+        let (inner, edge) = (self.x[mesh.first], self.x[mesh.first + mesh.cells]);
+        let (span, even) = (edge - inner, edge / self.resolution as f64);
+        Some((0.5 * (inner + edge), (span / mesh.cells as f64).max((0.5 * even).min(span / 16.0))))
+    }
+
+    /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each, up to 1/resolution of
+    /// their radius.
+    fn extend_beyond(&mut self, a: f64, outer: f64) {
+        while self.x[self.last().saturating_sub(SPARE)] <= a && self.x[self.last()] < outer {
+            let end = self.x[self.last()];
+            let even = end / self.resolution as f64;
+            let width = (1.02 * (end - self.x[self.last() - 1])).min(even);
+            self.x.push((end + width).min(outer));
+            self.worn_image.push(0.0);
+            self.depth.push(0.0);
+            self.worn_load.push(f64::NAN);
+            if self.worn_image.iter().any(|h| *h != 0.0) {
+                let last = self.last();
+                self.worn_image[last] = transform::ascend_last(&self.x, &self.worn_image, 0.0);
+            }
+        }
+    }
+
+    /// Halves the cells between two radii until none is wider than `widest`.
+    fn refine_between(&mut self, start: f64, end: f64, widest: f64) {
+        let mut j = self.cell(start).unwrap_or(self.last());
+        while j < self.last() && self.x[j] < end {
+            if self.x[j + 1] - self.x[j] > widest {
+                self.insert(0.5 * (self.x[j] + self.x[j + 1]));
+            } else {
+                j += 1;
+            }
+        }
+    }
+
+    /// A front wants a node of its own unless the cell around it is already finer than half an even cell.
+    fn wants_node_at(&self, front: f64, a: f64) -> bool {
+        let Some(j) = self.cell(front) else { return false };
+        let width = self.x[j + 1] - self.x[j];
+        let off = (front - self.x[j]).min(self.x[j + 1] - front);
+        front > 0.0 && off > 1e-9 * a && width > 0.5 * a / self.resolution as f64
+    }
+
+    /// Puts a node at `front` and a fan of nodes outside it whose distances fall by four to 4⁻⁸ of a cell.
+    fn refine_at(&mut self, front: f64) {
+        let Some(j) = self.cell(front) else { return };
+        let width = self.x[j + 1] - front;
+        if front <= 0.0 || width <= 0.0 {
+            return;
+        }
+        self.insert(front);
+        for level in 1..=8 {
+            self.insert(front + width * 0.25f64.powi(level));
+        }
+    }
+
+    /// Inserts a node where the image keeps its value.
+    fn insert(&mut self, x: f64) {
+        let Some(j) = self.cell(x) else { return };
+        if x <= self.x[j] {
+            return;
+        }
+        self.leave_mesh();
+        let h = self.worn_part(x).0;
+        let depth = if self.depth.iter().all(|w| *w == 0.0) { 0.0 } else { self.depth_at(x) };
+        self.x.insert(j + 1, x);
+        self.worn_image.insert(j + 1, h);
+        self.depth.insert(j + 1, depth);
+        // keeps worn_part usable for the next insertion; update_integrals follows
+        self.worn_load.insert(j + 1, f64::NAN);
+    }
+}

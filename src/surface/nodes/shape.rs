@@ -1,0 +1,146 @@
+//! The worn profile between the nodes: image, slope, integrals and depth at any radius.
+
+use super::Nodes;
+use crate::profile::Profile;
+use crate::transform;
+
+/// Most iterations in the search for a radius; bisection alone would need 60.
+const MOST_ITERATIONS: usize = 100;
+
+/// Slope at the node between two cells, each given by its width and secant, of a cubic that is monotone where the data are
+/// (Steffen, Astron. Astrophys. 239 (1990), 443).
+fn steffen_slope((h0, before): (f64, f64), (h1, after): (f64, f64)) -> f64 {
+    let mean = (before * h1 + after * h0) / (h0 + h1);
+    (before.signum() + after.signum()) * before.abs().min(after.abs()).min(0.5 * mean.abs())
+}
+
+impl Nodes {
+    /// Worn depth at a radius, m.
+    pub(crate) fn depth_at(&self, r: f64) -> f64 {
+        if r >= self.x[self.last()] {
+            0.0
+        } else {
+            transform::descent_at(&self.x, &self.worn_image, r).max(0.0)
+        }
+    }
+
+    /// Cell that holds x, or `None` behind the last node.
+    pub(super) fn cell(&self, x: f64) -> Option<usize> {
+        let above = self.x.partition_point(|&node| node <= x);
+        (above < self.x.len()).then(|| above - 1)
+    }
+
+    /// Radius between two others at which the whole image takes a value, where a cell between nodes holds it and it rises there:
+    /// Newton's method, kept inside the cell by bisection, from the line in X between the nodes, which for a sphere is the
+    /// image itself.
+    pub(crate) fn radius_of_image(&self, profile: &Profile, image: f64, low: f64, high: f64) -> Option<f64> {
+        let start = self.x.partition_point(|x| *x <= low);
+        let end = self.x.partition_point(|x| *x < high);
+        if self.whole.len() != self.x.len() || start == 0 || start > end {
+            return None;
+        }
+        let above = start + self.whole[start..end].partition_point(|g| *g <= image);
+        let (x1, g1) = (*self.x.get(above)?, self.whole[above]);
+        let j = above - 1;
+        let (x0, g0, slope) = (self.x[j], self.whole[j], self.slope(j));
+        // written so that it also refuses what is no number
+        if !(g0 <= image && image <= g1 && g0 < g1) {
+            return None;
+        }
+        let mut x = (x0 * x0 + (image - g0) / (g1 - g0) * (x1 - x0) * (x1 + x0)).sqrt().clamp(x0, x1);
+        let (mut least, mut most) = (x0, x1);
+        for _ in 0..MOST_ITERATIONS {
+            let excess = profile.image(x) + self.worn_image[j] + slope * (x - x0) * (x + x0) - image;
+            // where the image is flat, rounding ends the search before the last digits of x
+            if excess.abs() <= 2.0 * f64::EPSILON * image.abs() {
+                break;
+            }
+            if excess > 0.0 {
+                most = x;
+            } else {
+                least = x;
+            }
+            let newton = x - excess / (profile.image_slope(x) + 2.0 * x * slope);
+            let next = if newton > least && newton < most { newton } else { 0.5 * (least + most) };
+            let change = (next - x).abs();
+            x = next;
+            if change <= 2.0 * f64::EPSILON * x {
+                break;
+            }
+        }
+        Some(x.max(low).min(high))
+    }
+
+    /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
+    pub(crate) fn worn_part(&self, x: f64) -> (f64, f64) {
+        self.worn_part_in(self.cell(x), x)
+    }
+
+    /// These and ∫₀ˣ g² dξ of the worn image, m³.
+    pub(crate) fn parts(&self, profile: &Profile, x: f64) -> (f64, f64, f64) {
+        let cell = self.cell(x);
+        let (image, load) = self.worn_part_in(cell, x);
+        let start = cell.unwrap_or(self.last());
+        (image, load, self.square[start] + self.square_between(profile, cell, self.x[start], x))
+    }
+
+    /// Worn parts at a radius in a given cell, or behind the last node.
+    pub(super) fn worn_part_in(&self, cell: Option<usize>, x: f64) -> (f64, f64) {
+        match cell {
+            Some(j) => {
+                let (x0, slope) = (self.x[j], self.slope(j));
+                let image = self.worn_image[j] + slope * (x - x0) * (x + x0);
+                let load = self.worn_load[j] + 2.0 / 3.0 * slope * (x - x0) * (x * x + x * x0 + x0 * x0);
+                (image, load)
+            }
+            None => {
+                let (end, ratio) = (self.last(), self.x[self.last()] / x);
+                let h = self.worn_image[end];
+                (h * ratio * ratio, self.worn_load[end] - 2.0 * h * self.x[end] * (1.0 - ratio))
+            }
+        }
+    }
+
+    /// Image of the wear at x by Steffen's monotone cubic in x²: of higher order than
+    /// the line where the image is smooth, without overshoot at a jump. For taking it over to other nodes.
+    pub(crate) fn smooth_image(&self, x: f64) -> f64 {
+        let Some(j) = self.cell(x) else { return self.worn_part(x).0 };
+        let (x0, width) = (self.x[j], (self.x[j + 1] - self.x[j]) * (self.x[j + 1] + self.x[j]));
+        let slope = |k: usize| {
+            let secant = self.slope(k);
+            if k == 0 {
+                return secant;
+            }
+            let width = |k: usize| (self.x[k + 1] - self.x[k]) * (self.x[k + 1] + self.x[k]);
+            steffen_slope((width(k - 1), self.slope(k - 1)), (width(k), secant))
+        };
+        let (h0, h1, secant) = (self.worn_image[j], self.worn_image[j + 1], self.slope(j));
+        let start = slope(j);
+        let end = if j + 1 < self.last() { slope(j + 1) } else { secant };
+        let t = ((x - x0) * (x + x0) / width).clamp(0.0, 1.0);
+        let (a, b) = (start * width - (h1 - h0), (h1 - h0) - end * width);
+        (1.0 - t) * h0 + t * h1 + t * (1.0 - t) * (a * (1.0 - t) + b * t)
+    }
+
+    /// Slope h'(x).
+    pub(crate) fn worn_slope(&self, x: f64) -> f64 {
+        match self.cell(x) {
+            Some(j) => 2.0 * x * self.slope(j),
+            None => -2.0 * self.worn_image[self.last()] * (self.x[self.last()] / x).powi(2) / x,
+        }
+    }
+
+    /// dh/dX in cell j.
+    pub(super) fn slope(&self, j: usize) -> f64 {
+        let (x0, x1) = (self.x[j], self.x[j + 1]);
+        (self.worn_image[j + 1] - self.worn_image[j]) / ((x1 - x0) * (x1 + x0))
+    }
+
+    /// ∫ g² between two radii of one cell, by three-point Gauss.
+    pub(super) fn square_between(&self, profile: &Profile, cell: Option<usize>, x0: f64, x1: f64) -> f64 {
+        let (middle, half) = (0.5 * (x0 + x1), 0.5 * (x1 - x0));
+        let g2 = |x: f64| (profile.image(x) + self.worn_part_in(cell, x).0).powi(2);
+        let node = half * 0.6f64.sqrt();
+        half * (5.0 / 9.0 * (g2(middle - node) + g2(middle + node)) + 8.0 / 9.0 * g2(middle))
+    }
+}

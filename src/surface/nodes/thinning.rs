@@ -1,0 +1,51 @@
+//! Which nodes a line through others replaces.
+
+/// Share of the largest image that thinning may take at the usual tolerance.
+const USUAL_SHARE: f64 = 5e-5;
+
+/// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
+/// crowd at the end: there each lies a part of its distance from the end apart from the next, or of the radius, which falls with the
+/// root of the share, as the error of a line does with the square of its length.
+pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: bool) -> Vec<usize> {
+    let last = x.len() - 1;
+    let spread = (share / USUAL_SHARE).sqrt().min(1.0);
+    let crowded = |anchor: usize, end: usize| {
+        let close = spread * (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
+        crowd_at_end && x[end] - x[anchor] < close
+    };
+    thin_unless(x, image, share, crowded, |_, _| true)
+}
+
+/// The same, but where a cell is `near`, and never where it may not be.
+pub(super) fn thin_unless(
+    x: &[f64],
+    image: &[f64],
+    share: f64,
+    near: impl Fn(usize, usize) -> bool,
+    may_be: impl Fn(usize, usize) -> bool,
+) -> Vec<usize> {
+    let meets = met_by_lines(x, image, share);
+    let mut kept = vec![0];
+    let (mut anchor, last) = (0, x.len() - 1);
+    while anchor < last {
+        let mut end = anchor + 1;
+        while end < last && (near(anchor, end) || (may_be(anchor, end + 1) && meets(anchor, end + 1))) {
+            end += 1;
+        }
+        kept.push(end);
+        anchor = end;
+    }
+    kept
+}
+
+/// Whether the line (in x²) between two nodes meets a field at all between them within a share of its largest value.
+pub(super) fn met_by_lines(x: &[f64], field: &[f64], share: f64) -> impl Fn(usize, usize) -> bool {
+    let least = share * field.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
+    move |anchor, end| {
+        let slope = (field[end] - field[anchor]) / ((x[end] - x[anchor]) * (x[end] + x[anchor]));
+        (anchor + 1..end).all(|k| {
+            let line = field[anchor] + slope * (x[k] - x[anchor]) * (x[k] + x[anchor]);
+            (line - field[k]).abs() <= least
+        })
+    }
+}

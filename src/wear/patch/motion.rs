@@ -1,0 +1,40 @@
+//! What wears a surface: a motion that repeats, at constant load.
+
+use crate::parameters::NormalControl;
+
+/// What wears the surface: a motion that repeats, at constant load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Motion {
+    /// Which normal quantity is held.
+    pub(crate) control: NormalControl,
+    /// F_N/(2E*) in m² or the indentation depth in m.
+    pub(crate) value: f64,
+    pub(crate) sliding: Sliding,
+}
+
+/// How the body moves.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
+pub(crate) enum Sliding {
+    /// Cycles between ±U₀ (m); wear is counted in cycles.
+    Cycles(f64),
+    /// On and on in one direction, all springs slipping; wear is counted in metres of path.
+    Onward,
+}
+
+impl Sliding {
+    /// Slip σ = reach − ratio·m q, of which `strokes` make a unit.
+    pub(super) fn law(self) -> (f64, f64, f64) {
+        match self {
+            Self::Cycles(amplitude) => (amplitude, 1.0, 4.0),
+            Self::Onward => (1.0, 0.0, 1.0),
+        }
+    }
+
+    /// Largest q at which a spring slips, over 1/m.
+    pub(crate) fn amplitude(self) -> f64 {
+        match self {
+            Self::Cycles(amplitude) => amplitude,
+            Self::Onward => f64::INFINITY,
+        }
+    }
+}
