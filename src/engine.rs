@@ -9,13 +9,16 @@ mod counters;
 mod cyclic;
 mod derivatives;
 mod history;
+mod line;
 mod readout;
 mod retune;
 mod rig;
+mod segment;
 mod slide;
 mod snapshot;
 mod steady;
 mod undo;
+mod update;
 
 pub use counters::Counters;
 pub use derivatives::Gradient;

@@ -19,7 +19,7 @@
 mod cycles;
 
 use super::FrettingContact;
-use super::history::Line;
+use super::line::Line;
 use crate::error::Error;
 
 /// Most walks for one equilibrium. Newton's method takes 3 to 6; a bisection in its place would take 52.

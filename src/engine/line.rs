@@ -1,0 +1,30 @@
+//! A straight line in load and displacement.
+
+/// A straight line in (control, displacement).
+pub(super) struct Line {
+    pub(super) from: (f64, f64),
+    pub(super) to: (f64, f64),
+}
+
+impl Line {
+    /// Point k of n; the last is the end to the bit.
+    pub(super) fn at(&self, k: u32, n: u32) -> (f64, f64) {
+        if k == n {
+            return self.to;
+        }
+        let share = f64::from(k) / f64::from(n);
+        let mix = |a: f64, b: f64| if a == b { a } else { a + share * (b - a) };
+        (mix(self.from.0, self.to.0), mix(self.from.1, self.to.1))
+    }
+
+    /// The line in two where the control crosses `level`, else whole.
+    pub(super) fn split_at(&self, level: f64) -> [Option<Line>; 2] {
+        let (c0, c1) = (self.from.0 - level, self.to.0 - level);
+        if c0 * c1 >= 0.0 {
+            return [Some(Line { from: self.from, to: self.to }), None];
+        }
+        let share = c0 / (c0 - c1);
+        let middle = (level, self.from.1 + share * (self.to.1 - self.from.1));
+        [Some(Line { from: self.from, to: middle }), Some(Line { from: middle, to: self.to })]
+    }
+}
