@@ -53,6 +53,7 @@ pub(crate) fn run(
     environment: &Environment,
     names: &[String],
     effort: Effort,
+    seed: u32,
 ) -> Result<()> {
     if let Some(unknown) = names.iter().find(|name| TARGETS.iter().all(|(target, _)| target != name)) {
         bail!("`{unknown}` is not a fuzz target; there are {}", TARGETS.map(|(target, _)| target).join(", "));
@@ -77,14 +78,20 @@ pub(crate) fn run(
     let binaries = directory.join(&host).join("release");
     for (target, longest) in TARGETS {
         if names.is_empty() || names.iter().any(|name| name == target) {
-            fuzz(workspace, &binaries.join(target), target, longest, effort)?;
+            fuzz(workspace, &binaries.join(target), (target, longest), effort, seed)?;
         }
     }
     Ok(())
 }
 
 /// One target, on a copy of its corpus: what it finds on the way stays out of the checkout.
-fn fuzz(workspace: &Workspace, binary: &Path, target: &str, longest: u32, effort: Effort) -> Result<()> {
+fn fuzz(
+    workspace: &Workspace,
+    binary: &Path,
+    (target, longest): (&str, u32),
+    effort: Effort,
+    seed: u32,
+) -> Result<()> {
     let seeds = workspace.file("fuzz/corpus").join(target);
     let found = workspace.product("fuzz/corpus").join(target);
     let artifacts = workspace.product("fuzz/artifacts");
@@ -95,7 +102,7 @@ fn fuzz(workspace: &Workspace, binary: &Path, target: &str, longest: u32, effort
         let mut fuzzer = process::command(binary);
         fuzzer.env("ASAN_OPTIONS", SANITIZER).current_dir(workspace.root());
         fuzzer.args([format!("-max_len={longest}"), format!("-timeout={HANGS}"), effort.argument()]);
-        fuzzer.args(["-rss_limit_mb=4096", "-print_final_stats=1"]);
+        fuzzer.args(["-rss_limit_mb=4096", &format!("-seed={seed}")]);
         fuzzer.arg(format!("-artifact_prefix={}/{target}-", artifacts.display()));
         fuzzer.arg(&found).arg(&seeds);
         run_quietly(step, fuzzer)
@@ -134,8 +141,9 @@ mod tests {
     #[test]
     fn an_unknown_target_is_named() {
         let workspace = Workspace::of_this_program();
-        let error =
-            run(&workspace, &Vec::new(), &["call".to_owned()], Effort::Seconds(1)).unwrap_err().to_string();
+        let error = run(&workspace, &Vec::new(), &["call".to_owned()], Effort::Seconds(1), 1)
+            .unwrap_err()
+            .to_string();
         assert!(error.contains("`call`") && error.contains("calls, states, profiles"), "{error}");
     }
 

@@ -81,6 +81,9 @@ enum Task {
         /// Inputs for each target, instead of a time
         #[arg(long, conflicts_with = "seconds")]
         runs: Option<u64>,
+        /// Of the mutations; 0 for another one each time
+        #[arg(long, default_value_t = 1)]
+        seed: u32,
     },
     /// Run a C master with 10,000 instances under valgrind and AddressSanitizer
     Harden,
@@ -129,9 +132,9 @@ fn run(task: Task) -> Result<()> {
             let setup = commands::set_up(&workspace)?;
             setup.test(&setup.build(&[Platform::own()?])?)?;
         }
-        Task::Fuzz { targets, seconds, runs } => {
+        Task::Fuzz { targets, seconds, runs, seed } => {
             let effort = runs.map_or(fuzz::Effort::Seconds(seconds), fuzz::Effort::Runs);
-            fuzz::run(&workspace, &commands::set_up(&workspace)?.environment, &targets, effort)?;
+            fuzz::run(&workspace, &commands::set_up(&workspace)?.environment, &targets, effort, seed)?;
         }
         Task::Harden => harden::run(&workspace, &commands::set_up(&workspace)?.environment)?,
         Task::Lint => commands::set_up(&workspace)?.lint()?,
