@@ -88,7 +88,8 @@ const REDUCTION: f64 = 1e-2;
 /// Residual, as a share of the first, at which an update is done: far below the error of one implicit step.
 const ACCURACY: f64 = 1e-4;
 
-/// Residual at which it may be left: where the contact edge goes to and fro between two nodes, it falls no further.
+/// Residual at which it may be left: where the contact edge goes to and fro between two nodes, it falls no further. The next part
+/// takes up what is left of one.
 const LEFT: f64 = 0.1;
 
 /// Least part in which an update is made, where its residual does not fall that far in one.
@@ -136,17 +137,19 @@ pub(crate) fn worn_depth(
         reference: Vec::new(),
     };
     (solver.reference, _) = solver.pressure(&present, nodes.worn_image());
+    let whole: Vec<f64> = pending.work_per_area.iter().map(|work| constants.wear_per_work * work).collect();
     let (mut done, mut part) = (0.0, 1.0);
+    let mut left = vec![0.0; count];
     while done < 1.0 {
-        let trial = solver.part(&pending.scaled(part), &mut update)?;
+        let trial = solver.part(&pending.scaled(part), &left, &mut update)?;
         if trial.residual > LEFT && part > LEAST_PART {
             part *= 0.5;
             continue;
         }
-        update.followed &= trial.residual <= LEFT;
-        update.depth = trial.depth;
+        (update.depth, left) = (trial.depth, trial.left);
         done += part;
     }
+    update.followed = dot(&left, &left) <= LEFT * LEFT * dot(&whole, &whole);
     for (w, path) in update.depth.iter_mut().zip(&pending.slip_path) {
         *w = if *path > 0.0 { w.max(0.0) } else { 0.0 };
     }
@@ -170,9 +173,11 @@ struct Solver<'a> {
     reference: Vec<f64>,
 }
 
-/// Depths at all nodes, m, and what their residual is of the first.
+/// Depths at all nodes, and what they are still short of, m.
 struct Trial {
     depth: Vec<f64>,
+    left: Vec<f64>,
+    /// Its size as a share of the first.
     residual: f64,
 }
 
@@ -185,12 +190,13 @@ impl Solver<'_> {
         (pressure_nodes(self.transforms, self.nodes.x(), &load, &edge), edge)
     }
 
-    /// Wears a part of the history on top of the depths so far: the best iterate of Newton's method.
-    fn part(&self, part: &Pending, update: &mut Update) -> Result<Trial, Error> {
+    /// Wears a part of the history, and what is `left` of those before, on top of the depths so far: the best iterate of Newton's method.
+    fn part(&self, part: &Pending, left: &[f64], update: &mut Update) -> Result<Trial, Error> {
         let Constants { wear_per_work, friction_coefficient, normal_modulus, .. } = *self.constants;
-        let (nodes, before) = (self.nodes, update.depth.clone());
-        let mut depth = before.clone();
-        let mut best = Trial { depth: depth.clone(), residual: f64::INFINITY };
+        let nodes = self.nodes;
+        let mut depth = update.depth.clone();
+        let before: Vec<f64> = depth.iter().zip(left).map(|(depth, left)| depth + left).collect();
+        let mut best = Trial { depth: depth.clone(), left: left.to_vec(), residual: f64::INFINITY };
         let mut trial = self.surface.clone();
         let mut start = 0.0;
         for iteration in 0..=MOST_NEWTON {
@@ -208,7 +214,11 @@ impl Solver<'_> {
             // a trial that wears so much that the contact opens has no pressure to go on with; a body held in depth may wear free
             if contact.is_open() || self.first > edge.last {
                 let free = iteration == 0 || !self.constants.force_control;
-                return Ok(if free { Trial { depth, residual: 0.0 } } else { best });
+                return Ok(if free {
+                    Trial { left: vec![0.0; depth.len()], depth, residual: 0.0 }
+                } else {
+                    best
+                });
             }
             let residual: Vec<f64> = (self.first..=edge.last)
                 .map(|i| {
@@ -224,11 +234,13 @@ impl Solver<'_> {
             if iteration == 0 {
                 start = size;
             }
-            let left = if start > 0.0 { size / start } else { 0.0 };
-            if left <= best.residual {
-                best = Trial { depth: depth.clone(), residual: left };
+            let share = if start > 0.0 { size / start } else { 0.0 };
+            if share <= best.residual {
+                let mut left = vec![0.0; depth.len()];
+                left[self.first..=edge.last].copy_from_slice(&residual);
+                best = Trial { depth: depth.clone(), left, residual: share };
             }
-            if left <= ACCURACY || iteration == MOST_NEWTON {
+            if share <= ACCURACY || iteration == MOST_NEWTON {
                 break;
             }
             let system = System::new(nodes.x(), self.transforms, part, self.first, edge, self.constants);
