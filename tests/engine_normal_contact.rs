@@ -232,3 +232,13 @@ fn a_pressure_beyond_all_numbers_is_refused() {
     let refusal = contact.start_at(100.0, 0.0).unwrap_err();
     assert!(matches!(refusal, Error::NotFinite { .. }), "{refusal}");
 }
+
+/// Where the products of depth and radius overflow, T is none either: on a body as soft as this, the ball sinks in by 1e206 m.
+#[test]
+fn a_depth_beyond_all_numbers_is_refused() {
+    let mut parameters = Parameters { wear_coefficient: 0.0, ..Parameters::default() };
+    parameters.materials.body_2.youngs_modulus = 2.67e-307;
+    let mut contact = FrettingContact::new(parameters).unwrap();
+    let refusal = contact.start_at(100.0, 0.0).unwrap_err();
+    assert!(matches!(refusal, Error::NotFinite { .. }), "{refusal}");
+}

@@ -165,12 +165,9 @@ impl FrettingContact {
         let work = 2.0 * self.constants.tangential_modulus * half_work;
         let force = to.load * self.force_scale();
         let pressure = if to.is_open() { 0.0 } else { force / to.radius / to.radius };
-        if !(pressure.is_finite()
-            && work.is_finite()
-            && to.depth.is_finite()
-            && to.radius.is_finite()
-            && force.is_finite())
-        {
+        // integrals over the row, T among them, take sums of such products
+        let area = 4.0 * to.depth * to.radius;
+        if !([pressure, area, work, to.radius, force].iter().all(|value| value.is_finite())) {
             let normal = if self.constants.force_control { value * self.force_scale() } else { value };
             return Err(Error::NotFinite { what: "the state of the contact", normal, displacement });
         }
