@@ -11,6 +11,7 @@ use fretting_contact::reference::wear_tables::{
     PARABOLA_CONSTANT_FORCE, SPHERE_GROSS_SLIP,
 };
 use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile};
+use std::f64::consts::PI;
 
 use NormalControl::{Force, Indentation};
 
@@ -479,4 +480,33 @@ fn a_step_that_outwears_the_contact_is_refused_and_leaves_it_usable() {
         to(&mut contact, scene.normal, 1e-3 * scene.amplitude);
         assert!(contact.tangential_force() > 0.0);
     }
+}
+
+/// Strokes that wear so much that no two are alike, until a mesh can be laid over what they have left: at constant depth the stick
+/// circle does not move, and inside it nothing wears.
+#[test]
+fn a_mesh_laid_over_a_rough_profile_leaves_the_sticking_centre_alone() {
+    let mut parameters = Parameters { normal_control: Indentation, ..Parameters::default() };
+    parameters.wear_coefficient *= 5000.0;
+    let Profile::Parabola { radius } = parameters.profile else { panic!("the default is a ball") };
+    let depth = 3.5e-6;
+    let edge = (radius * depth).sqrt();
+    let amplitude = MU * E_STAR / G_STAR * depth * (1.0 - 0.4 * 0.4);
+    let mut contact = FrettingContact::new(parameters).expect("valid");
+    contact.start_at(depth, 0.0).expect("the load is carried");
+    for stroke in 0..40 {
+        for point in 1..=8 {
+            let share = (PI * f64::from(point) / 8.0).cos() * if stroke % 2 == 0 { 1.0 } else { -1.0 };
+            to(&mut contact, depth, share * amplitude);
+        }
+        close_to(contact.stick_radius(), 0.4 * edge, 1e-9, "stick radius");
+        for share in [0.1, 0.3, 0.399, 0.4] {
+            assert_eq!(
+                contact.worn_depth_at(share * edge * (1.0 - 1e-9)),
+                0.0,
+                "stroke {stroke}, at {share}"
+            );
+        }
+    }
+    assert!(contact.counters().factorisations > 10, "no mesh was laid");
 }

@@ -287,9 +287,14 @@ fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
             }
         }
     }
+    // next to a node the image may be so steep that a rounding of the front would show, and let it creep
+    let node = surface.worn().and_then(|nodes| nodes.at(front, 1e-11));
+    let (image, depth) = node.unwrap_or_else(|| {
+        (surface.worn_image(front), surface.worn().map_or(0.0, |nodes| nodes.depth_at(front)))
+    });
     all.x.push(front);
-    all.image.push(surface.worn_image(front));
-    all.depth.push(surface.worn().map_or(0.0, |nodes| nodes.depth_at(front)));
+    all.image.push(image);
+    all.depth.push(depth);
     all.thinned(THINNING * tolerance)
 }
 

@@ -24,6 +24,13 @@ impl Nodes {
         }
     }
 
+    /// Image and depth (m) of the node at a radius, within a share of that; `None` where there is none.
+    pub(crate) fn at(&self, radius: f64, share: f64) -> Option<(f64, f64)> {
+        let near = self.x.partition_point(|x| *x < radius * (1.0 - share));
+        let found = self.x.get(near).is_some_and(|x| *x <= radius * (1.0 + share));
+        found.then(|| (self.worn_image[near], self.depth[near]))
+    }
+
     /// Cell that holds x, or `None` behind the last node.
     pub(super) fn cell(&self, x: f64) -> Option<usize> {
         let above = self.x.partition_point(|&node| node <= x);

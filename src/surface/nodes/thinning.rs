@@ -29,7 +29,12 @@ pub(super) fn thin_unless(
     let (mut anchor, last) = (0, x.len() - 1);
     while anchor < last {
         let mut end = anchor + 1;
-        while end < last && (near(anchor, end) || (may_be(anchor, end + 1) && meets(anchor, end + 1))) {
+        // what has not worn at all stays so up to its last node
+        let ends_unworn = |end: usize| image[anchor] == 0.0 && image[end] == 0.0 && image[end + 1] != 0.0;
+        while end < last
+            && !ends_unworn(end)
+            && (near(anchor, end) || (may_be(anchor, end + 1) && meets(anchor, end + 1)))
+        {
             end += 1;
         }
         kept.push(end);
