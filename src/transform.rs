@@ -30,7 +30,10 @@ use std::f64::consts::FRAC_2_PI;
 
 /// √(x² − r²) for x ≥ r ≥ 0 without loss of digits; 0 below.
 pub(crate) fn leg(x: f64, r: f64) -> f64 {
-    ((x - r).max(0.0) * (x + r)).sqrt()
+    let (short, long) = ((x - r).max(0.0), x + r);
+    let square = short * long;
+    // of radii below 1e-154 or above 1e154 the square is no number of use
+    if (f64::MIN_POSITIVE..=f64::MAX).contains(&square) { square.sqrt() } else { short.sqrt() * long.sqrt() }
 }
 
 /// Row of descent weights for radius r: calls `sink(j, C)` for the cells that begin below r. The last of them may be

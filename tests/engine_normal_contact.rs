@@ -5,6 +5,7 @@ mod common;
 use common::*;
 use fretting_contact::reference::{NormalContact, Shape};
 use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
+use std::f64::consts::PI;
 
 const RESOLUTIONS: [usize; 3] = [8, 64, 1024];
 
@@ -241,4 +242,20 @@ fn a_depth_beyond_all_numbers_is_refused() {
     let mut contact = FrettingContact::new(parameters).unwrap();
     let refusal = contact.start_at(100.0, 0.0).unwrap_err();
     assert!(matches!(refusal, Error::NotFinite { .. }), "{refusal}");
+}
+
+/// p(0) = F_N/(2πa²) under a punch whose a² is lost to underflow, or overflows.
+#[test]
+fn punches_of_extreme_radius_have_their_pressure() {
+    for (radius, force) in [(1e-200, 1e-220), (1e200, 1e210)] {
+        let parameters = Parameters {
+            profile: Profile::FlatPunch { flat_radius: radius },
+            wear_coefficient: 0.0,
+            ..Parameters::default()
+        };
+        let mut contact = FrettingContact::new(parameters).unwrap();
+        contact.start_at(force, 0.0).unwrap();
+        let exact = force / radius / (2.0 * PI * radius);
+        close_to(contact.pressure_at(0.0), exact, 1e-9, "p(0)");
+    }
 }

@@ -21,6 +21,7 @@ pub use table::ProfileTable;
 
 use crate::error::Error;
 use crate::quadrature;
+use crate::transform::leg;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 
@@ -71,11 +72,6 @@ pub enum Profile {
 /// κₙ = √π Γ(n/2 + 1)/Γ((n + 1)/2), the factor between A rⁿ and its image.
 fn power_factor(n: f64) -> f64 {
     PI.sqrt() * (libm::lgamma(n / 2.0 + 1.0) - libm::lgamma((n + 1.0) / 2.0)).exp()
-}
-
-/// √(x² − b²) for x ≥ b ≥ 0 without loss of digits.
-fn leg(x: f64, b: f64) -> f64 {
-    ((x - b).max(0.0) * (x + b)).sqrt()
 }
 
 impl Profile {
