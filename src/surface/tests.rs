@@ -132,12 +132,3 @@ fn the_contact_edge_is_the_outermost_crossing() {
     assert!(beyond.clone().all(|x| surface.image(x) > 3.0e-6), "a = {}", contact.radius);
     assert!(contact.radius > 1.55e-4, "a = {}", contact.radius);
 }
-
-/// The line from the axis to the first worn node would meet all between them well enough, and wear what has not worn.
-#[test]
-fn thinning_leaves_what_has_not_worn_at_all_unworn() {
-    let x = [0.0, 0.2, 0.4, 0.5, 0.50001, 0.6, 0.7];
-    let image = [0.0, 0.0, 0.0, 0.0, 1e-9, 0.5, 1.0];
-    assert_eq!(kept_nodes(&x, &image, 0.01, false)[..2], [0, 3]);
-    assert_eq!(kept_nodes(&x, &image, 0.01, true)[..2], [0, 3]);
-}

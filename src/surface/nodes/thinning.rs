@@ -6,12 +6,12 @@ const USUAL_SHARE: f64 = 5e-5;
 /// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
 /// crowd at the end: there each lies a part of its distance from the end apart from the next, or of the radius, which falls with the
 /// root of the share, as the error of a line does with the square of its length.
-pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64, crowd_at_end: bool) -> Vec<usize> {
+pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64) -> Vec<usize> {
     let last = x.len() - 1;
     let spread = (share / USUAL_SHARE).sqrt().min(1.0);
     let crowded = |anchor: usize, end: usize| {
         let close = spread * (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
-        crowd_at_end && x[end] - x[anchor] < close
+        x[end] - x[anchor] < close
     };
     thin_unless(x, image, share, crowded, |_, _| true)
 }
@@ -52,5 +52,19 @@ pub(super) fn met_by_lines(x: &[f64], field: &[f64], share: f64) -> impl Fn(usiz
             let line = field[anchor] + slope * (x[k] - x[anchor]) * (x[k] + x[anchor]);
             (line - field[k]).abs() <= least
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The line from the axis to the first worn node would meet all between them well enough, and wear what has not worn.
+    #[test]
+    fn thinning_leaves_what_has_not_worn_at_all_unworn() {
+        let x = [0.0, 0.2, 0.4, 0.5, 0.50001, 0.6, 0.7];
+        let image = [0.0, 0.0, 0.0, 0.0, 1e-9, 0.5, 1.0];
+        assert_eq!(thin_unless(&x, &image, 0.01, |_, _| false, |_, _| true)[..2], [0, 3]);
+        assert_eq!(kept_nodes(&x, &image, 0.01)[..2], [0, 3]);
     }
 }

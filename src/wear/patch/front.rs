@@ -48,10 +48,9 @@ impl Patch {
         if self.mesh.region == Region::Disc {
             return false;
         }
-        let last = FRONT_CELLS;
-        let mut image = after.image[..=last].to_vec();
+        let mut image = after.image[..=FRONT_CELLS].to_vec();
         let mut mended = false;
-        for i in 1..=last {
+        for i in 1..=FRONT_CELLS {
             let least = before.image[i] / before.scale[i] * after.scale[i];
             if image[i] < least {
                 image[i] = least;
@@ -62,7 +61,7 @@ impl Patch {
             image.resize(self.cells() + 1, 0.0);
             let mut held = vec![0.0; self.cells() + 1];
             self.mesh.descend(&image, &mut held);
-            depth[1..=last].copy_from_slice(&held[1..=last]);
+            depth[1..=FRONT_CELLS].copy_from_slice(&held[1..=FRONT_CELLS]);
         }
         mended
     }

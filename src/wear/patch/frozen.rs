@@ -39,7 +39,7 @@ impl Frozen {
 
     /// Without the nodes that the line (in x²) between those which stay meets within a share of the largest image.
     pub(crate) fn thinned(&self, share: f64) -> Self {
-        let kept = crate::surface::kept_nodes(&self.x, &self.image, share, true);
+        let kept = crate::surface::kept_nodes(&self.x, &self.image, share);
         let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect();
         Self { x: pick(&self.x), image: pick(&self.image), depth: pick(&self.depth) }
     }

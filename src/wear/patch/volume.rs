@@ -3,7 +3,8 @@
 use super::{Patch, Rate, State};
 use crate::transform::dot;
 
-/// Largest share by which depths may grow for a volume to be met: what is off by more is no error of a mesh.
+/// Largest α or β by which depths may grow for a volume to be met. They oppose each other and are some ten times the share by which the
+/// volume grows (8 to 11, measured): this is about 5 % of it, what laying a mesh may miss.
 const MOST_GROWTH: f64 = 0.5;
 
 impl Patch {
@@ -17,9 +18,7 @@ impl Patch {
 
     /// Worn volume that the mesh alone carries, m³.
     pub(crate) fn own_volume(&self, rate: &Rate) -> f64 {
-        let mut z = rate.image.clone();
-        z.iter_mut().for_each(|z| *z *= self.span(rate.area));
-        dot(&self.mesh.volume_of_image, &z)
+        self.span(rate.area) * dot(&self.mesh.volume_of_image, &rate.image)
     }
 
     /// Worn depth outside the front at the nodes, m.
