@@ -94,7 +94,9 @@ def stability(folder):
         points = [(i, float(scene["share"])) for i, scene in enumerate(scenes) if scene["outcome"] == outcome]
         if points:
             x, share = zip(*points)
-            y = [min(max(s, FLOOR), CEILING) if s == s else CEILING for s in share]
+            # what was refused before anything could be judged has broken nothing; what was not done in time has
+            unseen = FLOOR if outcome == "refused" else CEILING
+            y = [min(max(s, FLOOR), CEILING) if s == s else unseen for s in share]
             axes.plot(x, y, marker, color=colour, ms=4.5, ls="", clip_on=False, label=f"{outcome}: {len(points)}")
     starts = [i for i, scene in enumerate(scenes) if i == 0 or scene["scene"] != scenes[i - 1]["scene"]]
     for left, right in zip(starts, [*starts[1:], len(scenes)]):
