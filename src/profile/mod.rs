@@ -266,7 +266,8 @@ impl Profile {
                     return f64::INFINITY;
                 }
                 // x² = inner² + (δ sinh u)² with δ² = |r² − b²|: both square roots of the integrand become smooth
-                let delta = ((r - b).abs() * (r + b)).sqrt().max(1e-12 * b);
+                // a flat that is nothing beside the contact needs no scale of its own, and the ratio would overflow
+                let delta = leg(r.max(*b), r.min(*b)).max(1e-12 * b).max(1e-40 * a);
                 quadrature::composite(0.0, (leg(a, inner) / delta).asinh(), |u| {
                     let x = inner.hypot(delta * u.sinh());
                     if x > *b { self.image_slope(x) * leg(x, *b) / x } else { self.rim_limit() }

@@ -305,3 +305,23 @@ fn the_integrals_of_a_rounded_punch_have_its_image_as_derivative() {
         assert!((slope(&|x| profile.image(x)) - rise).abs() <= 1e-9 * rise, "{share}");
     }
 }
+
+/// Under a contact beside which the flat is nothing, J is that of the parabola, 2 √(a² − r²)/R.
+#[test]
+fn pressures_over_next_to_no_flat_are_those_of_a_parabola() {
+    let (radius, b) = (0.01, 8.6e-283);
+    for profile in
+        [Profile::RoundedPunch { radius, flat_radius: b }, Profile::BluntedSphere { radius, flat_radius: b }]
+    {
+        for a in [1e-100, 1e-4, 1.3e46] {
+            for r in [0.0, 0.5 * a] {
+                let exact = 2.0 / radius * leg(a, r);
+                let value = profile.pressure_integral(r, a);
+                assert!(
+                    (value / exact - 1.0).abs() < 1e-9,
+                    "{profile:?}, {r:e} of {a:e}: {value:e}, {exact:e}"
+                );
+            }
+        }
+    }
+}
