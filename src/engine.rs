@@ -27,6 +27,7 @@ pub use snapshot::Snapshot;
 use crate::error::Error;
 use crate::friction::Springs;
 use crate::parameters::{NormalControl, Parameters};
+use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
 use crate::wear::{Constants, Pending, Segment, Sliding, TransformCache, UnitMesh};
 use serde::{Deserialize, Serialize};
@@ -126,15 +127,6 @@ impl FrettingContact {
             wear_per_work: parameters.wear_per_work(),
             force_control: parameters.normal_control == NormalControl::Force,
         };
-        for (what, value) in [
-            ("the effective normal modulus", constants.normal_modulus),
-            ("the effective shear modulus", constants.tangential_modulus),
-            ("the slope of the friction bound", 1.0 + constants.bound_slope()),
-        ] {
-            if !(value.is_normal() && value > 0.0) {
-                return Err(Error::NotFinite { what, normal: 0.0, displacement: 0.0 });
-            }
-        }
         let surface = Surface::new(parameters.profile.clone());
         let touch = surface.tip();
         let control = if constants.force_control { 0.0 } else { touch };
@@ -214,16 +206,8 @@ impl FrettingContact {
             NormalControl::Force => ("normal_force", normal / self.force_scale()),
             NormalControl::Indentation => ("indentation", normal),
         };
-        let requirement = "an input has to be a finite number";
-        if !normal.is_finite() {
-            return Err(Error::Input { name, value: normal, requirement });
-        }
-        if !displacement.is_finite() {
-            return Err(Error::Input { name: "tangential_displacement", value: displacement, requirement });
-        }
-        if !value.is_finite() {
-            return Err(Error::NotFinite { what: "the load integral", normal, displacement });
-        }
+        range::input(name, normal)?;
+        range::input("tangential_displacement", displacement)?;
         Ok((value, displacement))
     }
 }

@@ -71,6 +71,18 @@ pub enum Error {
         /// Tangential displacement or its amplitude, m.
         displacement: f64,
     },
+    /// A contact larger or loaded more than what is computed with.
+    #[error(
+        "{what} = {value:e} is beyond what can be computed with, {most:e}: check the units, N, m and Pa throughout"
+    )]
+    BeyondNumbers {
+        /// The quantity and its unit.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// The largest accepted one.
+        most: f64,
+    },
     /// A call that wears so much that its integration would not end in reasonable time.
     #[error(
         "{cycles:e} cycles of amplitude {amplitude:e} m wear more than {steps} internal steps can follow \

@@ -41,6 +41,7 @@ pub mod parameters;
 pub mod problems;
 pub mod profile;
 mod quadrature;
+mod range;
 pub mod reference;
 mod surface;
 pub mod transform;

@@ -8,12 +8,13 @@
 //! (eq. (6)); [`Pair::similarity_defect`] says by how much a pair misses that.
 
 use crate::error::Error;
+use crate::range;
 use serde::{Deserialize, Serialize};
 
 /// Young's modulus and Poisson ratio of one body.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Elastic {
-    /// Young's modulus E, Pa, > 0.
+    /// Young's modulus E, Pa, in [1e-30, 1e30].
     pub youngs_modulus: f64,
     /// Poisson ratio ν, in (−1, 0.5].
     pub poisson_ratio: f64,
@@ -69,13 +70,8 @@ impl Pair {
             (&self.body_2, "youngs_modulus_2", "poisson_ratio_2"),
         ];
         for (body, modulus, ratio) in bodies {
-            if !(body.youngs_modulus > 0.0 && body.youngs_modulus.is_finite()) {
-                return Err(Error::Parameter {
-                    name: modulus,
-                    value: body.youngs_modulus,
-                    requirement: "a Young's modulus is finite and greater than 0 Pa",
-                });
-            }
+            let requirement = "a Young's modulus lies in 1e-30 to 1e30 Pa";
+            range::parameter(modulus, body.youngs_modulus, &range::STRESS, requirement)?;
             if !(body.poisson_ratio > -1.0 && body.poisson_ratio <= 0.5) {
                 return Err(Error::Parameter {
                     name: ratio,

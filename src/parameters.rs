@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::material::{Elastic, Pair};
 use crate::profile::Profile;
+use crate::range;
 use serde::{Deserialize, Serialize};
 
 /// Which normal quantity the caller prescribes.
@@ -23,11 +24,11 @@ pub struct Parameters {
     pub materials: Pair,
     /// Shape of the unworn body 1.
     pub profile: Profile,
-    /// Coefficient of friction μ ≥ 0.
+    /// Coefficient of friction μ, in [0, 1e9].
     pub friction_coefficient: f64,
-    /// Wear coefficient k ≥ 0 of eq. (18); 0 computes no wear.
+    /// Wear coefficient k of eq. (18), in [0, 1e30]; 0 computes no wear.
     pub wear_coefficient: f64,
-    /// Hardness σ₀ > 0 of the worn body, Pa.
+    /// Hardness σ₀ of the worn body, Pa, in [1e-30, 1e30].
     pub hardness: f64,
     /// What [`crate::FrettingContact::advance_to`] takes as its first argument.
     pub normal_control: NormalControl,
@@ -37,7 +38,7 @@ pub struct Parameters {
     pub rig_stiffness: f64,
     /// Cells across the slipping annulus, 8 to 8192. Only wear uses them: forces are exact at any resolution.
     pub resolution: usize,
-    /// Relative tolerance of the wear integration, in (0, 0.1].
+    /// Relative tolerance of the wear integration, in [1e-12, 0.1].
     pub tolerance: f64,
 }
 
@@ -85,22 +86,18 @@ impl Parameters {
     pub fn validate(&self) -> Result<(), Error> {
         self.materials.validate()?;
         self.profile.validate()?;
-        let non_negative = [
+        for (name, value, range, requirement) in [
             (
                 "friction_coefficient",
                 self.friction_coefficient,
-                "a coefficient of friction is finite and not negative",
+                range::FRICTION,
+                "a coefficient of friction lies in 0 to 1e9",
             ),
-            ("wear_coefficient", self.wear_coefficient, "a wear coefficient is finite and not negative"),
-        ];
-        for (name, value, requirement) in non_negative {
-            if !(value >= 0.0 && value.is_finite()) {
-                return Err(Error::Parameter { name, value, requirement });
-            }
-        }
-        if !(self.hardness > 0.0 && self.hardness.is_finite()) {
-            let requirement = "a hardness is finite and greater than 0 Pa";
-            return Err(Error::Parameter { name: "hardness", value: self.hardness, requirement });
+            ("wear_coefficient", self.wear_coefficient, range::WEAR, "a wear coefficient lies in 0 to 1e30"),
+            ("hardness", self.hardness, range::STRESS, "a hardness lies in 1e-30 to 1e30 Pa"),
+            ("tolerance", self.tolerance, range::TOLERANCE, "the relative tolerance lies in 1e-12 to 0.1"),
+        ] {
+            range::parameter(name, value, &range, requirement)?;
         }
         let held = self.rig_stiffness >= Self::LEAST_RIG_STIFFNESS;
         if !held {
@@ -112,10 +109,6 @@ impl Parameters {
         if !(least..=most).contains(&self.resolution) {
             let requirement = "the number of cells across the contact lies in 8 to 8192";
             return Err(Error::Parameter { name: "resolution", value: self.resolution as f64, requirement });
-        }
-        if !(self.tolerance > 0.0 && self.tolerance <= 0.1) {
-            let requirement = "the relative tolerance lies in (0, 0.1]";
-            return Err(Error::Parameter { name: "tolerance", value: self.tolerance, requirement });
         }
         Ok(())
     }

@@ -11,6 +11,7 @@ pub(crate) use nodes::{MeshPlace, Nodes, kept_nodes, outer_weight};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::profile::{Profile, ProfileTable};
+use crate::range;
 use std::sync::Arc;
 
 /// Image values at one radius.
@@ -130,8 +131,8 @@ impl Surface {
     /// The contact under a given load F_N/(2E*), m², or indentation depth, m.
     ///
     /// # Errors
-    /// [`Error::BeyondTable`], [`Error::NonMonotoneImage`] where the profile cannot carry it; `force_scale` = 2E*
-    /// turns loads into forces for the message.
+    /// [`Error::BeyondTable`], [`Error::NonMonotoneImage`] where the profile cannot carry it; [`Error::BeyondNumbers`].
+    /// `force_scale` = 2E* turns loads into forces.
     pub(crate) fn contact(
         &self,
         control: NormalControl,
@@ -156,7 +157,7 @@ impl Surface {
             NormalControl::Indentation if value > touch => {
                 let radius = self.radius_at_depth(value)?;
                 let load = self.load(radius) + radius * (value - self.image(radius));
-                // a body worn free by wear at this depth touches in places at most; a NaN has to stay one, for the caller to see
+                // a body worn free by wear at this depth touches in places at most; a NaN has to stay one, to be refused
                 if load <= 0.0 {
                     Contact { depth: value, ..open }
                 } else {
@@ -175,6 +176,8 @@ impl Surface {
                 contact_radius: contact.radius,
             });
         }
+        let Contact { depth, radius, load, .. } = contact;
+        range::contact(radius, depth, load, load * force_scale)?;
         Ok(contact)
     }
 

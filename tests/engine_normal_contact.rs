@@ -5,7 +5,6 @@ mod common;
 use common::*;
 use fretting_contact::reference::{NormalContact, Shape};
 use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
-use std::f64::consts::PI;
 
 const RESOLUTIONS: [usize; 3] = [8, 64, 1024];
 
@@ -221,41 +220,122 @@ fn an_image_that_falls_is_refused_where_it_matters_and_only_there() {
     to(&mut contact, 105.0, 0.5e-6);
 }
 
-/// Where the mean pressure overflows nothing that follows from it is a number.
+/// Sizes beyond all that is built are refused where they are given, with the range that is computed with.
 #[test]
-fn a_pressure_beyond_all_numbers_is_refused() {
-    let parameters = Parameters {
-        profile: Profile::FlatPunch { flat_radius: 1e-282 },
-        wear_coefficient: 0.0,
-        ..Parameters::default()
+fn sizes_beyond_what_is_computed_with_are_refused() {
+    let refused = |change: &dyn Fn(&mut Parameters), name: &str| {
+        let mut parameters = Parameters { wear_coefficient: 0.0, ..Parameters::default() };
+        change(&mut parameters);
+        match FrettingContact::new(parameters) {
+            Err(Error::Parameter { name: found, requirement, .. }) => {
+                assert_eq!(found, name);
+                assert!(requirement.contains("1e"), "{requirement}");
+            }
+            other => panic!("{name}: {other:?}"),
+        }
     };
-    let mut contact = FrettingContact::new(parameters).unwrap();
-    let refusal = contact.start_at(100.0, 0.0).unwrap_err();
-    assert!(matches!(refusal, Error::NotFinite { .. }), "{refusal}");
+    refused(&|p| p.profile = Profile::FlatPunch { flat_radius: 1e-282 }, "flat_radius");
+    refused(&|p| p.profile = Profile::BluntedSphere { radius: 0.01, flat_radius: 6e151 }, "flat_radius");
+    refused(&|p| p.profile = Profile::Parabola { radius: 1e31 }, "radius");
+    refused(&|p| p.profile = Profile::Cone { slope: 1e-31 }, "cone_slope");
+    refused(&|p| p.profile = Profile::PowerLaw { exponent: 2.0, coefficient: 1e301 }, "coefficient");
+    refused(&|p| p.materials.body_2.youngs_modulus = 2.67e-307, "youngs_modulus_2");
+    refused(&|p| p.hardness = 1e31, "hardness");
+    refused(&|p| p.friction_coefficient = 1e10, "friction_coefficient");
+    refused(&|p| p.wear_coefficient = 1e31, "wear_coefficient");
+    refused(&|p| p.tolerance = 1e-13, "tolerance");
 }
 
-/// Where the products of depth and radius overflow, T is none either: on a body as soft as this, the ball sinks in by 1e206 m.
 #[test]
-fn a_depth_beyond_all_numbers_is_refused() {
-    let mut parameters = Parameters { wear_coefficient: 0.0, ..Parameters::default() };
-    parameters.materials.body_2.youngs_modulus = 2.67e-307;
-    let mut contact = FrettingContact::new(parameters).unwrap();
-    let refusal = contact.start_at(100.0, 0.0).unwrap_err();
-    assert!(matches!(refusal, Error::NotFinite { .. }), "{refusal}");
-}
-
-/// p(0) = F_N/(2πa²) under a punch whose a² is lost to underflow, or overflows.
-#[test]
-fn punches_of_extreme_radius_have_their_pressure() {
-    for (radius, force) in [(1e-200, 1e-220), (1e200, 1e210)] {
-        let parameters = Parameters {
-            profile: Profile::FlatPunch { flat_radius: radius },
-            wear_coefficient: 0.0,
-            ..Parameters::default()
-        };
-        let mut contact = FrettingContact::new(parameters).unwrap();
-        contact.start_at(force, 0.0).unwrap();
-        let exact = force / radius / (2.0 * PI * radius);
-        close_to(contact.pressure_at(0.0), exact, 1e-9, "p(0)");
+fn loads_and_contacts_beyond_what_is_computed_with_are_refused() {
+    let mut ball = contact(without_wear(BALL));
+    ball.start_at(FORCE, 0.0).unwrap();
+    let before = state(&ball);
+    for refusal in [
+        ball.advance_to(1e61, 0.0),
+        ball.advance_to(FORCE, -1e61),
+        ball.advance_cycles(FORCE, 1e61, 1.0),
+        ball.advance_cycles(FORCE, 1e-6, 1e31),
+    ] {
+        assert!(matches!(refusal, Err(Error::Input { .. })), "{refusal:?}");
     }
+    assert_eq!(state(&ball), before);
+    // a contact of 1e63 m: so blunt a spike hardly rises
+    let flat = Profile::PowerLaw { exponent: 0.1, coefficient: 1e-20 };
+    let refusal = contact(without_wear(flat)).start_at(1e60, 0.0).unwrap_err();
+    assert!(matches!(refusal, Error::BeyondNumbers { .. }), "{refusal}");
+    assert!(refusal.to_string().contains("check the units"), "{refusal}");
+}
+
+/// Every combination of sizes at the ends of their ranges, with and without slip: all that can be read is a number, but for the
+/// pressure at singular points.
+#[test]
+fn the_ends_of_all_ranges_give_numbers_or_refusals() {
+    let ends = [1e-30, 1.0, 1e30];
+    let (mut sound, mut refused) = (0, 0);
+    for size in ends {
+        let profiles = ends.iter().flat_map(|&b| {
+            [
+                Profile::Parabola { radius: size },
+                Profile::BluntedSphere { radius: size, flat_radius: b },
+                Profile::RoundedPunch { radius: size, flat_radius: b },
+                Profile::FlatPunch { flat_radius: b },
+                Profile::Cone { slope: (1e-30 * size.max(1.0)).min(1.57) },
+                Profile::PowerLaw { exponent: 0.1, coefficient: size },
+                Profile::PowerLaw { exponent: 100.0, coefficient: size },
+            ]
+        });
+        for profile in profiles {
+            for (young, friction_coefficient) in
+                ends.into_iter().flat_map(|e| [(e, 1e-300), (e, 0.6), (e, 1e9)])
+            {
+                for (control, load) in [1e-300, 1e-30, 1.0, 1e60]
+                    .into_iter()
+                    .flat_map(|load| [(NormalControl::Force, load), (NormalControl::Indentation, load)])
+                {
+                    let mut parameters = Parameters {
+                        friction_coefficient,
+                        normal_control: control,
+                        resolution: 8,
+                        ..without_wear(profile.clone())
+                    };
+                    parameters.materials.body_1.youngs_modulus = young;
+                    let mut contact = contact(parameters);
+                    for (load, place) in [(load, 0.0), (load, 1e-6), (0.5 * load, -1e60), (load, 1e-300)] {
+                        match contact.advance_to(load, place) {
+                            Ok(()) => sound += 1,
+                            Err(_) => refused += 1,
+                        }
+                        let scalars = [
+                            contact.tangential_force(),
+                            contact.normal_reaction(),
+                            contact.indentation_depth(),
+                            contact.contact_radius(),
+                            contact.stick_radius(),
+                            contact.dissipated_energy(),
+                            contact.max_pressure(),
+                            contact.tangential_stiffness(),
+                            contact.normal_stiffness(),
+                        ];
+                        assert!(
+                            scalars.iter().all(|x| x.is_finite()),
+                            "{:?}: {scalars:?}",
+                            contact.parameters()
+                        );
+                        for r in contact.probe_radii().into_iter().step_by(9) {
+                            let fields =
+                                [contact.pressure_at(r), contact.shear_traction_at(r), contact.image_at(r)];
+                            assert!(
+                                !fields.iter().any(|x| x.is_nan()),
+                                "{:?} at {r}: {fields:?}",
+                                contact.parameters()
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+    println!("{sound} steps sound, {refused} refused");
+    assert!(sound > 5 * refused);
 }

@@ -92,6 +92,7 @@ fn every_error_of_the_engine_is_listed() {
         Error::ProfileTable { place: "line 1".into(), problem: "r does not rise".into() },
         Error::NonMonotoneImage { radius: 1.0, contact_radius: 2.0 },
         Error::BeyondTable { quantity: "normal_force", value, radius: 1.0 },
+        Error::BeyondNumbers { what: "normal force, N", value: 1e130, most: 1e120 },
         Error::NotFinite { what: "the work", normal: 1.0, displacement: 1.0 },
         Error::TooMuchWear { cycles: 2.0, left: 1.0, amplitude: 1.0, steps: 1 },
         Error::WearOutrun { displacement: 1.0, from: 0.0 },

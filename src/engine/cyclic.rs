@@ -7,6 +7,7 @@
 use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Path, Springs};
+use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
 use crate::wear::{Amount, Fineness, Motion, Sliding, UnitMesh, live};
 
@@ -24,10 +25,12 @@ impl FrettingContact {
     /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed.
     pub fn advance_cycles(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         let (value, _) = self.checked(normal, 0.0)?;
-        for (name, number) in [("displacement_amplitude", amplitude), ("cycles", cycles)] {
-            if !(number.is_finite() && number >= 0.0) {
-                let requirement = "it has to be finite and not negative";
-                return Err(Error::Input { name, value: number, requirement });
+        for (name, value, most) in
+            [("displacement_amplitude", amplitude, range::MOST_INPUT), ("cycles", cycles, range::MOST_CYCLES)]
+        {
+            if !(0.0..=most).contains(&value) {
+                let requirement = "it has to be finite and not negative, at most 1e60 m and 1e30 cycles";
+                return Err(Error::Input { name, value, requirement });
             }
         }
         self.view.take();
@@ -51,20 +54,8 @@ impl FrettingContact {
         } else {
             self.wear_cycles(value, amplitude, cycles)?
         };
-        let Contact { depth, radius, .. } = self.contact;
-        if !(self.work.is_finite()
-            && amplitude.is_finite()
-            && depth.is_finite()
-            && radius.is_finite()
-            && self.normal_reaction().is_finite())
-        {
-            let normal = if self.constants.force_control { value * self.force_scale() } else { value };
-            return Err(Error::NotFinite {
-                what: "the state of the contact",
-                normal,
-                displacement: amplitude,
-            });
-        }
+        let Contact { depth, radius, load, .. } = self.contact;
+        range::contact(radius, depth, load, self.normal_reaction())?;
         self.displacement = amplitude;
         self.direction = 1.0;
         self.start_segment();

@@ -3,6 +3,7 @@
 use super::{FrettingContact, SlipState};
 use crate::error::Error;
 use crate::parameters::NormalControl;
+use crate::range::LEAST_RISE;
 use crate::surface::{Contact, Nodes};
 use crate::transform;
 use std::f64::consts::PI;
@@ -174,7 +175,7 @@ impl FrettingContact {
         for pair in self.springs.knots().windows(2) {
             let (inner, outer) = (&pair[0], &pair[1]);
             let rise = outer.place.image - inner.place.image;
-            if outer.place.x <= r || rise <= 0.0 || inner.origin == outer.origin {
+            if outer.place.x <= r || rise <= LEAST_RISE || inner.origin == outer.origin {
                 continue;
             }
             let from = inner.place.x.max(r);

@@ -44,10 +44,6 @@ impl FrettingContact {
         constants.friction_coefficient = friction_coefficient;
         constants.wear_per_work = new.wear_per_work();
         let bound_slope = constants.bound_slope();
-        if !((1.0 + bound_slope).is_normal() && constants.wear_per_work.is_finite()) {
-            let (normal, displacement) = (0.0, self.displacement);
-            return Err(Error::NotFinite { what: "the slope of the friction bound", normal, displacement });
-        }
         self.view.take();
         self.transaction(|this| {
             this.settle()?;

@@ -9,7 +9,7 @@ use crate::engine::{FrettingContact, Gradient, SlipState};
 use std::borrow::Cow;
 use std::ffi::CString;
 use std::fmt;
-use std::ops::{Bound, RangeBounds};
+use std::ops::{Bound, RangeBounds, RangeInclusive};
 use std::sync::LazyLock;
 
 /// Number of radii at which the fields are given.
@@ -106,7 +106,6 @@ pub struct Range {
 
 impl Range {
     pub(super) const FINITE: Self = Self { low: Bound::Unbounded, high: Bound::Unbounded };
-    pub(super) const POSITIVE: Self = Self { low: Bound::Excluded(0.0), high: Bound::Unbounded };
     pub(super) const NOT_NEGATIVE: Self = Self { low: Bound::Included(0.0), high: Bound::Unbounded };
 
     /// Whether `value` is accepted.
@@ -117,6 +116,12 @@ impl Range {
 
     fn is_open_ended(&self) -> bool {
         self.high == Bound::Included(f64::INFINITY)
+    }
+}
+
+impl From<RangeInclusive<f64>> for Range {
+    fn from(range: RangeInclusive<f64>) -> Self {
+        Self { low: Bound::Included(*range.start()), high: Bound::Included(*range.end()) }
     }
 }
 
@@ -245,6 +250,11 @@ mod tests {
                 f64::NAN,
                 f64::INFINITY,
                 1e-320,
+                1e-31,
+                1e-13,
+                1e9,
+                1e31,
+                1e301,
                 -1.0,
                 0.0,
                 0.5,
@@ -267,7 +277,7 @@ mod tests {
                 checked += 1;
             }
         }
-        assert_eq!(checked, 14 * 13);
+        assert_eq!(checked, 14 * 18);
     }
 
     #[test]

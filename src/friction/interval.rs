@@ -1,5 +1,6 @@
 //! Closed integrals over the interval between two knots.
 
+use crate::range::LEAST_RISE;
 use crate::surface::Place;
 
 /// Integrals over one interval between knots, for functions linear in g.
@@ -15,7 +16,7 @@ impl Interval {
     pub(super) fn between(p: &Place, q: &Place) -> Self {
         let width = q.x - p.x;
         let rise = q.image - p.image;
-        if rise <= 0.0 {
+        if rise <= LEAST_RISE {
             return Self { width, rise: 0.0, first: 0.0, second: 0.0 };
         }
         let first = at_most(at_least(q.x * rise - (q.load - p.load), 0.0), rise * width);

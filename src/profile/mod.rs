@@ -21,6 +21,7 @@ pub use table::ProfileTable;
 
 use crate::error::Error;
 use crate::quadrature;
+use crate::range;
 use crate::transform::leg;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -36,7 +37,7 @@ pub enum Profile {
     },
     /// f = r tan θ.
     Cone {
-        /// Slope angle θ between the flank and the plane, rad, in (0, π/2).
+        /// Slope angle θ between the flank and the plane, rad, in [1e-30, π/2).
         slope: f64,
     },
     /// f = A rⁿ.
@@ -80,36 +81,31 @@ impl Profile {
     /// # Errors
     /// [`Error::Parameter`] with the name and value of the first dimension outside its range.
     pub fn validate(&self) -> Result<(), Error> {
-        let positive = |name, value: f64| {
-            if value > 0.0 && value.is_finite() {
-                Ok(())
-            } else {
-                Err(Error::Parameter {
-                    name,
-                    value,
-                    requirement: "it is finite and greater than 0 for this profile",
-                })
-            }
+        let length = |name, value: f64| {
+            range::parameter(name, value, &range::LENGTH, "for this profile it lies in 1e-30 to 1e30 m")
         };
         match *self {
-            Self::Parabola { radius } => positive("radius", radius),
-            Self::Cone { slope } if slope > 0.0 && slope < PI / 2.0 => Ok(()),
+            Self::Parabola { radius } => length("radius", radius),
+            Self::Cone { slope } if (range::LEAST_SLOPE..PI / 2.0).contains(&slope) => Ok(()),
             Self::Cone { slope } => Err(Error::Parameter {
                 name: "cone_slope",
                 value: slope,
-                requirement: "the slope angle lies in (0, pi/2) rad",
+                requirement: "the slope angle lies in [1e-30, pi/2) rad",
             }),
             Self::PowerLaw { exponent, .. } if !(0.1..=100.0).contains(&exponent) => Err(Error::Parameter {
                 name: "exponent",
                 value: exponent,
                 requirement: "the exponent of a power law lies in 0.1 to 100",
             }),
-            Self::PowerLaw { coefficient, .. } => positive("coefficient", coefficient),
-            Self::BluntedSphere { radius, flat_radius } | Self::RoundedPunch { radius, flat_radius } => {
-                positive("radius", radius)?;
-                positive("flat_radius", flat_radius)
+            Self::PowerLaw { coefficient, .. } => {
+                let requirement = "the coefficient of a power law lies in 1e-300 to 1e300";
+                range::parameter("coefficient", coefficient, &range::COEFFICIENT, requirement)
             }
-            Self::FlatPunch { flat_radius } => positive("flat_radius", flat_radius),
+            Self::BluntedSphere { radius, flat_radius } | Self::RoundedPunch { radius, flat_radius } => {
+                length("radius", radius)?;
+                length("flat_radius", flat_radius)
+            }
+            Self::FlatPunch { flat_radius } => length("flat_radius", flat_radius),
             Self::Table(_) => Ok(()),
         }
     }
@@ -266,8 +262,7 @@ impl Profile {
                     return f64::INFINITY;
                 }
                 // x² = inner² + (δ sinh u)² with δ² = |r² − b²|: both square roots of the integrand become smooth
-                // a flat that is nothing beside the contact needs no scale of its own, and the ratio would overflow
-                let delta = leg(r.max(*b), r.min(*b)).max(1e-12 * b).max(1e-40 * a);
+                let delta = leg(r.max(*b), r.min(*b)).max(1e-12 * b);
                 quadrature::composite(0.0, (leg(a, inner) / delta).asinh(), |u| {
                     let x = inner.hypot(delta * u.sinh());
                     if x > *b { self.image_slope(x) * leg(x, *b) / x } else { self.rim_limit() }

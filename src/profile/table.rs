@@ -7,6 +7,7 @@
 //! For n points the image costs O(n) operations, and whatever is asked of it afterwards O(log n).
 
 use crate::error::Error;
+use crate::range;
 use crate::transform::FixedImage;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -15,6 +16,9 @@ use std::sync::Arc;
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(try_from = "Vec<(f64, f64)>", into = "Vec<(f64, f64)>")]
 pub struct ProfileTable(Arc<Data>);
+
+/// Largest coordinate, m.
+const MOST: f64 = *range::LENGTH.end();
 
 #[derive(Debug)]
 struct Data {
@@ -84,8 +88,8 @@ impl ProfileTable {
             return Err(Error::ProfileTable { place: "the whole table".into(), problem });
         }
         for (i, &(r, f)) in points.iter().enumerate() {
-            if !r.is_finite() || !f.is_finite() {
-                return refuse(i, format!("r = {r}, f = {f}: both have to be finite"));
+            if !(r.abs() <= MOST && f.abs() <= MOST) {
+                return refuse(i, format!("r = {r}, f = {f}: both have to be finite, 1e30 m at most"));
             }
             if i == 0 && r != 0.0 {
                 return refuse(i, format!("r = {r:e} m: the first point has to lie on the axis, r = 0"));
@@ -97,6 +101,9 @@ impl ProfileTable {
                 let before = points[i - 1].0;
                 return refuse(i, format!("r = {r:e} m after r = {before:e} m: sort the points by rising r"));
             }
+            if i > 0 && r < *range::LENGTH.start() {
+                return refuse(i, format!("r = {r:e} m: a radius that is not 0 has to be 1e-30 m at least"));
+            }
         }
         let (radii, heights): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
         let image = FixedImage::through(&radii, &heights);
@@ -107,10 +114,6 @@ impl ProfileTable {
             let piece = Piece { x0: radii[j], x1: radii[j + 1], g0: g[j], g1: g[j + 1] };
             load.push(load[j] + piece.load(radii[j + 1]));
             square.push(square[j] + piece.square(radii[j + 1]));
-        }
-        let sound = |i: usize| g[i].is_finite() && load[i].is_finite() && square[i].is_finite();
-        if let Some(i) = (0..g.len()).find(|&i| !sound(i)) {
-            return refuse(i, "the 1-D image overflows here: check the units, r and f are in m".into());
         }
         let highest = running(g.iter().copied(), f64::max);
         let mut lowest = running(g.iter().rev().copied(), f64::min);

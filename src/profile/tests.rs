@@ -247,19 +247,27 @@ fn where_a_tables_image_falls_the_outermost_radius_counts() {
 }
 
 #[test]
-fn tables_whose_squares_leave_the_range_of_numbers_are_refused() {
-    for points in [
-        vec![(0.0, 0.0), (1e-200, 1e-9), (1.0, 1.0)],
-        vec![(0.0, 0.0), (1e299, 1e10), (1e300, 1e11)],
-        vec![(0.0, 0.0), (1.0, 1e200), (2.0, 1e201)],
-        vec![(0.0, 0.0), (1.0, -1.7e308), (2.0, 1.7e308)],
+fn tables_beyond_what_is_computed_with_are_refused() {
+    for (points, why) in [
+        (vec![(0.0, 0.0), (1e-200, 1e-9), (1.0, 1.0)], "1e-30 m at least"),
+        (vec![(0.0, 0.0), (1e29, 1e10), (1e31, 1e11)], "1e30 m at most"),
+        (vec![(0.0, 0.0), (1.0, 1.0), (2.0, -2e30)], "1e30 m at most"),
     ] {
         let message = ProfileTable::new(points.clone()).unwrap_err().to_string();
-        assert!(message.contains("overflows"), "{points:?}: {message}");
+        assert!(message.contains(why), "{points:?}: {message}");
     }
+    // points next to each other, up and down by all that is taken, still make an image of numbers
+    let mut jagged = vec![(0.0, 0.0)];
+    jagged.extend(
+        (0..200).map(|k| (f64::from_bits(1f64.to_bits() + k), if k % 2 == 0 { 1e30 } else { -1e30 })),
+    );
+    let jagged = ProfileTable::new(jagged).unwrap();
+    assert!(
+        jagged.radii().iter().all(|&x| jagged.image(x).abs() < 1e60 && jagged.square_integral(x) < 1e150)
+    );
     // small is not too small
-    let small = ProfileTable::new(vec![(0.0, 0.0), (1e-70, 1e-80), (2e-70, 4e-80)]).unwrap();
-    assert!((Profile::Table(small).image(1e-70) / 2e-80 - 1.0).abs() < 1e-14);
+    let small = ProfileTable::new(vec![(0.0, 0.0), (1e-29, 1e-80), (2e-29, 4e-80)]).unwrap();
+    assert!((Profile::Table(small).image(1e-29) / 2e-80 - 1.0).abs() < 1e-14);
 }
 
 #[test]
@@ -275,7 +283,7 @@ fn copies_of_a_table_share_their_data() {
 fn a_rounded_punch_with_next_to_no_flat_is_a_parabola() {
     let (radius, x) = (0.01, 2e-4);
     let parabola = Profile::Parabola { radius };
-    for b in [1e-9, 1e-14, 1e-30, 1e-100, 1e-284] {
+    for b in [1e-9, 1e-14, 1e-30] {
         let punch = Profile::RoundedPunch { radius, flat_radius: b };
         let values =
             |p: &Profile| [p.image(x), p.image_slope(x), p.load_integral(x), p.image_and_integrals(x).2];
@@ -309,11 +317,11 @@ fn the_integrals_of_a_rounded_punch_have_its_image_as_derivative() {
 /// Under a contact beside which the flat is nothing, J is that of the parabola, 2 √(a² − r²)/R.
 #[test]
 fn pressures_over_next_to_no_flat_are_those_of_a_parabola() {
-    let (radius, b) = (0.01, 8.6e-283);
+    let (radius, b) = (0.01, 1e-30);
     for profile in
         [Profile::RoundedPunch { radius, flat_radius: b }, Profile::BluntedSphere { radius, flat_radius: b }]
     {
-        for a in [1e-100, 1e-4, 1.3e46] {
+        for a in [1e-15, 1e-4, 1.3e46] {
             for r in [0.0, 0.5 * a] {
                 let exact = 2.0 / radius * leg(a, r);
                 let value = profile.pressure_integral(r, a);

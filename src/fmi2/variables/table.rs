@@ -5,6 +5,7 @@ use crate::engine::{FrettingContact, SlipState};
 use crate::fmi2::enumerations::{Enumeration, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
 use crate::parameters::Parameters;
+use crate::range;
 use std::ffi::CString;
 use std::ops::Bound;
 
@@ -120,38 +121,43 @@ fn outputs() -> Vec<Variable> {
 
 fn parameters() -> Vec<Variable> {
     let poisson = Range { low: Bound::Excluded(-1.0), high: Bound::Included(0.5) };
-    let slope = Range { low: Bound::Excluded(0.0), high: Bound::Excluded(std::f64::consts::FRAC_PI_2) };
+    let slope = Range {
+        low: Bound::Included(range::LEAST_SLOPE),
+        high: Bound::Excluded(std::f64::consts::FRAC_PI_2),
+    };
     let exponent = Range { low: Bound::Included(0.1), high: Bound::Included(100.0) };
-    let tolerance = Range { low: Bound::Excluded(0.0), high: Bound::Included(0.1) };
+    let [length, stress, coefficient, friction, wear, tolerance] =
+        [range::LENGTH, range::STRESS, range::COEFFICIENT, range::FRICTION, range::WEAR, range::TOLERANCE]
+            .map(Range::from);
     let resolution = Parameters::RESOLUTION_RANGE;
     vec![
         choice("profile", &PROFILE, |s| &mut s.profile).about("Shape of the unworn body 1"),
-        real("radius", "m", Range::POSITIVE, |s| &mut s.radius)
+        real("radius", "m", length, |s| &mut s.radius)
             .about("Radius of curvature of parabola, blunted_sphere and rounded_punch"),
         real("cone_slope", "rad", slope, |s| &mut s.cone_slope)
             .about("Angle between the flank of the cone and the plane"),
         real("exponent", "1", exponent, |s| &mut s.exponent).about("Exponent n of power_law, f = coefficient r^n"),
-        unitless("coefficient", Range::POSITIVE, |s| &mut s.coefficient)
+        unitless("coefficient", coefficient, |s| &mut s.coefficient)
             .about("Coefficient of power_law, in m^(1-exponent); its unit depends on the exponent, so none is declared"),
-        real("flat_radius", "m", Range::POSITIVE, |s| &mut s.flat_radius)
+        real("flat_radius", "m", length, |s| &mut s.flat_radius)
             .about("Radius of the flat tip of blunted_sphere, rounded_punch and flat_punch"),
         text("profile_file", |s| &mut s.profile_file).about(
             "File with the points of profile = table, two columns r and f in m; a relative name is looked for in the \
              FMU's resources, then in the working directory",
         ),
-        real("youngs_modulus_1", "Pa", Range::POSITIVE, |s| &mut s.youngs_modulus_1)
+        real("youngs_modulus_1", "Pa", stress, |s| &mut s.youngs_modulus_1)
             .about("Young's modulus of body 1, which moves and wears"),
         real("poisson_ratio_1", "1", poisson, |s| &mut s.poisson_ratio_1).about("Poisson ratio of body 1"),
-        real("youngs_modulus_2", "Pa", Range::POSITIVE, |s| &mut s.youngs_modulus_2)
+        real("youngs_modulus_2", "Pa", stress, |s| &mut s.youngs_modulus_2)
             .about("Young's modulus of body 2, the counter body"),
         real("poisson_ratio_2", "1", poisson, |s| &mut s.poisson_ratio_2).about("Poisson ratio of body 2"),
-        tunable("friction_coefficient", "1", Range::NOT_NEGATIVE, |s| &mut s.friction_coefficient)
+        tunable("friction_coefficient", "1", friction, |s| &mut s.friction_coefficient)
             .about("Coefficient of friction; a change counts from the next step, 0 is for good"),
-        tunable("wear_coefficient", "1", Range::NOT_NEGATIVE, |s| &mut s.wear_coefficient).about(
+        tunable("wear_coefficient", "1", wear, |s| &mut s.wear_coefficient).about(
             "Wear coefficient k: a friction work W wears the volume W*wear_coefficient/hardness; a change counts from the next step, 0 computes \
              no wear for good",
         ),
-        real("hardness", "Pa", Range::POSITIVE, |s| &mut s.hardness).about("Hardness of body 1"),
+        real("hardness", "Pa", stress, |s| &mut s.hardness).about("Hardness of body 1"),
         choice("normal_control", &NORMAL_CONTROL, |s| &mut s.normal_control)
             .about("Normal quantity that is prescribed"),
         choice("loading", &LOADING, |s| &mut s.loading).about("What the tangential inputs mean"),
