@@ -1,4 +1,4 @@
-"""The worked example: drives FrettingContact.fmu from Python and writes pictures, CSV files and headline numbers.
+"""The worked example: drives FrettingContact.fmu from Python and writes pictures, CSV files, headline numbers and a page.
 
 python demo.py --fmu target/fmu/FrettingContact.fmu --out target/demo [--quick]
 """
@@ -11,16 +11,18 @@ from pathlib import Path
 import ball
 import lives
 import overview
+import page
+import running_map
 import shaken_mass
 import worn_tip
 from contact_fmu import FmuFile
 from plotting import save_table
 
-CASES = (ball, worn_tip, shaken_mass, lives)
+CASES = (ball, worn_tip, shaken_mass, lives, running_map)
 
 
 def main(arguments=None):
-    """Runs the four cases; returns the exit code."""
+    """Runs the cases; returns the exit code."""
     options = parse(arguments)
     if not options.fmu.is_file():
         print(f"demo: there is no FMU at {options.fmu}: build it with `cargo fmu build` first", file=sys.stderr)
@@ -37,7 +39,13 @@ def main(arguments=None):
     files += [path for outcome in outcomes for path in outcome.files]
     files.append(draw_overview(outcomes, options.out / "overview.png"))
     files.append(save_headlines(outcomes, options.out / "headlines.csv"))
+    try:
+        files.append(page.write(options.out))
+        last = f"To look at and play with: {files[-1].resolve().as_uri()}"
+    except page.NoLibrary as problem:
+        last = f"The page of pictures is left out: {problem}; see examples/demo/page-requirements.txt"
     report(outcomes, files)
+    print(f"\n{last}")
     return 0
 
 

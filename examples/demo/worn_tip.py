@@ -5,6 +5,7 @@ gross slip, where the whole contact wears. The FMU computes whole cycles at a ti
 life is repeated by following every cycle (loading = transient) to show that both agree.
 """
 
+import functools
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -75,6 +76,7 @@ def run(fmu, out, quick):
 
     outcome.files.append(draw(lives, out / "worn_tip.png"))
     outcome.files.append(save_table(out / "worn_tip_fields.csv", field_table(lives)))
+    outcome.files.append(save_table(out / "worn_tip_film.csv", field_table(lives, "film")))
     outcome.files.append(save_table(out / "worn_tip_history.csv", history_table(lives)))
     outcome.series = {"lives": lives}
     return outcome
@@ -93,21 +95,26 @@ def parameters(**others):
 
 
 def wear_out(fmu, regime, steps_between):
-    """The life of the tip in whole cycles: history at every step, fields at the regime's stops."""
+    """The life of the tip in whole cycles: history and fields ("film") at every step, fields at the regime's stops."""
     names = ["wear_volume", "wear_depth", "dissipated_energy", "contact_radius", "stick_radius", "tangential_force"]
-    rows, fields = [], []
+    rows, film, fields = [], [], []
     with ContactFmu(fmu) as contact:
         contact.start(**parameters(loading="cyclic", displacement_amplitude=regime.amplitude, frequency=FREQUENCY))
+        # to have slipped at the beginning, too; this little of a cycle wears nothing that could be seen
+        contact.step(1e-6 / FREQUENCY)
         done = 0.0
         for stop in regime.stops:
             # Equal steps in the square root of N: wear is fastest at the beginning.
-            for target in np.linspace(np.sqrt(done), np.sqrt(stop), steps_between + 1)[1:] ** 2 if stop else ():
-                contact.step((target - done) / FREQUENCY)
+            targets = np.linspace(np.sqrt(done), np.sqrt(stop), steps_between + 1)[1:] ** 2 if stop else [0.0]
+            for target in targets:
+                if target > done:
+                    contact.step((target - done) / FREQUENCY)
                 done = target
                 rows.append([done, *contact.get(*names)])
-            fields.append(read_fields(contact, done))
+                film.append(read_fields(contact, done))
+            fields.append(film[-1])
     history = dict(zip(["cycles", *names], np.array(rows).T))
-    return {"regime": regime, "history": history, "fields": fields}
+    return {"regime": regime, "history": history, "fields": fields, "film": film}
 
 
 def read_fields(contact, cycles):
@@ -121,9 +128,15 @@ def read_fields(contact, cycles):
     }
 
 
+@functools.cache
+def profile_points():
+    """r and f of the profile file, m."""
+    return np.loadtxt(PROFILE_FILE).T
+
+
 def unworn_height(radius):
     """The profile file between its points, linear in r² as the FMU reads it."""
-    r, f = np.loadtxt(PROFILE_FILE).T
+    r, f = profile_points()
     return np.interp(np.asarray(radius) ** 2, r**2, f)
 
 
@@ -174,7 +187,7 @@ def draw(lives, path):
             pressure.plot(radius, state["pressure"] * GIGA, color=colour, label=label)
             volume.plot(
                 state["cycles"] / 1e3,
-                np.interp(state["cycles"], *with_origin(life, "wear_volume")) * 1e15,
+                np.interp(state["cycles"], life["history"]["cycles"], life["history"]["wear_volume"]) * 1e15,
                 "o",
                 color=colour,
             )
@@ -189,7 +202,7 @@ def draw(lives, path):
         pressure.set(title="Pressure", xlabel="radius r (µm)", ylabel="contact pressure (GPa)", xlim=(0, reach))
         limit_pressure(pressure, fields)
         pressure.legend(title="cycles", loc="upper right")
-        cycles, worn = with_origin(life, "wear_volume")
+        cycles, worn = life["history"]["cycles"], life["history"]["wear_volume"]
         volume.plot(cycles / 1e3, worn * 1e15, color=INK, lw=1.2, zorder=1)
         volume.set(
             title="Worn volume",
@@ -215,14 +228,9 @@ def limit_pressure(axes, fields):
         )
 
 
-def with_origin(life, key):
-    """(cycles, key) of a life, with the unworn beginning."""
-    history = life["history"]
-    return np.concatenate([[0.0], history["cycles"]]), np.concatenate([[0.0], history[key]])
-
-
-def field_table(lives):
-    states = [(life["regime"].name, state) for life in lives for state in life["fields"]]
+def field_table(lives, which="fields"):
+    """The fields at the stops of each life, or at every step ("film")."""
+    states = [(life["regime"].name, state) for life in lives for state in life[which]]
     columns = {
         "radius (m)": "radius",
         "unworn_height (m)": "unworn",

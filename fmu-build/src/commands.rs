@@ -18,8 +18,13 @@ use std::time::Instant;
 /// What a build for an old glibc needs beyond the rest.
 const ZIG: &str = "fmu-build/zig-requirements.txt";
 
-/// What some tests need beyond the rest: the other masters, and the sweep on Dask.
-const EXTRAS: [(&str, &str); 2] = [
+/// What the demo's page of pictures needs beyond the rest.
+const PAGE: (&str, &str) = ("The page of pictures", "examples/demo/page-requirements.txt");
+
+/// What some tests need beyond the rest: the page and a driver for browsers, the other masters, and the sweep on Dask.
+const EXTRAS: [(&str, &str); 4] = [
+    PAGE,
+    ("The page in a browser", "tests/python/browser-requirements.txt"),
     ("The other masters", "tests/python/masters-requirements.txt"),
     ("The sweep", "examples/sweep/sweep-requirements.txt"),
 ];
@@ -108,6 +113,7 @@ impl Setup<'_> {
 
     /// Drives the FMU through the worked example.
     pub(crate) fn demo(&self, fmu: &Path) -> Result<()> {
+        self.install_if_possible(PAGE);
         let output = self.workspace.product("demo");
         progress::shown("Running the worked example", || {
             let mut demo = self.venv.python();
@@ -115,7 +121,7 @@ impl Setup<'_> {
             demo.env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
             run_shown(demo)
         })?;
-        eprintln!("Plots and tables: {}", output.display());
+        eprintln!("Pictures, tables and a page: {}", output.display());
         Ok(())
     }
 
@@ -164,12 +170,7 @@ impl Setup<'_> {
         let rust_result =
             progress::shown("Rust tests", || run_tests(cargo, &mut rust, Totals::add_rust_line));
 
-        // their tests say what is missing
-        for (what, requirements) in EXTRAS {
-            if let Err(problem) = Venv::with(self.workspace, &[self.workspace.file(requirements)]) {
-                eprintln!("{what}: not tested, since it cannot be installed: {problem:#}");
-            }
-        }
+        EXTRAS.into_iter().for_each(|extra| self.install_if_possible(extra));
         let mut pytest = self.venv.python();
         let cache = self.workspace.product("pytest");
         pytest.args(["-m", "pytest", "tests/python", "-o"]).arg(format!("cache_dir={}", cache.display()));
@@ -180,6 +181,13 @@ impl Setup<'_> {
 
         println!("Rust: {rust}. Python: {python}. Time: {}.", progress::seconds(started.elapsed()));
         rust_result.and(python_result)
+    }
+
+    /// Installs requirements that not every machine has wheels for; what needs them does without and says so.
+    fn install_if_possible(&self, (what, requirements): (&str, &str)) {
+        if let Err(problem) = Venv::with(self.workspace, &[self.workspace.file(requirements)]) {
+            eprintln!("{what}: left out, since what it needs cannot be installed: {problem:#}");
+        }
     }
 
     /// rustfmt and clippy, any warning being an error.

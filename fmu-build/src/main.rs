@@ -65,7 +65,7 @@ enum Task {
         /// The FMU; target/fmu/FrettingContact.fmu if not given
         path: Option<PathBuf>,
     },
-    /// Build, then drive the FMU through the worked example; plots and CSV go to target/demo
+    /// Build, then drive the FMU through the worked example; pictures, CSV and a page (index.html) go to target/demo
     Demo,
     /// Error against run time, and stability of extreme scenes; pages and pictures go to reports
     Report,

@@ -4,6 +4,7 @@ The FMU is found by the environment variable FRETTING_FMU, or where `cargo fmu b
 """
 
 import os
+import subprocess
 import sys
 from pathlib import Path
 
@@ -28,6 +29,16 @@ def fmu_path():
 def fmu(fmu_path):
     with FmuFile(fmu_path) as file:
         yield file
+
+
+@pytest.fixture(scope="session")
+def demo(fmu_path, tmp_path_factory):
+    """The worked example in its short form: the folder that it wrote, and what it said."""
+    out = tmp_path_factory.mktemp("demo")
+    command = [sys.executable, str(DEMO / "demo.py"), "--fmu", str(fmu_path), "--out", str(out), "--quick"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    return out, done.stdout
 
 
 @pytest.fixture

@@ -28,16 +28,9 @@ BOUNDS = {
     "force from the image": 0.03,  # the image jumps at the stick edge, somewhere between two of 64 probes
     "stick radius c/a₀": 1e-6,
     "last force": 5e-3,
+    "fields of the map": 0.0,
+    "friction work of the first cycle": 0.01,  # Mindlin's does not wear
 }
-
-
-@pytest.fixture(scope="module")
-def demo(fmu_path, tmp_path_factory):
-    out = tmp_path_factory.mktemp("demo")
-    command = [sys.executable, str(DEMO / "demo.py"), "--fmu", str(fmu_path), "--out", str(out), "--quick"]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
-    assert done.returncode == 0, done.stderr
-    return out, done.stdout
 
 
 def headlines(out):
@@ -62,7 +55,7 @@ def test_every_expectation_is_bounded(demo):
 LIVES = ["life_parabola", "life_cone", "life_constant_depth", "life_worn_tip"]
 
 
-@pytest.mark.parametrize("name", ["ball_loops", "worn_tip", "shaken_mass", "overview", *LIVES])
+@pytest.mark.parametrize("name", ["ball_loops", "worn_tip", "shaken_mass", "running_map", "overview", *LIVES])
 def test_pictures(demo, name):
     picture = demo[0] / f"{name}.png"
     assert picture.read_bytes().startswith(b"\x89PNG")
@@ -71,7 +64,7 @@ def test_pictures(demo, name):
 
 def test_tables_have_units_and_numbers(demo):
     tables = [path for path in demo[0].glob("*.csv") if path.name != "headlines.csv"]
-    assert len(tables) == 6
+    assert len(tables) == 8
     for path in tables:
         with open(path, encoding="utf-8", newline="") as file:
             header, *rows = csv.reader(file)
@@ -114,7 +107,7 @@ def test_lives_start_unworn_and_never_heal(demo):
 
 def test_progress_and_list_of_files(demo):
     out, text = demo
-    for step in ("[1/4]", "[2/4]", "[3/4]", "[4/4]"):
+    for step in ("[1/5]", "[2/5]", "[3/5]", "[4/5]", "[5/5]"):
         assert step in text
     for path in out.iterdir():
         assert path.name in text

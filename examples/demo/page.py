@@ -1,0 +1,221 @@
+"""The page: the demo's tables as one HTML file to look at and play with, which needs no network and no other file.
+
+python page.py target/demo       # draws it anew from the CSV files in a folder
+
+The numbers come from the CSV files, rounded to six digits. Pictures are drawn in the browser by Vega-Lite, which vl-convert brings.
+"""
+
+import csv
+import html
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import running_map
+import worn_tip
+from plotting import GIGA, MICRO
+from shaken_mass import RIG
+from theory import Sphere
+
+PARTS = Path(__file__).with_name("page")
+CUBIC = 1e15  # m³ → 10⁻⁶ mm³
+LOOPS_SHOWN = 5  # of the shaken mass
+
+
+class NoLibrary(Exception):
+    """The drawing library is not there."""
+
+
+def write(folder):
+    """Writes index.html into the folder of the CSV files; returns its path."""
+    parts = {
+        "style": (PARTS / "page.css").read_text(encoding="utf-8"),
+        "library": library(),
+        "data": json.dumps(data(folder), ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/"),
+        "pictures": (PARTS / "pictures.js").read_text(encoding="utf-8"),
+        "script": (PARTS / "page.js").read_text(encoding="utf-8"),
+        "numbers": numbers(folder / "headlines.csv"),
+        "tables": "\n".join(f'<li><a href="{path.name}">{path.name}</a></li>' for path in sorted(folder.glob("*.csv"))),
+        "licences": html.escape((PARTS / "licences.txt").read_text(encoding="utf-8")),
+    }
+    text = (PARTS / "page.html").read_text(encoding="utf-8")
+    for name, part in parts.items():
+        text = text.replace("{{" + name + "}}", part)
+    path = folder / "index.html"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def library():
+    """Vega, Vega-Lite and Vega-Embed in one script, which leaves `vegaEmbed`."""
+    try:
+        import vl_convert
+    except ImportError as problem:
+        raise NoLibrary(f"vl-convert is not installed ({problem})") from problem
+    bundle = vl_convert.javascript_bundle("window.vegaEmbed = vegaEmbed;")
+    return bundle.replace("</script", "<\\/script")
+
+
+def data(folder):
+    """What the pictures show, in the units of their axes."""
+    return {"loops": loops(folder), "film": film(folder), "map": running(folder), "mass": mass(folder)}
+
+
+def loops(folder):
+    table = read(folder / "ball_loops.csv")
+    displacement, force, exact = (table[name] for name in ("displacement (m)", "tangential_force (N)", "closed_form (N)"))
+    lines, points = [], []
+    for theta in dict.fromkeys(table["theta"]):
+        here = table["theta"] == theta
+        rows = zip(*(rounded(column[here]) for column in (displacement * MICRO, force, exact)))
+        of_loop = [{"theta": f"{theta:g}", "n": n, "u": u, "t": t, "e": e} for n, (u, t, e) in enumerate(rows)]
+        lines += [{key: row[key] for key in ("theta", "n", "u", "t")} for row in of_loop]
+        points += [{key: row[key] for key in ("theta", "u", "e")} for row in of_loop[:: max(1, len(of_loop) // 25)]]
+    return {"lines": lines, "points": points, "limit": Sphere().limit}
+
+
+def film(folder):
+    """Of each life: a frame for every step that was written, and the unworn body."""
+    fields, history = read(folder / "worn_tip_film.csv"), read(folder / "worn_tip_history.csv")
+    lives = []
+    for regime in worn_tip.REGIMES:
+        rows = history["regime"] == regime.name
+        states = {name.split(" (")[0]: column[rows] for name, column in history.items() if name != "regime"}
+        own = fields["regime"] == regime.name
+        frames = []
+        for n, cycles in enumerate(states["cycles"]):
+            here = own & (fields["cycles"] == cycles)
+            radius, unworn, worn, pressure = (
+                fields[name][here] for name in ("radius (m)", "unworn_height (m)", "worn_depth (m)", "pressure (Pa)")
+            )
+            columns = {"r": radius * MICRO, "f": unworn * MICRO, "h": (unworn + worn) * MICRO, "p": pressure * GIGA}
+            scalars = {
+                "cycles": cycles,
+                "volume": states["wear_volume"][n] * CUBIC,
+                "depth": states["wear_depth"][n] * MICRO,
+                "contact": states["contact_radius"][n] * MICRO,
+                "stick": states["stick_radius"][n] * MICRO,
+            }
+            frames.append(
+                {name: rounded([value])[0] for name, value in scalars.items()}
+                | {name: rounded(column) for name, column in columns.items()}
+            )
+        reach = 1.12 * states["contact_radius"].max()
+        radius = np.linspace(0, reach, 60)
+        peaks = [max(frame["p"]) for frame in frames]
+        lives.append(
+            {
+                "name": regime.name,
+                "amplitude": regime.amplitude * MICRO,
+                "frames": frames,
+                "unworn": [
+                    {"r": r, "f": f}
+                    for r, f in zip(rounded(radius * MICRO), rounded(worn_tip.unworn_height(radius) * MICRO))
+                ],
+                "reach": reach * MICRO,
+                # at a pinned stick edge the pressure grows beyond any axis
+                "top": float(min(1.05 * max(peaks), max(1.25 * peaks[0], 1.6 * np.median(peaks)))),
+            }
+        )
+    return lives
+
+
+def running(folder):
+    table = read(folder / "running_map.csv")
+    loads, amplitudes = (edges(table[name]) for name in ("load (N)", "amplitude (m)"))
+    fields = []
+    for n in range(table["load (N)"].size):
+        load, amplitude = table["load (N)"][n], table["amplitude (m)"][n]
+        place = np.searchsorted(loads, load), np.searchsorted(amplitudes, amplitude)
+        values = {
+            "n": load,
+            "u": amplitude * MICRO,
+            "n1": loads[place[0] - 1],
+            "n2": loads[place[0]],
+            "u1": amplitudes[place[1] - 1] * MICRO,
+            "u2": amplitudes[place[1]] * MICRO,
+            "v": table["wear_volume (m3)"][n] * CUBIC,
+            "d": table["wear_depth (m)"][n] * MICRO,
+        }
+        fields.append({"regime": table["regime"][n]} | dict(zip(values, rounded(values.values()))))
+    fine = np.geomspace(loads[0], loads[-1], 40)
+    bounds = [
+        {"line": name, "n": n, "u": u}
+        for name, line in zip(("5 % of the radius slips", "all slips"), running_map.boundaries(fine))
+        for n, u in zip(rounded(fine), rounded(line * MICRO))
+        if amplitudes[0] <= u / MICRO <= amplitudes[-1]
+    ]
+    return {"fields": fields, "bounds": bounds, "cycles": running_map.CYCLES}
+
+
+def edges(middles):
+    """Of fields that are evenly spaced in the logarithm, from their middles."""
+    middles = np.unique(middles)
+    half = np.sqrt(middles[1] / middles[0])
+    return np.append(middles[0] / half, middles * half)
+
+
+def mass(folder):
+    """Per period: largest displacement and normal force; some loops of the joint."""
+    table = read(folder / "shaken_mass.csv")
+    time, displacement, force = (table[name] for name in ("time (s)", "displacement (m)", "tangential_force (N)"))
+    steps = round(1 / (RIG.frequency * (time[1] - time[0])))
+    count = (time.size - 1) // steps
+    of_periods = displacement[1:].reshape(count, steps) * MICRO
+    swing = [
+        {"t": t, "low": low, "high": high, "load": load}
+        for t, low, high, load in zip(
+            rounded((np.arange(count) + 0.5) / RIG.frequency),
+            rounded(of_periods.min(axis=1)),
+            rounded(of_periods.max(axis=1)),
+            rounded(table["load (N)"][steps::steps]),
+        )
+    ]
+    shown = np.unique(np.linspace(min(count // 4, 15), count, LOOPS_SHOWN).astype(int))
+    of_joint = [
+        {"after": f"{last / RIG.frequency:.2f} s", "n": n, "u": u, "t": t}
+        for last in shown
+        for cycle in [slice((last - 1) * steps, last * steps + 1)]
+        for n, (u, t) in enumerate(zip(rounded(displacement[cycle] * MICRO), rounded(force[cycle])))
+    ]
+    return {"swing": swing, "loops": of_joint}
+
+
+def numbers(path):
+    """Rows of an HTML table: what came out and what it ought to be."""
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    lines, case = [], None
+    for row in rows:
+        if row["case"] != case:
+            case = row["case"]
+            lines.append(f'<tr><th colspan="4" scope="rowgroup">{html.escape(case)}</th></tr>')
+        expected = f"{float(row['expected']):.5g}" if row["expected"] else ""
+        deviation = f"{float(row['relative_deviation']):+.0e}" if row["expected"] else ""
+        cells = f"{float(row['value']):.5g} {row['unit']}", expected, deviation
+        text = "".join(f"<td>{html.escape(cell)}</td>" for cell in cells)
+        lines.append(f'<tr><th scope="row">{html.escape(row["quantity"])}</th>{text}</tr>')
+    return "\n".join(lines)
+
+
+def read(path):
+    """{header: column} of a CSV file, numbers as arrays of floats."""
+    with open(path, encoding="utf-8", newline="") as file:
+        header, *rows = csv.reader(file)
+    table = {}
+    for name, column in zip(header, zip(*rows)):
+        try:
+            table[name] = np.array(column, dtype=float)
+        except ValueError:
+            table[name] = np.array(column)
+    return table
+
+
+def rounded(values):
+    """Six digits, as plain floats."""
+    return [float(f"{value:.6g}") for value in values]
+
+
+if __name__ == "__main__":
+    print(write(Path(sys.argv[1])))
