@@ -9,7 +9,7 @@ use crate::process::{run_lines, run_quietly, run_shown};
 use crate::python::Venv;
 use crate::totals::Totals;
 use crate::workspace::Workspace;
-use crate::{library, package, progress};
+use crate::{examples, library, package, progress};
 use anyhow::{Result, bail, ensure};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -24,10 +24,12 @@ const PAGE: (&str, &str) = ("The page of pictures", "examples/demo/page-requirem
 /// What some tests need beyond the rest: the page and a driver for browsers, the other masters, and the sweep on Dask.
 const EXTRAS: [(&str, &str); 4] = [
     PAGE,
+    SWEEP,
     ("The page in a browser", "tests/python/browser-requirements.txt"),
     ("The other masters", "tests/python/masters-requirements.txt"),
-    ("The sweep", "examples/sweep/sweep-requirements.txt"),
 ];
+
+const SWEEP: (&str, &str) = ("The sweep", "examples/sweep/sweep-requirements.txt");
 
 /// What every command works with, set up on first use.
 pub(crate) struct Setup<'a> {
@@ -125,6 +127,13 @@ impl Setup<'_> {
         Ok(())
     }
 
+    /// Runs every example with its output and time.
+    pub(crate) fn examples(&self, fmu: &Path) -> Result<()> {
+        let sweep = self.install_if_possible(SWEEP);
+        examples::build_rust(self.workspace)?;
+        examples::run(examples::all(self.workspace, &self.venv, fmu, sweep)?)
+    }
+
     /// Measures what the pages under `reports` say, and draws their pictures: some five minutes, each scene within its budget.
     pub(crate) fn report(&self) -> Result<()> {
         self.report_script("Independent solution", "independent.py")?;
@@ -170,7 +179,9 @@ impl Setup<'_> {
         let rust_result =
             progress::shown("Rust tests", || run_tests(cargo, &mut rust, Totals::add_rust_line));
 
-        EXTRAS.into_iter().for_each(|extra| self.install_if_possible(extra));
+        for extra in EXTRAS {
+            self.install_if_possible(extra);
+        }
         let mut pytest = self.venv.python();
         let cache = self.workspace.product("pytest");
         pytest.args(["-m", "pytest", "tests/python", "-o"]).arg(format!("cache_dir={}", cache.display()));
@@ -183,11 +194,13 @@ impl Setup<'_> {
         rust_result.and(python_result)
     }
 
-    /// Installs requirements that not every machine has wheels for; what needs them does without and says so.
-    fn install_if_possible(&self, (what, requirements): (&str, &str)) {
-        if let Err(problem) = Venv::with(self.workspace, &[self.workspace.file(requirements)]) {
+    /// Installs requirements that not every machine has wheels for; what needs them does without and says so. Whether they are there.
+    fn install_if_possible(&self, (what, requirements): (&str, &str)) -> bool {
+        let installed = Venv::with(self.workspace, &[self.workspace.file(requirements)]);
+        if let Err(problem) = &installed {
             eprintln!("{what}: left out, since what it needs cannot be installed: {problem:#}");
         }
+        installed.is_ok()
     }
 
     /// rustfmt and clippy, any warning being an error.

@@ -8,6 +8,7 @@ mod check;
 mod commands;
 mod cross;
 mod documentation;
+mod examples;
 mod fuzz;
 mod harden;
 mod libclang;
@@ -67,6 +68,8 @@ enum Task {
     },
     /// Build, then drive the FMU through the worked example; pictures, CSV and a page (index.html) go to target/demo
     Demo,
+    /// Build, then run every example; shows what each says and how long it takes
+    Examples,
     /// Error against run time, and stability of extreme scenes; pages and pictures go to reports
     Report,
     /// Build, then run every test there is: Rust and Python
@@ -126,6 +129,10 @@ fn run(task: Task) -> Result<()> {
         Task::Demo => {
             let setup = commands::set_up(&workspace)?;
             setup.demo(&setup.build(&[Platform::own()?])?)?;
+        }
+        Task::Examples => {
+            let setup = commands::set_up(&workspace)?;
+            setup.examples(&setup.build(&[Platform::own()?])?)?;
         }
         Task::Report => commands::set_up(&workspace)?.report()?,
         Task::Test => {
