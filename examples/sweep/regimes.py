@@ -6,6 +6,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+import matplotlib.ticker
 import numpy as np
 
 MARKS = {"stick": "o", "partial": "s", "gross": "^"}
@@ -21,18 +22,24 @@ def draw(results, path):
     load, amplitude = np.array(results["load"]), np.array(results["amplitude"])
     volume, regime = np.array(results["wear_volume"]), np.array(results["regime"])
     figure, axes = plt.subplots(figsize=(8, 6), layout="constrained")
-    shades = dict(norm=matplotlib.colors.LogNorm(np.percentile(volume, 2), volume.max()), cmap="viridis")
+    shades = dict(norm=matplotlib.colors.LogNorm(np.percentile(volume, 2) * 1e15, volume.max() * 1e15), cmap="viridis")
     for name, mark in MARKS.items():
         here = regime == name
-        dots = axes.scatter(amplitude[here] * 1e6, load[here], c=volume[here], marker=mark, s=12, label=name, **shades)
+        dots = axes.scatter(amplitude[here] * 1e6, load[here], c=volume[here] * 1e15, marker=mark, s=12, **shades)
+        axes.plot([], [], mark, color="0.4", label=name)
     loads = np.geomspace(load.min(), load.max(), 100)
     axes.plot(full_slip(loads) * 1e6, loads, "k-", lw=1.5, label="all slips (Mindlin)")
     stick = (1 - 0.95**2) * full_slip(loads)
     axes.plot(stick * 1e6, loads, "k--", lw=1.5, label="5 % of the radius slips")
     axes.set(xscale="log", yscale="log", xlabel="displacement amplitude (µm)", ylabel="normal force (N)")
-    axes.set_title("Running conditions of a steel ball, R = 10 mm, by the first cycle")
+    axes.set(xlim=(amplitude.min() * 0.9e6, amplitude.max() * 1.1e6), ylim=(load.min() * 0.9, load.max() * 1.1))
+    for axis in (axes.xaxis, axes.yaxis):  # 0.2, 0.5, 1 ... in place of powers
+        axis.set_major_locator(matplotlib.ticker.LogLocator(subs=(1, 2, 5)))
+        axis.set_major_formatter("{x:g}")
+        axis.set_minor_locator(matplotlib.ticker.NullLocator())
+    axes.set_title("Running conditions of a steel ball, R = 10 mm, by the first cycle", loc="left", fontweight="bold")
     figure.legend(loc="outside lower center", ncols=5, fontsize=8)
-    figure.colorbar(dots, label="volume worn in all cycles (m³)")
+    figure.colorbar(dots, label="volume worn in all cycles (10⁻⁶ mm³)")
     figure.savefig(path, dpi=130)
     plt.close(figure)
     return f"{dict(Counter(results['regime']))} in the first cycle, {dict(Counter(results['regime_at_end']))} in the last: {path}"

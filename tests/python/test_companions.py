@@ -11,6 +11,7 @@ import pytest
 from lxml import etree
 
 SCHEMAS = Path(fmpy.__file__).parent / "schema" / "fmi3"
+PARAMETERS = Path(fmpy.__file__).parent / "ssp" / "schema" / "SystemStructureParameterValues.xsd"
 REFERENCE = "extra/org.fmi-standard.fmi-ls-ref"
 LAYERED = "{http://fmi-standard.org/fmi-ls-manifest}"
 
@@ -52,6 +53,56 @@ def test_the_manifest_names_its_standard_and_its_files(archive):
     for source in related:
         name = str((Path("/") / REFERENCE / source).resolve())[1:]
         assert name in archive.namelist(), source
+
+
+# What the schemas of the layered standard (github.com/modelica/fmi-ls-ref, schema/) allow: no package brings them.
+MANIFEST_RULES = {
+    "fmiReferences": ({f"{LAYERED}fmi-ls-{name}" for name in ("name", "version", "description")}, set(), ["Related"]),
+    "Related": ({"source", "role"}, {"type", "description", "checksum", "checksumType"}, ["Label"]),
+}
+EXPERIMENT_RULES = {
+    "Experiments": ({"name"}, {"description"}, ["Experiment"]),
+    "Experiment": (
+        {"name"},
+        {"description", "startTime", "stopTime", "tolerance", "stepSize"},
+        ["Parameters", "Stimuli", "References"],
+    ),
+    **dict.fromkeys(("Parameters", "Stimuli", "References"), ({"source"}, {"type"}, [])),
+}
+ROLES = re.compile(
+    "document|requirement|specification|model|parameter|system|testcase|experiment(/(smoke-test|validation|uncertainty-analysis))?"
+    "|result|method|rationale|report|request|delivery|configuration|signature|serialized-state(/.*)?|meta-data|other"
+)
+
+
+def keeps_to(rules, node):
+    """Elements in their order, attributes that have to be there and that may be."""
+    needed, allowed, children = rules[node.tag]
+    assert needed <= set(node.keys()) <= needed | allowed, node.tag
+    places = [children.index(child.tag) for child in node]
+    assert places == sorted(places), node.tag
+    for child in node:
+        keeps_to(rules, child)
+
+
+def test_manifest_and_experiments_keep_to_the_layered_standard(archive):
+    manifest = xml(archive, f"{REFERENCE}/fmi-ls-manifest.xml")
+    keeps_to(MANIFEST_RULES, manifest)
+    assert all(ROLES.fullmatch(node.get("role")) for node in manifest)
+    purpose = "Layered Standard providing information on related files included in an FMU."
+    assert manifest.get(f"{LAYERED}fmi-ls-description") == purpose
+    experiments = xml(archive, f"{REFERENCE}/closed-forms.exp")
+    keeps_to(EXPERIMENT_RULES, experiments)
+    for experiment in experiments:
+        [float(experiment.get(name)) for name in ("startTime", "stopTime", "tolerance", "stepSize")]
+
+
+def test_parameter_values_are_valid_by_the_schema_of_ssp(archive):
+    schema = etree.XMLSchema(etree.parse(str(PARAMETERS)))
+    names = [name for name in archive.namelist() if name.endswith(".ssv")]
+    assert names
+    for name in names:
+        schema.assertValid(xml(archive, name))
 
 
 def start_values(archive, experiment):
