@@ -31,6 +31,9 @@ const EXTRAS: [(&str, &str); 4] = [
 
 const SWEEP: (&str, &str) = ("The sweep", "examples/sweep/sweep-requirements.txt");
 
+/// A master in Rust: its importer has more dependencies than the library, so that it is a package of its own.
+const RUST_MASTER: &str = "tests/python/masters/rust/Cargo.toml";
+
 /// What every command works with, set up on first use.
 pub(crate) struct Setup<'a> {
     workspace: &'a Workspace,
@@ -182,9 +185,16 @@ impl Setup<'_> {
         for extra in EXTRAS {
             self.install_if_possible(extra);
         }
+        let rust_master = self.rust_master();
+        if let Err(problem) = &rust_master {
+            eprintln!("The master in Rust: not tested, since it cannot be built: {problem:#}");
+        }
         let mut pytest = self.venv.python();
         let cache = self.workspace.product("pytest");
         pytest.args(["-m", "pytest", "tests/python", "-o"]).arg(format!("cache_dir={}", cache.display()));
+        if let Ok(program) = rust_master {
+            pytest.env("FRETTING_RUST_MASTER", program);
+        }
         pytest.env("FRETTING_FMU", fmu).env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
         let mut python = Totals::default();
         let python_result =
@@ -203,11 +213,22 @@ impl Setup<'_> {
         installed.is_ok()
     }
 
+    /// Builds the master in Rust; returns its path.
+    fn rust_master(&self) -> Result<PathBuf> {
+        let directory = self.workspace.product("rust-master");
+        progress::shown("Building the master in Rust", || {
+            let mut cargo = self.cargo("build");
+            cargo.args(["--locked", "--manifest-path", RUST_MASTER, "--target-dir"]).arg(&directory);
+            run_shown(cargo)
+        })?;
+        Ok(directory.join("debug").join(format!("rust-master{}", std::env::consts::EXE_SUFFIX)))
+    }
+
     /// rustfmt and clippy, any warning being an error.
     pub(crate) fn lint(&self) -> Result<()> {
         progress::shown("rustfmt", || {
-            // the fuzz targets are a workspace of their own
-            ["Cargo.toml", "fuzz/Cargo.toml"].iter().try_for_each(|manifest| {
+            // the fuzz targets are a workspace of their own, and so is the master
+            ["Cargo.toml", "fuzz/Cargo.toml", RUST_MASTER].iter().try_for_each(|manifest| {
                 let mut cargo = self.cargo("fmt");
                 cargo.args(["--all", "--check", "--manifest-path", manifest]);
                 run_shown(cargo)

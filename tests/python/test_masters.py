@@ -60,7 +60,7 @@ def test_the_history_slips_and_wears(truth):
     assert volume[-1] > 1e-15 and all(later >= before for before, later in zip(volume, volume[1:]))
 
 
-@pytest.mark.parametrize("master", ["libcosimpy", "ecospy", "pathsim"])
+@pytest.mark.parametrize("master", ["libcosimpy", "ecospy", "pathsim", "rust"])
 def test_other_masters_come_to_the_same_numbers(master, truth, fmu_path, tmp_path):
     rows = run(master, fmu_path, tmp_path)
     assert len(rows) == len(truth)
