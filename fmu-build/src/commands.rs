@@ -1,7 +1,6 @@
 //! The commands, each a list of named steps.
 
 use crate::check::{self, Archive};
-use crate::cross::Outcome;
 use crate::libclang::{self, Environment};
 use crate::library::OldGlibc;
 use crate::platform::Platform;
@@ -9,7 +8,7 @@ use crate::process::{run_lines, run_quietly, run_shown};
 use crate::python::Venv;
 use crate::totals::Totals;
 use crate::workspace::Workspace;
-use crate::{examples, library, package, progress};
+use crate::{emulate, examples, library, package, progress};
 use anyhow::{Result, bail, ensure};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -84,13 +83,8 @@ impl Setup<'_> {
         }
         progress::quiet("Packaging", |_| package::write(self.workspace, &libraries, &unchecked))?;
         self.check(&unchecked)?;
-        for (platform, library) in &libraries {
-            if let (Some(route), true) = (platform.route, *platform != Platform::own()?) {
-                match route.try_out(self.workspace, library)? {
-                    Outcome::Ran(how) => eprintln!("{}: {how}", platform.folder),
-                    Outcome::NotRun(why) => eprintln!("{}: built, but NOT RUN: {why}", platform.folder),
-                }
-            }
+        for line in emulate::lines(&emulate::try_out(self.workspace, &unchecked)?) {
+            eprintln!("{line}");
         }
         std::fs::rename(&unchecked, &fmu)?;
         let folders: Vec<_> =
@@ -195,6 +189,8 @@ impl Setup<'_> {
         if let Ok(program) = rust_master {
             pytest.env("FRETTING_RUST_MASTER", program);
         }
+        // skipped tests are told by name
+        pytest.arg("-rs").env("FRETTING_FMU_BUILD", std::env::current_exe()?);
         pytest.env("FRETTING_FMU", fmu).env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
         let mut python = Totals::default();
         let python_result =

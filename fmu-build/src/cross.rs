@@ -55,16 +55,17 @@ impl Route {
     /// What this machine lacks to build, with the way to get it.
     pub(crate) fn missing(&self) -> Option<String> {
         if !works(self.compiler, &["--version"]) {
-            return Some(format!(
-                "the compiler {} was not found: `apt install {}`",
-                self.compiler, self.packages
-            ));
+            return Some(self.no_compiler());
         }
         let libraries = output("rustc", &["--print", "target-libdir", "--target", self.target]);
         let installed = libraries.is_ok_and(|path| Path::new(path.trim()).is_dir());
         (!installed).then(|| {
             format!("the Rust target {} is not installed: `rustup target add {}`", self.target, self.target)
         })
+    }
+
+    fn no_compiler(&self) -> String {
+        format!("the compiler {} was not found: `apt install {}`", self.compiler, self.packages)
     }
 
     /// Environment for cargo: linker, C compiler, and the target's headers for bindgen.
@@ -89,8 +90,18 @@ impl Route {
         Ok(found)
     }
 
-    /// Loads a library under the emulator and steps it. Returns what was run, or why nothing was.
-    pub(crate) fn try_out(&self, workspace: &Workspace, library: &Path) -> Result<Outcome> {
+    /// Loads a library under the emulator and steps it. Returns what was run, or why nothing was. What it makes stays beside
+    /// the library; `description` is the FMU's modelDescription.xml.
+    pub(crate) fn try_out(
+        &self,
+        workspace: &Workspace,
+        library: &Path,
+        description: &str,
+    ) -> Result<Outcome> {
+        let directory = library.parent().context("the library is in no folder")?;
+        if !works(self.compiler, &["--version"]) {
+            return Ok(Outcome::NotRun(self.no_compiler()));
+        }
         let works = |program: &&&str| works(program, &["--version"]);
         let Some(emulator) = self.emulators.iter().find(works) else {
             return Ok(Outcome::NotRun(format!(
@@ -98,15 +109,13 @@ impl Route {
                 self.emulators[0], self.emulator_package
             )));
         };
-        let directory = workspace.product("cross").join(self.target);
-        std::fs::create_dir_all(&directory)?;
         let program = directory.join(format!("loader{}", self.program));
         let mut compiler = workspace.command(self.compiler);
         compiler.args(["-std=gnu11", "-O1", "-o"]).arg(&program).arg("fmu-build/assets/loader.c");
         let compiled = compiler.args(self.link).output().context("cannot compile the loader")?;
         ensure!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
         let mut run = workspace.command(emulator);
-        run.args(self.emulator_arguments).arg(&program).arg(library).args(loader_arguments(workspace)?);
+        run.args(self.emulator_arguments).arg(&program).arg(library).args(loader_arguments(description)?);
         run.env("WINEPREFIX", directory.join("wine")).env("WINEDEBUG", "-all");
         let done = run.output().with_context(|| format!("cannot run {emulator}"))?;
         let text = String::from_utf8_lossy(&done.stdout).into_owned();
@@ -134,9 +143,8 @@ fn searched(text: &str) -> Vec<String> {
 }
 
 /// GUID and references, from modelDescription.xml.
-fn loader_arguments(workspace: &Workspace) -> Result<Vec<String>> {
-    let text = std::fs::read_to_string(workspace.file("modelDescription.xml"))?;
-    let document = Document::parse(&text)?;
+fn loader_arguments(description: &str) -> Result<Vec<String>> {
+    let document = Document::parse(description)?;
     let guid = document.root_element().attribute("guid").context("no guid")?.to_owned();
     let reference = |name: &str| {
         let found = document.descendants().find(|node| node.attribute("name") == Some(name));
@@ -192,6 +200,18 @@ mod tests {
             message.contains("no-such-compiler") && message.contains("apt install gcc-mingw"),
             "{message}"
         );
+    }
+
+    #[test]
+    fn what_cannot_run_for_want_of_a_program_is_no_failure() {
+        let workspace = Workspace::of_this_program();
+        let tried = |route: Route| match route.try_out(&workspace, Path::new("none/none"), "").unwrap() {
+            Outcome::NotRun(why) => why,
+            Outcome::Ran(how) => panic!("{how}"),
+        };
+        assert!(tried(Route { compiler: "no-such-compiler", ..WIN64 }).contains("no-such-compiler"));
+        let why = tried(Route { compiler: "cargo", emulators: &["no-such-emulator"], ..WIN64 });
+        assert!(why.contains("no-such-emulator") && why.contains("apt install wine64"), "{why}");
     }
 
     #[test]

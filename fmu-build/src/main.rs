@@ -8,6 +8,7 @@ mod check;
 mod commands;
 mod cross;
 mod documentation;
+mod emulate;
 mod examples;
 mod fuzz;
 mod harden;
@@ -73,7 +74,16 @@ enum Task {
     /// Error against run time, and stability of extreme scenes; pages and pictures go to reports
     Report,
     /// Build, then run every test there is: Rust and Python
-    Test,
+    Test {
+        /// Platform folders to build the tested FMU for; those of other machines are run under their emulators
+        #[arg(long, value_delimiter = ',', value_name = "FOLDER")]
+        platforms: Vec<String>,
+    },
+    /// Load and step the libraries of an FMU that are for other machines, under their emulators
+    Try {
+        /// The FMU; target/fmu/FrettingContact.fmu if not given
+        path: Option<PathBuf>,
+    },
     /// Run the fuzz targets under AddressSanitizer: calls, states, profiles
     Fuzz {
         /// The targets; all if none is given
@@ -135,9 +145,14 @@ fn run(task: Task) -> Result<()> {
             setup.examples(&setup.build(&[Platform::own()?])?)?;
         }
         Task::Report => commands::set_up(&workspace)?.report()?,
-        Task::Test => {
+        Task::Test { platforms } => {
+            let platforms = Platform::requested(&platforms)?;
             let setup = commands::set_up(&workspace)?;
-            setup.test(&setup.build(&[Platform::own()?])?)?;
+            setup.test(&setup.build(&platforms)?)?;
+        }
+        Task::Try { path } => {
+            let path = std::path::absolute(path.unwrap_or_else(|| workspace.fmu()))?;
+            emulate::lines(&emulate::try_out(&workspace, &path)?).iter().for_each(|line| println!("{line}"));
         }
         Task::Fuzz { targets, seconds, runs, seed } => {
             let effort = runs.map_or(fuzz::Effort::Seconds(seconds), fuzz::Effort::Runs);

@@ -69,6 +69,11 @@ impl Platform {
         }
     }
 
+    /// All that the standard names.
+    pub(crate) fn all() -> &'static [Self] {
+        &PLATFORMS
+    }
+
     /// The platforms that the user asked for, none meaning this machine's own.
     pub(crate) fn requested(names: &[String]) -> Result<Vec<&'static Self>> {
         let own = Self::own()?;

@@ -1,0 +1,34 @@
+"""Libraries of the FMU that are for other machines run under their emulators: loaded, stepped into gross slip, force and wear by formulas.
+
+They are in the FMU of `cargo fmu test --platforms linux64,win64,aarch64-linux`. What is missing on this machine is told by name.
+"""
+
+import os
+import subprocess
+import zipfile
+
+import pytest
+from conftest import ROOT
+
+BUILDER = [os.environ["FRETTING_FMU_BUILD"]] if "FRETTING_FMU_BUILD" in os.environ else ["cargo", "fmu"]
+
+
+@pytest.fixture(scope="module")
+def tried(fmu_path):
+    """platform: what became of its library."""
+    done = subprocess.run([*BUILDER, "try", fmu_path.resolve()], cwd=ROOT, capture_output=True, text=True, timeout=300)
+    assert done.returncode == 0, done.stderr
+    return dict(line.split(": ", 1) for line in done.stdout.splitlines())
+
+
+@pytest.mark.parametrize("platform", ["win64", "aarch64-linux"])
+def test_a_library_for_another_machine_runs_under_its_emulator(fmu_path, tried, platform):
+    with zipfile.ZipFile(fmu_path) as archive:
+        folders = {name.split("/")[1] for name in archive.namelist() if name.startswith("binaries/")}
+    if platform not in folders:
+        pytest.skip(f"the FMU has no library for {platform}: `cargo fmu test --platforms linux64,win64,aarch64-linux` makes one")
+    if platform not in tried:
+        pytest.skip(f"{platform} is this machine's own")
+    if tried[platform].startswith("NOT RUN"):
+        pytest.skip(f"{platform}: {tried[platform]}")
+    assert tried[platform].startswith("loaded and stepped under"), tried[platform]
