@@ -83,6 +83,63 @@ fn every_listed_message_is_one_that_the_program_has() {
     }
 }
 
+/// The string literals that follow a mark in a source, as the compiler reads them: `\` at the end of a line joins it to the next.
+fn literals_after(source: &str, mark: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    for rest in source.split(mark).skip(1) {
+        let Some(rest) = rest.trim_start().strip_prefix('"') else { continue };
+        let (mut text, mut characters) = (String::new(), rest.chars().peekable());
+        while let Some(c) = characters.next().filter(|c| *c != '"') {
+            match (c, characters.peek()) {
+                ('\\', Some('\n')) => while characters.next_if(|c| c.is_whitespace()).is_some() {},
+                ('\\', Some(_)) => text.extend(characters.next()),
+                _ => text.push(c),
+            }
+        }
+        found.push(text);
+    }
+    found
+}
+
+#[test]
+fn literals_are_read_as_the_compiler_does() {
+    let source = "#[error(\n  \"one \\\n     two\"\n)] #[error(\"a \\\"b\\\" c\", x)]";
+    assert_eq!(literals_after(source, "#[error("), ["one two", "a \"b\" c"]);
+}
+
+/// Texts that carry another message and say nothing of their own.
+const FRAMES: [&str; 3] =
+    ["{name}: {problem}", "{context}: {problem}", "profile_file = \"{name}\" ({}): {problem}"];
+
+#[test]
+fn every_message_in_the_sources_is_listed() {
+    let mut texts = Vec::new();
+    for path in ["src/error.rs", "src/fmi2/refusal.rs"] {
+        texts.extend(literals_after(&read(path), "#[error("));
+    }
+    for path in ["src/fmi2/serialized.rs", "src/fmi2/saved.rs"] {
+        texts.extend(
+            literals_after(&read(path), "refuse(")
+                .into_iter()
+                .map(|text| format!("serialised state is refused: {text}")),
+        );
+    }
+    // of the instance itself: all but what it tells of its life
+    let events = ["is instantiated", "initialized with", "terminated after", "an internal failure in"];
+    let instance = literals_after(&read("src/fmi2/component.rs"), "format!(");
+    texts.extend(instance.into_iter().filter(|text| !events.iter().any(|event| text.contains(event))));
+    texts.retain(|text| !FRAMES.contains(&text.as_str()) && text != "{}: {refusal}");
+    assert!(texts.len() > 40, "{texts:?}");
+    let messages = messages();
+    for text in texts {
+        // "is refused" alone explains what names its own range, nothing else
+        let explains = |message: &str| {
+            text.contains(message) && (message != "is refused" || text.contains("{requirement}"))
+        };
+        assert!(messages.iter().any(|message| explains(message)), "not in the guide: {text}");
+    }
+}
+
 #[test]
 fn every_error_of_the_engine_is_listed() {
     let (name, value, requirement) = ("radius", -1.0, "it is positive");
