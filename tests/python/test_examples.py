@@ -113,6 +113,21 @@ def test_the_measured_loop_is_made_as_it_says(tmp_path):
     assert made == (EXAMPLES / "python" / "measured_loop.csv").read_text(encoding="utf-8")
 
 
+PAGES = [path for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))) if "```python" in path.read_text("utf-8")]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
+def test_the_python_of_a_page_runs_as_it_stands_and_says_what_it_shows(fmu_path, page):
+    text = page.read_text(encoding="utf-8")
+    for block in re.finditer(r"```python\n(.*?)```(?:\n\n```text\n(.*?)```)?", text, re.DOTALL):
+        code, shown = block[1], block[2]
+        assert "target/fmu/FrettingContact.fmu" in code
+        said = run(sys.executable, "-c", code.replace("target/fmu/FrettingContact.fmu", fmu_path.as_posix()))
+        if shown:
+            lines = [line for line in shown.splitlines() if line != "..."]
+            assert said.splitlines()[: len(lines)] == lines
+
+
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the example loads a Linux library")
 def test_c(fmu_path, tmp_path):
     compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
