@@ -152,7 +152,11 @@ fn run(task: Task) -> Result<()> {
         }
         Task::Try { path } => {
             let path = std::path::absolute(path.unwrap_or_else(|| workspace.fmu()))?;
-            emulate::lines(&emulate::try_out(&workspace, &path)?).iter().for_each(|line| println!("{line}"));
+            let lines = emulate::lines(&emulate::try_out(&workspace, &path)?);
+            if lines.is_empty() {
+                eprintln!("{} has no library for another machine that could be run here", path.display());
+            }
+            lines.iter().for_each(|line| println!("{line}"));
         }
         Task::Fuzz { targets, seconds, runs, seed } => {
             let effort = runs.map_or(fuzz::Effort::Seconds(seconds), fuzz::Effort::Runs);
