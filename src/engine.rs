@@ -10,6 +10,7 @@ mod cyclic;
 mod derivatives;
 mod history;
 mod line;
+mod planar;
 mod readout;
 mod retune;
 mod rig;
@@ -80,7 +81,11 @@ pub struct FrettingContact {
     /// The row before a change that may fail, likewise.
     undo: Springs,
     displacement: f64,
-    /// Sign of the last movement, 0 before the first.
+    /// Displacement along y, m.
+    displacement_y: f64,
+    /// Present once the body has moved along y in contact; it then takes the place of `springs`.
+    planar: Option<Box<planar::Planar>>,
+    /// Sign of the last movement along x, 0 before the first.
     direction: f64,
     /// Work of friction, J.
     work: f64,
@@ -143,6 +148,8 @@ impl FrettingContact {
             spare: Springs::default(),
             undo: Springs::default(),
             displacement: 0.0,
+            displacement_y: 0.0,
+            planar: None,
             direction: 0.0,
             work: 0.0,
             former: retune::FormerWear::default(),
@@ -163,7 +170,7 @@ impl FrettingContact {
         &self.counters
     }
 
-    /// Lifts the body off, moves it to `displacement` (m) and presses it down there, so that T = 0. `normal` is the
+    /// Lifts the body off, moves it to `displacement` (m, along x; its place along y stays) and presses it down there, so that T = 0. `normal` is the
     /// force (N) or the indentation depth (m), by `normal_control`. Wear and work so far stay.
     ///
     /// # Errors
@@ -180,6 +187,7 @@ impl FrettingContact {
                 this.reach = 0.0;
             }
             this.springs = Springs::default();
+            this.planar = None;
             this.contact = Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
             this.walk(contact.control, displacement, 1)
         })?;

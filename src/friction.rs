@@ -14,9 +14,13 @@
 //! most at an end. Hence a step may be split at will without changing the result.
 
 mod interval;
+mod planar;
 mod slide;
 mod walk;
 
+pub(crate) use planar::{
+    PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent, Vector, difference,
+};
 pub(crate) use walk::Path;
 
 use crate::surface::{Contact, Place, Surface};

@@ -19,6 +19,7 @@ mod life;
 mod mesh;
 mod node_transforms;
 mod patch;
+mod planar;
 mod rosenbrock;
 mod system;
 mod update;
@@ -105,6 +106,21 @@ impl Pending {
         work: f64,
         most_share: f64,
     ) -> f64 {
+        let product: Vec<f64> =
+            (0..slip.len()).map(|i| traction.get(i).map_or(0.0, |traction| traction * slip[i])).collect();
+        let one_way = slip.iter().all(|s| *s >= 0.0) || slip.iter().all(|s| *s <= 0.0);
+        let path: Vec<f64> = slip.iter().map(|s| s.abs()).collect();
+        self.add_product(nodes, contact, (&product, &path, one_way), (work, most_share))
+    }
+
+    /// [`Self::add`] with the product of traction and slip, the length of the slip, and whether all slips one way.
+    fn add_product(
+        &mut self,
+        nodes: &Nodes,
+        contact: &Contact,
+        (product, path, one_way): (&[f64], &[f64], bool),
+        (work, most_share): (f64, f64),
+    ) -> f64 {
         if self.contact.is_none_or(|largest| largest.radius < contact.radius) {
             self.contact = Some(*contact);
         }
@@ -112,11 +128,8 @@ impl Pending {
         for field in [&mut self.work_per_area, &mut self.slip_path] {
             field.resize(count, 0.0);
         }
-        let product: Vec<f64> =
-            (0..count).map(|i| traction.get(i).map_or(0.0, |traction| traction * slip[i])).collect();
         // where all slips one way, a negative product is a pressure that overshoots: the update needs to know by how much, or
         // it would drive it on; the depth that it gives is clipped in the end
-        let one_way = slip.iter().all(|s| *s >= 0.0) || slip.iter().all(|s| *s <= 0.0);
         let healing: Vec<f64> = product.iter().map(|p| if one_way { 0.0 } else { (-p).max(0.0) }).collect();
         self.clipped += nodes.volume(&healing);
         let gain: Vec<f64> = product.iter().zip(&healing).map(|(p, h)| p + h).collect();
@@ -126,7 +139,7 @@ impl Pending {
         for i in 0..count {
             let gain = share * gain[i];
             self.work_per_area[i] += gain;
-            self.slip_path[i] += slip[i].abs();
+            self.slip_path[i] += path[i];
         }
         self.work += placed;
         (found - work).abs()

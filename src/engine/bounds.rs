@@ -23,14 +23,16 @@ impl FrettingContact {
         change: impl FnOnce(&mut Self) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let (work, start, updates) = (self.work, self.displacement, self.counters.profile_updates);
-        let stored = self.constants.tangential_modulus * self.springs.energy_integral(start);
+        let start_y = self.displacement_y;
+        let stored = self.stored_energy();
         let (force, before, unplaced) = (self.normal_reaction(), self.contact, self.unplaced());
         change(self)?;
         if self.wear.is_none() || self.counters.profile_updates == updates {
             return Ok(());
         }
         let force = force.max(self.normal_reaction());
-        let driven = self.constants.friction_coefficient * force * (self.displacement - start).abs();
+        let moved = (self.displacement - start).hypot(self.displacement_y - start_y);
+        let driven = self.constants.friction_coefficient * force * moved;
         let taken = self.work - work;
         let per_work = self.constants.wear_per_work;
         // what went wrong may have blown up the contact after

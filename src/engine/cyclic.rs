@@ -15,7 +15,7 @@ use crate::wear::{Amount, Fineness, Motion, Sliding, UnitMesh, live};
 const MOST_CELLS: usize = 8192;
 
 impl FrettingContact {
-    /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) at a constant force (N) or
+    /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) along x at a constant force (N) or
     /// indentation depth (m). The amplitude is the drive's where there is a rig stiffness. Afterwards the body stands at
     /// its own, and [`Self::tangential_force`] is the
     /// amplitude of T.
@@ -42,6 +42,7 @@ impl FrettingContact {
 
     fn run_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         self.settle()?;
+        self.planar = None;
         self.contact = self.contact_at(value)?;
         self.reach = self.reach.max(self.contact.radius);
         let amplitude = if self.wear.is_none() {

@@ -16,6 +16,9 @@
 //! | W | −2G* m² I | 2G* m s I |
 //! | c, where s (U − e(c)) = b(c) | m/(g'(c) (m − s e')) | −s/(g'(c) (m − s e')), e' = de/dg inside c |
 //!
+//! Motion along y that starts on a line along x turns the springs that slip without pulling them: ∂T_y/∂U_y = 2G*a, all else is 0. Once
+//! the body has moved in the plane, see [`super::planar`].
+//!
 //! Under force control all of the first column is divided by ∂F_N/∂d. Where the bodies are apart everything is constant,
 //! but for the depth under depth control.
 
@@ -29,15 +32,21 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 pub struct Gradient {
     /// With respect to the prescribed normal quantity: per N or, under depth control, per m.
     pub normal: f64,
-    /// With respect to the displacement that is given, per m.
+    /// With respect to the displacement along x that is given, per m.
     pub displacement: f64,
+    /// With respect to the displacement along y, per m.
+    pub displacement_y: f64,
 }
 
 impl Gradient {
     /// This times a factor; what is infinite there, where a front jumps, is no derivative and becomes 0.
-    fn times(self, factor: f64) -> Self {
+    pub(super) fn times(self, factor: f64) -> Self {
         let finite = |value: f64| if value.is_finite() { value } else { 0.0 };
-        Self { normal: finite(self.normal * factor), displacement: finite(self.displacement * factor) }
+        Self {
+            normal: finite(self.normal * factor),
+            displacement: finite(self.displacement * factor),
+            displacement_y: finite(self.displacement_y * factor),
+        }
     }
 }
 
@@ -51,7 +60,7 @@ impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
     fn gradient(&self, by_depth: f64, by_displacement: f64) -> Gradient {
         let by_normal = by_depth * self.depth_per_normal();
-        let gradient = Gradient { normal: by_normal, displacement: by_displacement };
+        let gradient = Gradient { normal: by_normal, displacement: by_displacement, displacement_y: 0.0 };
         let gradient = if self.compliance > 0.0 { self.behind_the_rig(gradient) } else { gradient };
         gradient.times(if self.contact.is_open() { 0.0 } else { 1.0 })
     }
@@ -64,6 +73,7 @@ impl FrettingContact {
         Gradient {
             normal: gradient.normal + gradient.displacement * by_normal,
             displacement: gradient.displacement * own,
+            displacement_y: gradient.displacement_y,
         }
     }
 
@@ -75,7 +85,7 @@ impl FrettingContact {
     }
 
     /// ∂d/∂(prescribed normal quantity) of a closed contact.
-    fn depth_per_normal(&self) -> f64 {
+    pub(super) fn depth_per_normal(&self) -> f64 {
         if self.constants.force_control { 1.0 / self.normal_stiffness() } else { 1.0 }
     }
 
@@ -106,7 +116,7 @@ impl FrettingContact {
         if self.constants.force_control {
             self.gradient(1.0, 0.0)
         } else {
-            Gradient { normal: 1.0, displacement: 0.0 }
+            Gradient { normal: 1.0, ..Gradient::default() }
         }
     }
 
@@ -127,6 +137,9 @@ impl FrettingContact {
     /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`] k or, behind a rig,
     /// k k_rig/(k + k_rig).
     pub fn tangential_force_gradient(&self) -> Gradient {
+        if let Some(gradient) = self.force_gradient_in_plane(0) {
+            return gradient;
+        }
         let (by_depth, stiffness) = self.force_slopes();
         self.gradient(by_depth, stiffness)
     }
@@ -134,7 +147,7 @@ impl FrettingContact {
     /// Of [`Self::displacement`].
     pub fn displacement_gradient(&self) -> Gradient {
         if self.contact.is_open() {
-            Gradient { normal: 0.0, displacement: 1.0 }
+            Gradient { displacement: 1.0, ..Gradient::default() }
         } else {
             self.gradient(0.0, 1.0)
         }
@@ -142,6 +155,9 @@ impl FrettingContact {
 
     /// Of [`Self::stick_radius`]; 0 where the front jumps, as on a flat punch, and in gross slip.
     pub fn stick_radius_gradient(&self) -> Gradient {
+        if let Some(gradient) = self.stick_gradient_in_plane() {
+            return gradient;
+        }
         let (stick, side) = self.moving_zone();
         if stick <= 0.0 {
             return Gradient::default();
@@ -158,11 +174,17 @@ impl FrettingContact {
 
     /// Of [`Self::tangential_stiffness`].
     pub fn tangential_stiffness_gradient(&self) -> Gradient {
+        if let Some(gradient) = self.stiffness_gradient_in_plane() {
+            return gradient;
+        }
         self.stick_radius_gradient().times(2.0 * self.constants.tangential_modulus)
     }
 
     /// Of [`Self::dissipated_energy`].
     pub fn dissipated_energy_gradient(&self) -> Gradient {
+        if let Some(gradient) = self.work_gradient_in_plane() {
+            return gradient;
+        }
         let (stick, side) = self.moving_zone();
         let limit = 2.0 * self.constants.tangential_modulus * self.bound_slope * self.room_outside(stick);
         self.gradient(-self.bound_slope * limit, side * limit)
@@ -176,6 +198,9 @@ impl FrettingContact {
     /// Of [`Self::wear_depth`]: dw = (k/σ₀) |τ| ds at the deepest point, where a slip δ of all springs outside c moves the
     /// surface by δ (2/π) arccos(c/r).
     pub fn wear_depth_gradient(&self) -> Gradient {
+        if let Some(gradient) = self.wear_depth_gradient_in_plane() {
+            return gradient;
+        }
         let (stick, side) = self.moving_zone();
         let rate = |r: f64| {
             let share = if stick < r { FRAC_2_PI * (stick / r).acos() } else { 0.0 };
@@ -192,7 +217,7 @@ impl FrettingContact {
     }
 
     /// Radius of the deepest worn point, m, once something has worn.
-    fn deepest(&self) -> Option<f64> {
+    pub(super) fn deepest(&self) -> Option<f64> {
         let nodes = self.view()?;
         let deepest = nodes.depth().iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
         (*deepest.1 > 0.0).then(|| nodes.x()[deepest.0])

@@ -29,6 +29,9 @@ impl FrettingContact {
     /// profile cannot carry the load; [`Error::BeyondNumbers`] for a contact too large to be computed.
     pub fn advance_to(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         let (value, displacement) = self.checked(normal, displacement)?;
+        if self.planar.is_some() {
+            return self.advance_to_planar(normal, [displacement, self.displacement_y]);
+        }
         if self.compliance > 0.0 {
             return self.advance_drive(value, displacement);
         }
@@ -208,7 +211,7 @@ impl FrettingContact {
     }
 
     /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact could follow.
-    fn outwears(&self, work: f64) -> bool {
+    pub(super) fn outwears(&self, work: f64) -> bool {
         let ratio = self.exceeds_limit(self.constants.wear_per_work * work, &self.contact, 0.0);
         ratio.is_some_and(|ratio| ratio > MOST_PIECES)
     }

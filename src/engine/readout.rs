@@ -18,8 +18,11 @@ impl FrettingContact {
         self.displacement
     }
 
-    /// Tangential force T = 2G* ∫ u dx that the moving body exerts on the substrate, N; |T| ≤ μF_N.
+    /// Tangential force T = 2G* ∫ u dx along x that the moving body exerts on the substrate, N; |T| ≤ μF_N.
     pub fn tangential_force(&self) -> f64 {
+        if let Some(force) = self.force_in_plane() {
+            return force[0];
+        }
         let force =
             2.0 * self.constants.tangential_modulus * self.springs.deflection_integral(self.displacement);
         let limit = self.constants.friction_coefficient * self.normal_reaction();
@@ -44,6 +47,9 @@ impl FrettingContact {
     /// Stick radius c, m: inner edge of the outer annulus in which all springs are at their friction bound on one
     /// side; 0 in gross slip, a in full stick.
     pub fn stick_radius(&self) -> f64 {
+        if let Some(standing) = self.standing() {
+            return standing.stick_radius();
+        }
         self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement)
     }
 
@@ -65,6 +71,9 @@ impl FrettingContact {
 
     /// ∂T/∂U for going on in the direction of the last movement, N/m: 2G* times the length of springs that stick.
     pub fn tangential_stiffness(&self) -> f64 {
+        if let Some(stiffness) = self.stiffness_in_plane() {
+            return stiffness;
+        }
         let (stick, side) =
             self.springs.slip_zone(&self.contact, self.constants.bound_slope(), self.displacement);
         let sticking = if side * self.direction < 0.0 { self.contact.radius } else { stick };
@@ -162,8 +171,11 @@ impl FrettingContact {
         self.constants.normal_modulus / PI * (self.slope_integral(r, a) + edge)
     }
 
-    /// Tangential traction τ at radius r, Pa, in the direction of U (eq. (17)).
+    /// Tangential traction τ at radius r, Pa, along x (eq. (17)).
     pub fn shear_traction_at(&self, r: f64) -> f64 {
+        if let Some(traction) = self.traction_in_plane(r) {
+            return traction[0];
+        }
         let a = self.contact.radius;
         if r >= a {
             return 0.0;
@@ -191,7 +203,7 @@ impl FrettingContact {
     }
 
     /// ∫ from r to a of g' dx/√(x² − r²) of the present image.
-    fn slope_integral(&self, r: f64, a: f64) -> f64 {
+    pub(super) fn slope_integral(&self, r: f64, a: f64) -> f64 {
         if a <= r {
             return 0.0;
         }

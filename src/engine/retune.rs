@@ -51,14 +51,8 @@ impl FrettingContact {
             let former_wear_per_work = this.constants.wear_per_work;
             this.parameters = Arc::new(new);
             (this.constants, this.bound_slope) = (constants, bound_slope);
-            let contact = this.contact;
-            let (springs, _) =
-                this.springs.walk(&this.path_to(contact, this.displacement), Springs::default());
+            let work = if this.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
             this.counters.spring_walks += 1;
-            let energy = |row: &Springs| row.energy_integral(this.displacement);
-            let lost = this.constants.tangential_modulus * (energy(&this.springs) - energy(&springs));
-            let work = lost.max(0.0);
-            this.springs = springs;
             this.work += work;
             if let Some(wear) = &mut this.wear {
                 // a volume, told as the work that wears it
@@ -70,5 +64,14 @@ impl FrettingContact {
             this.start_segment();
             Ok(())
         })
+    }
+
+    /// Springs beyond a bound that has become another slip back to it where the body stands. Returns the energy that they lose, J.
+    fn slip_back(&mut self) -> f64 {
+        let stored = self.stored_energy();
+        let (springs, _) =
+            self.springs.walk(&self.path_to(self.contact, self.displacement), Springs::default());
+        self.springs = springs;
+        (stored - self.stored_energy()).max(0.0)
     }
 }

@@ -88,6 +88,9 @@ impl FrettingContact {
 
     /// Closes the segment and brings the profile up to date.
     pub(super) fn settle(&mut self) -> Result<(), Error> {
+        if self.planar.is_some() {
+            return self.settle_in_plane();
+        }
         let begun = match self.begun_half_cycle() {
             None => self.steady_segment(),
             begun => begun,
@@ -149,6 +152,9 @@ impl FrettingContact {
             return;
         }
         let contact = (!self.contact.is_open()).then_some(self.contact);
+        if self.planar.is_some() {
+            return self.start_segment_in_plane(contact);
+        }
         let (inner, side) =
             self.springs.slip_zone(&self.contact, self.constants.bound_slope(), self.displacement);
         let sliding = if inner == 0.0 { side } else { 0.0 };
@@ -160,15 +166,14 @@ impl FrettingContact {
     }
 
     /// Work whose wear is still to be taken off, J.
-    fn pending_work(&self) -> f64 {
+    pub(super) fn pending_work(&self) -> f64 {
         let Some(wear) = &self.wear else { return 0.0 };
         wear.pending.work + wear.pending.steady.map_or(0.0, |steady| steady.work)
     }
 
     /// Volume that may wear before the profile is updated, m³.
     pub(super) fn update_limit(&self) -> f64 {
-        let mut inner =
-            self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
+        let mut inner = self.stick_radius();
         if let (Some(wear), Some(nodes)) = (&self.wear, self.surface.worn())
             && let Some(first) = wear.pending.slip_path.iter().position(|s| *s > 0.0)
         {

@@ -4,6 +4,7 @@ mod soundness;
 
 pub(super) use soundness::is_contact;
 
+use super::planar::Planar;
 use super::retune::FormerWear;
 use super::steady::Rhythm;
 use super::{Counters, FrettingContact, WearState};
@@ -19,6 +20,10 @@ pub struct Snapshot {
     contact: Contact,
     springs: Springs,
     displacement: f64,
+    #[serde(default)]
+    displacement_y: f64,
+    #[serde(default)]
+    planar: Option<Box<Planar>>,
     direction: f64,
     work: f64,
     former: FormerWear,
@@ -59,6 +64,8 @@ impl FrettingContact {
             contact: self.contact,
             springs: self.springs.clone(),
             displacement: self.displacement,
+            displacement_y: self.displacement_y,
+            planar: self.planar.as_ref().map(|planar| Box::new(planar.saved())),
             direction: self.direction,
             work: self.work,
             former: self.former,
@@ -97,6 +104,8 @@ impl FrettingContact {
         self.springs = snapshot.springs.clone();
         self.contact = snapshot.contact;
         self.displacement = snapshot.displacement;
+        self.displacement_y = snapshot.displacement_y;
+        self.planar = snapshot.planar.clone();
         self.direction = snapshot.direction;
         self.work = snapshot.work;
         self.former = snapshot.former;

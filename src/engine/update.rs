@@ -13,7 +13,7 @@ impl FrettingContact {
     /// Makes the nodes at the first slip; later adapts them to the contact and the front, after what is pending has
     /// been worn off on the old ones.
     pub(super) fn prepare_nodes(&mut self) -> Result<(), Error> {
-        let front = self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
+        let front = self.stick_radius();
         let profile = self.surface.profile();
         let adapted = match self.surface.worn() {
             None => {
@@ -47,6 +47,9 @@ impl FrettingContact {
         let old = self.surface.clone();
         self.surface.set_worn(Some(nodes));
         self.springs = self.springs.moved_to(&old, &self.surface);
+        if let Some(planar) = &mut self.planar {
+            planar.row = planar.row.on_nodes(&self.surface);
+        }
         if let Some(wear) = &mut self.wear {
             wear.segment.unslipped = wear.segment.unslipped.moved_to(&old, &self.surface);
             if let (Some(before), Some(now)) = (old.worn(), self.surface.worn()) {
@@ -125,6 +128,10 @@ impl FrettingContact {
     /// (its inner radius and side) slipped.
     fn rest_on_new_surface(&mut self, old: &Surface, zone: (f64, f64)) -> Result<(), Error> {
         let to = self.contact_at(self.contact.control)?;
+        if self.planar.is_some() {
+            self.rest_in_plane(to);
+            return Ok(());
+        }
         let moved = self.springs.moved_to(old, &self.surface);
         let path = self.path_to(to, self.displacement);
         let (mut springs, _) = moved.walk(&path, Springs::default());

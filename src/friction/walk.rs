@@ -21,15 +21,20 @@ pub(crate) struct Path<'a> {
     pub(crate) sampling: f64,
 }
 
+/// Share of a line between two contacts after which the spring at `place` comes into or leaves contact.
+pub(super) fn share_at_touch(control: NormalControl, (from, to): (&Contact, &Contact), place: &Place) -> f64 {
+    let level = match control {
+        NormalControl::Force => place.load,
+        NormalControl::Indentation => place.image,
+    };
+    let span = to.control - from.control;
+    if span == 0.0 { 1.0 } else { ((level - from.control) / span).clamp(0.0, 1.0) }
+}
+
 impl Path<'_> {
     /// Displacement at the instant at which the spring at `place` comes into or leaves contact.
     fn displacement_at_touch(&self, place: &Place) -> f64 {
-        let level = match self.control {
-            NormalControl::Force => place.load,
-            NormalControl::Indentation => place.image,
-        };
-        let span = self.to.control - self.from.control;
-        let share = if span == 0.0 { 1.0 } else { ((level - self.from.control) / span).clamp(0.0, 1.0) };
+        let share = share_at_touch(self.control, (&self.from, &self.to), place);
         self.start + share * (self.end - self.start)
     }
 

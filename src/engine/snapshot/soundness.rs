@@ -2,7 +2,8 @@
 
 use super::{Snapshot, WearSnapshot};
 use crate::engine::FrettingContact;
-use crate::friction::{Knot, Springs};
+use crate::engine::planar::Planar;
+use crate::friction::{Knot, PlanarKnot, Springs, difference};
 use crate::surface::{Contact, Place, Surface};
 use crate::wear::Sliding;
 
@@ -49,20 +50,22 @@ pub(in crate::engine) fn is_contact(contact: &Contact) -> bool {
 fn is_row(row: &Springs, surface: &Surface, outermost: &Place, most: usize) -> bool {
     let knots = row.knots();
     let rises = knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x);
-    let placed = |knot: &Knot| {
-        let Place { x, image, load, square } = knot.place;
-        let on = surface.place(x);
-        amount(x)
-            && x <= outermost.x * (1.0 + CLOSE)
-            && knot.origin.is_finite()
-            && near(on.image, image, outermost.image)
-            && near(on.load, load, outermost.load)
-            && near(on.square, square, outermost.square)
-    };
+    let placed = |knot: &Knot| knot.origin.is_finite() && is_placed(&knot.place, surface, outermost);
     knots.len() <= most
         && rises
         && knots.first().is_none_or(|knot| knot.place.x == 0.0)
         && knots.iter().all(placed)
+}
+
+/// Whether a place lies on the surface, but for rounding.
+fn is_placed(place: &Place, surface: &Surface, outermost: &Place) -> bool {
+    let Place { x, image, load, square } = *place;
+    let on = surface.place(x);
+    amount(x)
+        && x <= outermost.x * (1.0 + CLOSE)
+        && near(on.image, image, outermost.image)
+        && near(on.load, load, outermost.load)
+        && near(on.square, square, outermost.square)
 }
 
 impl Snapshot {
@@ -72,6 +75,7 @@ impl Snapshot {
         let most = MOST_KNOTS * resolution;
         let numbers = amount(self.reach)
             && self.displacement.is_finite()
+            && self.displacement_y.is_finite()
             && is_sign(self.direction)
             && amount(self.work)
             && amount(self.former.volume)
@@ -107,6 +111,15 @@ impl Snapshot {
         if !self.obeys_friction(target) {
             return Some("springs reach beyond their friction bound or the contact");
         }
+        if !self
+            .planar
+            .as_ref()
+            .is_none_or(|planar| self.is_planar(planar, &surface, (&outermost, most), target))
+        {
+            return Some(
+                "springs in the plane are out of order, off the profile or beyond their friction bound",
+            );
+        }
         let node_count = self.nodes.as_ref().map_or(0, |nodes| nodes.x().len());
         match &self.wear {
             Some(wear)
@@ -133,9 +146,38 @@ impl Snapshot {
             && (contact.radius - saved.radius).abs() <= 1e-2 * contact.radius + CLOSE * self.reach
     }
 
+    fn is_planar(
+        &self,
+        planar: &Planar,
+        surface: &Surface,
+        (outermost, most): (&Place, usize),
+        target: &FrettingContact,
+    ) -> bool {
+        let Contact { depth, radius, .. } = self.contact;
+        let place = [self.displacement, self.displacement_y];
+        let knots = planar.row.knots();
+        let slack = CLOSE * (target.bound_slope * depth.abs() + place[0].abs() + place[1].abs());
+        let within = |knot: &PlanarKnot| {
+            let bound = target.bound_slope * (depth - knot.place.image).max(0.0);
+            let [x, y] = difference(place, knot.origin);
+            x.hypot(y) <= bound + slack && is_placed(&knot.place, surface, outermost)
+        };
+        let [x, y] = planar.direction;
+        !self.contact.is_open()
+            && target.compliance == 0.0
+            && knots.len() <= most
+            && knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x)
+            && knots.first().is_some_and(|knot| knot.place.x == 0.0)
+            && knots.last().is_some_and(|knot| close(knot.place.x, radius))
+            && knots.iter().all(within)
+            && planar.row.is_counted(self.wear.is_some())
+            && close(x.hypot(y), 1.0)
+            && planar.segment_start.iter().all(|part| part.is_finite())
+    }
+
     fn obeys_friction(&self, target: &FrettingContact) -> bool {
         let Contact { depth, radius, .. } = self.contact;
-        if self.contact.is_open() {
+        if self.contact.is_open() || self.planar.is_some() {
             return self.springs.knots().is_empty();
         }
         let slope = target.bound_slope;
@@ -152,13 +194,16 @@ impl Snapshot {
 impl WearSnapshot {
     fn is_sound(&self, node_count: usize) -> bool {
         let Self { pending, segment_contact, rhythm, next_step, .. } = self;
-        let fields = [&pending.work_per_area, &pending.slip_path];
-        let sized = |field: &&Vec<f64>| field.len() <= node_count && field.iter().all(|value| amount(*value));
+        // where all slips one way, the work is kept as negative as a pressure that overshoots makes it
+        let sized = pending.work_per_area.len() <= node_count
+            && pending.slip_path.len() <= node_count
+            && pending.work_per_area.iter().all(|value| value.is_finite())
+            && pending.slip_path.iter().all(|value| amount(*value));
         let steady = pending
             .steady
             .is_none_or(|steady| is_motion(steady.sliding) && amount(steady.amount) && amount(steady.work));
         let contacts = [segment_contact, &pending.contact];
-        fields.iter().all(sized)
+        sized
             && steady
             && [pending.work, pending.clipped, self.segment_work, self.transform_defect]
                 .iter()

@@ -1,0 +1,239 @@
+//! Motion in both tangential directions.
+//!
+//! As long as the body keeps its place along y while it is in contact, all is as in one dimension, and a field that is empty is all
+//! that it costs. The first motion along y takes the row of knots over into one of vectors ([`PlanarRow`]), which serves from then on
+//! until the bodies part. Histories in the plane repeat nothing as far as wear is concerned: they are worn in segments, by implicit
+//! updates (`wear`). Where steady cycles are asked for, they are along x, from rest, whatever was before.
+
+mod derivatives;
+mod reading;
+mod wear;
+
+use super::FrettingContact;
+use super::line::Line;
+use crate::error::Error;
+use crate::friction::{PlanarPath, PlanarRow, Samples, Springs, Vector};
+use crate::range;
+use crate::surface::Contact;
+use serde::{Deserialize, Serialize};
+use std::mem::{replace, swap, take};
+
+/// Samples of the row for each cell of the resolution, across the contact.
+const SAMPLES_PER_CELL: usize = 2;
+
+/// What a contact has besides once it has moved along y.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Planar {
+    pub(super) row: PlanarRow,
+    /// Direction of the last movement, a unit vector.
+    pub(super) direction: Vector,
+    /// Displacement at which the present segment of wear began, m.
+    pub(super) segment_start: Vector,
+    /// A former row, kept for its memory.
+    #[serde(skip)]
+    spare: PlanarRow,
+    /// The row before a change that may fail, likewise.
+    #[serde(skip)]
+    undo: PlanarRow,
+}
+
+impl Planar {
+    /// A copy without memory kept for later.
+    pub(super) fn saved(&self) -> Self {
+        Self { row: self.row.clone(), spare: PlanarRow::default(), undo: PlanarRow::default(), ..*self }
+    }
+}
+
+impl FrettingContact {
+    /// Walks the straight line from the present state to (`normal`, `displacement`), displacement along x and y in m.
+    /// [`Self::advance_to`] is the same with y as it is.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to`]; [`Error::Input`] for motion along y behind a rig stiffness.
+    pub fn advance_to_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
+        let [x, y] = displacement;
+        if y == self.displacement_y && self.planar.is_none() {
+            return self.advance_to(normal, x);
+        }
+        let (value, _) = self.checked(normal, x)?;
+        self.check_along_y(y)?;
+        if value == self.contact.control && displacement == self.place() {
+            self.counters.steps += 1;
+            return Ok(());
+        }
+        let line = Line { from: (self.contact.control, 0.0), to: (value, 1.0) };
+        if !(self.contact.is_open() && value <= self.touch_control()) {
+            // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
+            self.solve_contact(value)?;
+        }
+        let from = self.place();
+        self.planar_transaction(|this| {
+            for part in line.split_at(this.touch_control()).iter().flatten() {
+                let pieces = this.pieces(part);
+                for k in 1..=pieces {
+                    let (value, share) = part.at(k, pieces);
+                    let at = |k: usize| from[k] + share * (displacement[k] - from[k]);
+                    let place = if share == 1.0 { displacement } else { [at(0), at(1)] };
+                    this.walk_in_plane(value, place)?;
+                }
+            }
+            Ok(())
+        })
+        .map_err(|error| self.told_of_step(error, x))?;
+        self.counters.steps += 1;
+        Ok(())
+    }
+
+    /// [`Self::start_at`] with a place along x and y, m.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to_planar`].
+    pub fn start_at_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
+        self.check_along_y(displacement[1])?;
+        self.start_at(normal, displacement[0])?;
+        self.displacement_y = displacement[1];
+        Ok(())
+    }
+
+    /// Refuses a place along y that cannot be gone to.
+    fn check_along_y(&self, y: f64) -> Result<(), Error> {
+        let name = "tangential_displacement_y";
+        range::input(name, y)?;
+        if self.compliance > 0.0 && y != self.displacement_y {
+            let requirement =
+                "behind a rig_stiffness the body moves along x only: keep y as it is, or leave the rig out";
+            return Err(Error::Input { name, value: y, requirement });
+        }
+        Ok(())
+    }
+
+    /// Displacement along x and y, m.
+    pub(super) fn place(&self) -> Vector {
+        [self.displacement, self.displacement_y]
+    }
+
+    /// Runs a change in the plane; where it fails, the state is as before.
+    fn planar_transaction(
+        &mut self,
+        change: impl FnOnce(&mut Self) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let before = self.displacement_y;
+        let Some(planar) = self.planar.as_mut().filter(|_| self.wear.is_none()) else {
+            let copy = self.clone();
+            return change(self).inspect_err(|_| *self = copy);
+        };
+        let mut row = take(&mut planar.undo);
+        row.copy_from(&planar.row);
+        let direction = planar.direction;
+        let result = self.transaction(change);
+        if result.is_err() {
+            self.displacement_y = before;
+            let planar = self.planar.get_or_insert_default();
+            swap(&mut planar.row, &mut row);
+            planar.direction = direction;
+        }
+        if let Some(planar) = &mut self.planar {
+            planar.undo = row;
+        }
+        result
+    }
+
+    /// Walks one piece of a line.
+    fn walk_in_plane(&mut self, value: f64, place: Vector) -> Result<(), Error> {
+        if self.contact.is_open() && value <= self.touch_control() {
+            self.walk(value, place[0], 1)?;
+            self.displacement_y = place[1];
+            return Ok(());
+        }
+        if self.planar.is_none() {
+            self.enter_plane()?;
+        }
+        if self.wear.is_some() { self.wear_in_plane(value, place) } else { self.slip_in_plane(value, place) }
+    }
+
+    /// Takes the row of knots over into one of vectors, after what the line so far has worn has been taken off.
+    fn enter_plane(&mut self) -> Result<(), Error> {
+        self.settle()?;
+        let y = self.displacement_y;
+        let row = PlanarRow::of_line(&self.springs, &self.surface, y, self.samples());
+        self.springs = Springs::default();
+        let direction = [if self.direction < 0.0 { -1.0 } else { 1.0 }, 0.0];
+        self.planar = Some(Box::new(Planar { row, direction, ..Planar::default() }));
+        self.set_rhythm(None);
+        self.start_segment();
+        Ok(())
+    }
+
+    /// Samples across the contact.
+    pub(super) fn samples(&self) -> Samples {
+        Samples(SAMPLES_PER_CELL * self.parameters.resolution)
+    }
+
+    /// The path from the present state to a contact and a place.
+    fn planar_path(&self, to: Contact, place: Vector) -> PlanarPath<'_> {
+        PlanarPath {
+            surface: &self.surface,
+            control: self.parameters.normal_control,
+            bound_slope: self.bound_slope,
+            from: self.contact,
+            to,
+            start: self.place(),
+            end: place,
+            samples: self.samples(),
+            counts: self.wear.is_some(),
+        }
+    }
+
+    /// Contact, row and work of friction (J) at the end of a piece, and the share of the work that went one way.
+    fn try_in_plane(&mut self, value: f64, place: Vector) -> Result<PlanarEnd, Error> {
+        let to = if value == self.contact.control { self.contact } else { self.contact_at(value)? };
+        let spare = self.planar.as_mut().map(|planar| take(&mut planar.spare)).unwrap_or_default();
+        let path = self.planar_path(to, place);
+        let (row, walked) = match &self.planar {
+            Some(planar) => planar.row.walk(&path, spare),
+            None => PlanarRow::default().walk(&path, spare),
+        };
+        self.counters.spring_walks += 1;
+        let work = 2.0 * self.constants.tangential_modulus * walked.work;
+        Ok(PlanarEnd { to, row, work, one_way: walked.one_way })
+    }
+
+    fn slip_in_plane(&mut self, value: f64, place: Vector) -> Result<(), Error> {
+        let end = self.try_in_plane(value, place)?;
+        self.arrive_in_plane(end, place);
+        Ok(())
+    }
+
+    /// Takes over the state at the end of a piece. Where the bodies have parted, the next contact begins on a line.
+    fn arrive_in_plane(&mut self, end: PlanarEnd, place: Vector) {
+        let moved = [place[0] - self.displacement, place[1] - self.displacement_y];
+        let length = moved[0].hypot(moved[1]);
+        if let Some(planar) = &mut self.planar {
+            planar.spare = replace(&mut planar.row, end.row);
+            if length > 0.0 {
+                planar.direction = [moved[0] / length, moved[1] / length];
+            }
+        }
+        if self.view.get().is_some() {
+            self.view.take();
+        }
+        if moved[0] != 0.0 {
+            self.direction = moved[0].signum();
+        }
+        (self.contact, self.work) = (end.to, self.work + end.work);
+        [self.displacement, self.displacement_y] = place;
+        self.reach = self.reach.max(end.to.radius);
+        if end.to.is_open() {
+            self.planar = None;
+        }
+    }
+}
+
+/// The end of a piece of a line in the plane.
+struct PlanarEnd {
+    to: Contact,
+    row: PlanarRow,
+    /// J.
+    work: f64,
+    one_way: f64,
+}

@@ -1,0 +1,110 @@
+//! Derivatives for masters, of a contact that moves in both tangential directions.
+//!
+//! Springs that stick go along with the body. Those at their bound b along **n** = u/b that the present direction pulls on (**n**·**t** > 0) slip
+//! along it and turn: ∂u/∂U = 1 − **n n**, ∂u/∂d = m **n**, and friction takes b (**n**·dU − m dd).
+
+use crate::engine::{FrettingContact, Gradient};
+use crate::friction::{Standing, Vector};
+
+/// Share of full slip, and of the load, over which the stiffness is differenced.
+const STEP: f64 = 1e-4;
+
+impl FrettingContact {
+    /// Gradient from derivatives with respect to depth and displacement.
+    fn gradient_in_plane(&self, by_depth: f64, by_place: Vector) -> Gradient {
+        let [displacement, displacement_y] = by_place;
+        Gradient { normal: by_depth * self.depth_per_normal(), displacement, displacement_y }.times(1.0)
+    }
+
+    /// Of [`Self::tangential_force_y`].
+    pub fn tangential_force_y_gradient(&self) -> Gradient {
+        if let Some(gradient) = self.force_gradient_in_plane(1) {
+            return gradient;
+        }
+        let free = self.compliance == 0.0 && !self.contact.is_open();
+        let stiffness = 2.0 * self.constants.tangential_modulus * self.contact.radius;
+        Gradient { displacement_y: if free { stiffness } else { 0.0 }, ..Gradient::default() }
+    }
+
+    /// Of one component of the force.
+    pub(in crate::engine) fn force_gradient_in_plane(&self, component: usize) -> Option<Gradient> {
+        let tangent = self.tangent_in_plane()?;
+        Some(self.gradient_in_plane(tangent.by_depth[component], tangent.stiffness[component]))
+    }
+
+    pub(in crate::engine) fn work_gradient_in_plane(&self) -> Option<Gradient> {
+        let tangent = self.tangent_in_plane()?;
+        Some(self.gradient_in_plane(tangent.work_by_depth, tangent.work))
+    }
+
+    /// Of the radius at which the springs that stick reach their bound: with r = b − |u| and its slope r' there,
+    /// dc = (**n**·dU − m dd)/r'.
+    pub(in crate::engine) fn stick_gradient_in_plane(&self) -> Option<Gradient> {
+        let standing = self.standing()?;
+        let Some((fall, pull)) = standing.front_slope(self.direction_in_plane()) else {
+            return Some(Gradient::default());
+        };
+        let per_room = 1.0 / (fall * self.surface.image_slope(standing.stick_radius() * (1.0 - 1e-9)));
+        Some(self.gradient_in_plane(-self.bound_slope * per_room, pull.map(|n| n * per_room)))
+    }
+
+    /// By differences ahead, along each direction the way that the motion goes.
+    pub(in crate::engine) fn stiffness_gradient_in_plane(&self) -> Option<Gradient> {
+        let (place, ahead) = (self.place(), self.direction_in_plane());
+        let now = self.stiffness_in_plane()?;
+        let planar = self.planar.as_ref()?;
+        let change = |control: f64, moved: Vector, step: f64| {
+            let to = if control == self.contact.control {
+                self.contact
+            } else {
+                self.solve_contact(control).ok()?
+            };
+            let end = [place[0] + moved[0], place[1] + moved[1]];
+            let path = self.planar_path(to, end);
+            let (row, _) = planar.row.walk(&path, super::PlanarRow::default());
+            let standing = Standing {
+                row: &row,
+                surface: &self.surface,
+                contact: &to,
+                bound_slope: self.bound_slope,
+                displacement: end,
+            };
+            let [x, y] = ahead;
+            let [[xx, xy], [yx, yy]] = standing.tangent(ahead).stiffness;
+            let stiffness =
+                2.0 * self.constants.tangential_modulus * (x * (xx * x + xy * y) + y * (yx * x + yy * y));
+            Some((stiffness - now) / step)
+        };
+        let length = STEP * self.bound_slope * self.contact.depth.abs();
+        let way = |k: usize| if ahead[k] < 0.0 { -length } else { length };
+        let control = self.contact.control;
+        let step = STEP * control.abs();
+        let scale = if self.constants.force_control { 1.0 / self.force_scale() } else { 1.0 };
+        let gradient = Gradient {
+            normal: change(control + step, [0.0; 2], step)? * scale,
+            displacement: change(control, [way(0), 0.0], way(0))?,
+            displacement_y: change(control, [0.0, way(1)], way(1))?,
+        };
+        Some(gradient.times(1.0))
+    }
+
+    /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest in the present direction.
+    pub(in crate::engine) fn wear_depth_gradient_in_plane(&self) -> Option<Gradient> {
+        let (standing, ahead) = (self.standing()?, self.direction_in_plane());
+        let per_work = if self.wear.is_some() { self.constants.wear_per_work } else { 0.0 };
+        let rates = |r: f64| {
+            let traction = self.traction_in_plane(r).unwrap_or_default();
+            let [x, y, depth] = standing.surface_slip(r, ahead).map(|slip| {
+                let rate = per_work * (traction[0] * slip[0] + traction[1] * slip[1]);
+                if rate.is_finite() { rate } else { 0.0 }
+            });
+            (depth, [x, y])
+        };
+        let along = |rates: &(f64, Vector)| rates.1[0] * ahead[0] + rates.1[1] * ahead[1];
+        let (by_depth, by_place) = match self.deepest() {
+            Some(r) => rates(r),
+            None => self.probe_radii().into_iter().map(rates).max_by(|a, b| along(a).total_cmp(&along(b)))?,
+        };
+        Some(self.gradient_in_plane(by_depth, by_place))
+    }
+}

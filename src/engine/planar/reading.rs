@@ -1,0 +1,107 @@
+//! What can be read from a contact that moves in both tangential directions.
+
+use crate::engine::FrettingContact;
+use crate::friction::{Standing, Tangent, Vector};
+use crate::range::LEAST_RISE;
+use crate::transform;
+use std::f64::consts::PI;
+
+impl FrettingContact {
+    /// Tangential displacement of the body along y, m.
+    pub fn displacement_y(&self) -> f64 {
+        self.displacement_y
+    }
+
+    /// Tangential force along y that the moving body exerts on the substrate, N. With that along x it has the length μF_N at
+    /// the most.
+    pub fn tangential_force_y(&self) -> f64 {
+        self.force_in_plane().map_or(0.0, |force| force[1])
+    }
+
+    /// Tangential traction along y at radius r, Pa.
+    pub fn shear_traction_y_at(&self, r: f64) -> f64 {
+        self.traction_in_plane(r).map_or(0.0, |traction| traction[1])
+    }
+
+    /// Both components of the force, N, where the body has moved along y.
+    pub(in crate::engine) fn force_in_plane(&self) -> Option<Vector> {
+        let planar = self.planar.as_ref()?;
+        let integral = planar.row.deflection_integral(self.place());
+        let force = integral.map(|u| 2.0 * self.constants.tangential_modulus * u);
+        let limit = self.constants.friction_coefficient * self.normal_reaction();
+        let size = force[0].hypot(force[1]);
+        // of a size that is rounding, too
+        Some(if size > limit { force.map(|part| part / size * limit) } else { force })
+    }
+
+    /// The row where it stands.
+    pub(in crate::engine) fn standing(&self) -> Option<Standing<'_>> {
+        self.planar.as_ref().map(|planar| Standing {
+            row: &planar.row,
+            surface: &self.surface,
+            contact: &self.contact,
+            bound_slope: self.bound_slope,
+            displacement: self.place(),
+        })
+    }
+
+    /// Direction of the last movement, a unit vector.
+    pub(in crate::engine) fn direction_in_plane(&self) -> Vector {
+        self.planar.as_ref().map_or([1.0, 0.0], |planar| planar.direction)
+    }
+
+    /// Derivatives of the whole row for going on in the present direction, by displacement and depth.
+    pub(in crate::engine) fn tangent_in_plane(&self) -> Option<Tangent> {
+        let row = 2.0 * self.constants.tangential_modulus;
+        Some(self.standing()?.tangent(self.direction_in_plane()).scaled(row))
+    }
+
+    /// ∂T/∂U for going on in the direction of the last movement, along it, N/m.
+    pub(in crate::engine) fn stiffness_in_plane(&self) -> Option<f64> {
+        let ([x, y], stiffness) = (self.direction_in_plane(), self.tangent_in_plane()?.stiffness);
+        Some(
+            x * (stiffness[0][0] * x + stiffness[0][1] * y) + y * (stiffness[1][0] * x + stiffness[1][1] * y),
+        )
+    }
+
+    /// Tangential traction at radius r, Pa: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²) by components.
+    pub(in crate::engine) fn traction_in_plane(&self, r: f64) -> Option<Vector> {
+        let knots = self.planar.as_ref()?.row.knots();
+        let a = self.contact.radius;
+        if r >= a {
+            return Some([0.0; 2]);
+        }
+        let r = if self.slope_integral(r, a).is_finite() { r } else { r + 1e-9 * a };
+        let mut sum = [0.0; 2];
+        let first = knots.partition_point(|knot| knot.place.x <= r);
+        let mut inner_integral = self.slope_integral(r, knots.get(first.max(1) - 1)?.place.x.max(r));
+        for pair in knots.get(first.max(1) - 1..).unwrap_or_default().windows(2) {
+            let rise = pair[1].place.image - pair[0].place.image;
+            let integral = self.slope_integral(r, pair[1].place.x);
+            if rise > LEAST_RISE {
+                for k in 0..2 {
+                    sum[k] += (pair[1].origin[k] - pair[0].origin[k]) / rise * (integral - inner_integral);
+                }
+            }
+            inner_integral = integral;
+        }
+        if let Some(edge) = knots.last()
+            && a >= self.surface.profile().outer_radius()
+        {
+            let place = self.place();
+            for k in 0..2 {
+                sum[k] += (place[k] - edge.origin[k]) / transform::leg(a, r);
+            }
+        }
+        Some(sum.map(|part| self.constants.tangential_modulus / PI * part))
+    }
+
+    /// Elastic energy of the springs, J.
+    pub(in crate::engine) fn stored_energy(&self) -> f64 {
+        let integral = match &self.planar {
+            Some(planar) => planar.row.energy_integral(self.place()),
+            None => self.springs.energy_integral(self.displacement),
+        };
+        self.constants.tangential_modulus * integral
+    }
+}

@@ -1,0 +1,223 @@
+//! Wear of motion in the plane: dw = (k/σ₀) **τ**·d**s**, the product of the vectors.
+//!
+//! Within a *segment* every spring slips nearly one way, so that one pair of transforms for each direction serves however many
+//! steps it had: traction of the deflections with which the springs slipped in the mean, slip of what they slipped in all. How nearly is told by the
+//! springs themselves, whose work is known: where what mean and whole make of it falls short by [`TURNED`], the segment ends. At most as much may
+//! wear before the profile follows as in any history; springs that slip then go on along their bound, in their direction.
+
+use super::PlanarEnd;
+use crate::engine::FrettingContact;
+use crate::error::Error;
+use crate::friction::{PlanarRow, Resting, Vector, difference};
+use crate::surface::{Contact, Nodes};
+use crate::wear::{self, Edge, Segment};
+
+/// Share of the work of a segment that may be lost in its means: φ²/12 for springs that turn evenly by φ, so 20°.
+const TURNED: f64 = 0.01;
+
+/// Most halvings of one piece of a line for the sake of its turning and its wear.
+const MOST_HALVINGS: u32 = 9;
+
+/// Ratio of what one line wears to what may wear between two updates at which it is refused without being tried.
+const MOST_WEAR: f64 = 1e4;
+
+/// Largest change of load within a segment, relative.
+const LOAD_SHARE: f64 = 0.05;
+
+impl FrettingContact {
+    /// Walks one piece with wear.
+    pub(super) fn wear_in_plane(&mut self, value: f64, place: Vector) -> Result<(), Error> {
+        self.wear_in_parts(value, place, MOST_HALVINGS)
+    }
+
+    fn wear_in_parts(&mut self, value: f64, place: Vector, halvings: u32) -> Result<(), Error> {
+        let parts_ways = value <= self.touch_control();
+        if parts_ways {
+            // the springs take what they have slipped along when they leave
+            self.bounded(Self::close_in_plane)?;
+        }
+        let end = self.try_in_plane(value, place)?;
+        let limit = self.update_limit();
+        let volume = self.constants.wear_per_work * end.work;
+        if volume > MOST_WEAR * limit && self.outwears(end.work) {
+            return Err(Error::WearOutrun { from: self.displacement, displacement: place[0] });
+        }
+        let turns = end.one_way < 1.0 - TURNED;
+        if halvings > 0 && end.work > 0.0 && (turns || volume > limit) {
+            let middle = [0, 1].map(|k| 0.5 * (self.place()[k] + place[k]));
+            let between = 0.5 * (self.contact.control + value);
+            if middle != place && middle != self.place() {
+                self.wear_in_parts(between, middle, halvings - 1)?;
+                return self.wear_in_parts(value, place, halvings - 1);
+            }
+        }
+        if halvings == 0 && self.outwears(end.work) {
+            return Err(Error::WearOutrun { from: self.displacement, displacement: place[0] });
+        }
+        let worn = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
+        if worn > 0.0 && end.row.one_way() < 1.0 - TURNED {
+            self.bounded(Self::close_in_plane)?;
+            return self.wear_in_parts(value, place, halvings);
+        }
+        self.extend_in_plane(&end);
+        self.arrive_in_plane(end, place);
+        if self.contact.is_open() {
+            self.start_segment();
+            return Ok(());
+        }
+        let Some(wear) = &self.wear else { return Ok(()) };
+        let start = wear.segment.contact.unwrap_or(self.contact);
+        let load_moved =
+            (self.contact.load - start.load).abs() > LOAD_SHARE * self.contact.load.max(start.load);
+        let volume = self.constants.wear_per_work * (self.pending_work() + wear.segment.work);
+        if load_moved || volume > self.update_limit() { self.bounded(Self::close_in_plane) } else { Ok(()) }
+    }
+
+    /// Adds a piece to the segment.
+    fn extend_in_plane(&mut self, end: &PlanarEnd) {
+        let from = self.contact;
+        let Some(wear) = &mut self.wear else { return };
+        wear.segment.contact.get_or_insert(if from.is_open() { end.to } else { from });
+        if end.to.is_open() {
+            wear.pending.add_work(end.work);
+        } else {
+            wear.segment.work += end.work;
+        }
+    }
+
+    /// Starts a segment where the body stands.
+    pub(in crate::engine) fn start_segment_in_plane(&mut self, contact: Option<Contact>) {
+        let place = self.place();
+        if let (Some(planar), Some(wear)) = (&mut self.planar, &mut self.wear) {
+            planar.segment_start = place;
+            planar.row.count_slip(true);
+            wear.segment = Segment { contact, start: place[0], ..Segment::default() };
+        }
+    }
+
+    /// Closes the segment and brings the profile up to date.
+    pub(in crate::engine) fn settle_in_plane(&mut self) -> Result<(), Error> {
+        self.gather_in_plane()?;
+        self.update_profile()
+    }
+
+    /// Closes the segment, and brings the profile up to date where enough has worn.
+    fn close_in_plane(&mut self) -> Result<(), Error> {
+        self.gather_in_plane()?;
+        if self.constants.wear_per_work * self.pending_work() > self.update_limit() {
+            self.update_profile()?;
+        }
+        Ok(())
+    }
+
+    /// Turns the slip since the segment's start into work per area and slip path at the nodes.
+    fn gather_in_plane(&mut self) -> Result<(), Error> {
+        let Some(wear) = &self.wear else { return Ok(()) };
+        let (work, start) = (wear.segment.work, wear.segment.contact.unwrap_or(self.contact));
+        if work == 0.0 {
+            return Ok(());
+        }
+        self.prepare_nodes_in_plane()?;
+        let place = self.place();
+        let outer = self.surface.profile().outer_radius();
+        let (Some(wear), Some(planar), Some(nodes)) = (&mut self.wear, &self.planar, self.surface.worn())
+        else {
+            return Ok(());
+        };
+        let largest = if start.radius > self.contact.radius { start } else { self.contact };
+        let edge = Edge::new(nodes, &largest, outer);
+        if planar.row.has_slipped() {
+            let moved = difference(place, planar.segment_start);
+            let fields = planar.row.fields(nodes.x(), place, moved);
+            let (transforms, made) = wear.transforms.get(nodes);
+            let traction = fields.deflection.map(|deflection| {
+                let mut traction = wear::pressure_nodes(&transforms, nodes.x(), &deflection, &edge);
+                traction.iter_mut().for_each(|t| *t *= self.constants.tangential_modulus);
+                traction
+            });
+            let slip = fields.slip.map(|slip| transforms.descend(&slip));
+            wear.transform_defect += wear.pending.add_in_plane(nodes, &largest, (&traction, &slip), work);
+            self.counters.transform_tables += u64::from(made);
+            self.counters.pressure_transforms += 2;
+            self.counters.descent_transforms += 2;
+        } else {
+            wear.pending.add_work(work);
+        }
+        self.start_segment();
+        Ok(())
+    }
+
+    /// Makes the nodes at the first slip; later adapts them to the contact and the front, after what is pending has been worn off.
+    fn prepare_nodes_in_plane(&mut self) -> Result<(), Error> {
+        let front = self.stick_radius();
+        let radius = self.contact.radius;
+        let adapted = |this: &Self| {
+            let profile = this.surface.profile();
+            match this.surface.worn() {
+                None => Nodes::around(profile, this.parameters.resolution, radius.max(this.reach), front),
+                Some(nodes) => {
+                    let mut adapted = nodes.clone();
+                    adapted.adapt(profile, radius, front);
+                    adapted
+                }
+            }
+        };
+        let nodes = adapted(self);
+        if self.surface.worn().is_some_and(|present| present.x().len() == nodes.x().len()) {
+            return Ok(());
+        }
+        let Some(wear) = &mut self.wear else { return Ok(()) };
+        if !wear.pending.is_empty() {
+            let segment = std::mem::take(&mut wear.segment);
+            let Some((row, start)) = self.planar.as_ref().map(|p| (p.row.clone(), p.segment_start)) else {
+                return Ok(());
+            };
+            self.update_profile()?;
+            if let (Some(wear), Some(planar)) = (&mut self.wear, &mut self.planar) {
+                planar.row.count_slip_of(&row);
+                planar.segment_start = start;
+                wear.segment = segment;
+            }
+        }
+        // the update may have moved the nodes, too
+        self.move_to_nodes(adapted(self));
+        Ok(())
+    }
+
+    /// Contact and springs on a surface that has worn where the body stands.
+    pub(in crate::engine) fn rest_in_plane(&mut self, to: Contact) {
+        let stored = self.stored_energy();
+        let displacement = self.place();
+        let Some(planar) = &mut self.planar else { return };
+        planar.row = planar.row.rested(&Resting {
+            surface: &self.surface,
+            contacts: (&self.contact, &to),
+            bound_slope: self.bound_slope,
+            displacement,
+            samples: super::Samples(super::SAMPLES_PER_CELL * self.parameters.resolution),
+        });
+        self.contact = to;
+        self.reach = self.reach.max(to.radius);
+        // nothing moved outside, so that friction has taken what the springs have lost
+        let work = (stored - self.stored_energy()).max(0.0);
+        self.work += work;
+        if let Some(wear) = &mut self.wear {
+            wear.pending.unplaced += work;
+        }
+        if to.is_open() {
+            self.planar = None;
+        }
+    }
+
+    /// Springs beyond a bound that has become another slip back to it where the body stands. Returns the energy that they lose, J.
+    pub(in crate::engine) fn slip_back_in_plane(&mut self) -> f64 {
+        let stored = self.stored_energy();
+        let path = self.planar_path(self.contact, self.place());
+        let Some(planar) = &self.planar else { return 0.0 };
+        let (row, _) = planar.row.walk(&path, PlanarRow::default());
+        if let Some(planar) = &mut self.planar {
+            planar.row = row;
+        }
+        (stored - self.stored_energy()).max(0.0)
+    }
+}

@@ -1,0 +1,227 @@
+//! Where the row is sampled: even radii, the nodes of a worn profile, and the contact edge.
+//!
+//! The even radii stay as the contact grows and shrinks; their distance is doubled or halved where they become twice as many or half
+//! as few as asked for, so that the samples that remain are the springs of before. The nodes of a worn profile are springs of their own: wear
+//! asks for their slip, and one between a spring that sticks and one that slips would let wear leak across the front.
+
+use super::reading::Standing;
+use super::slips::Slip;
+use super::spring::{Vector, along, difference, norm};
+use super::{PlanarKnot, PlanarPath, PlanarRow};
+use crate::friction::Springs;
+use crate::surface::{Contact, Place, Surface};
+
+/// Even samples from the axis to the contact edge that are asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Samples(pub(crate) usize);
+
+/// Share of their distance at which two samples are one.
+const SAME: f64 = 1e-6;
+
+/// How a row comes to rest on a surface that has worn under it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Resting<'a> {
+    pub(crate) surface: &'a Surface,
+    /// The contact of before and the new one.
+    pub(crate) contacts: (&'a Contact, &'a Contact),
+    /// m = μE*/G*.
+    pub(crate) bound_slope: f64,
+    pub(crate) displacement: Vector,
+    pub(crate) samples: Samples,
+}
+
+impl Samples {
+    /// The distance for a contact radius, where it is another than at present.
+    fn respaced(self, present: f64, radius: f64) -> Option<f64> {
+        let (ratio, wanted) = (radius / present, self.0 as f64);
+        if (0.5 * wanted..=2.0 * wanted).contains(&ratio) {
+            None
+        } else if (2.0 * wanted..=4.0 * wanted).contains(&ratio) {
+            Some(2.0 * present)
+        } else if (0.25 * wanted..=0.5 * wanted).contains(&ratio) {
+            Some(0.5 * present)
+        } else {
+            Some(radius / wanted)
+        }
+    }
+}
+
+/// Sample radii behind `from` and up to `to`, which is the last of them.
+fn radii_between(surface: &Surface, spacing: f64, from: f64, to: f64) -> Vec<f64> {
+    let nodes = surface.worn().map_or(&[][..], |nodes| nodes.x());
+    let mut nodes = nodes.iter().copied().filter(|&x| x > from && x < to).peekable();
+    let mut radii = Vec::new();
+    // a spacing that is lost to underflow leaves the edge alone
+    let most = if spacing > 0.0 { to / spacing } else { 0.0 };
+    let mut k = if spacing > 0.0 { (from / spacing).floor() } else { 1.0 };
+    while k < most {
+        k += 1.0;
+        let even = k * spacing;
+        if even <= from * (1.0 + SAME) || even >= to - SAME * spacing {
+            continue;
+        }
+        while let Some(node) = nodes.next_if(|node| *node < even - SAME * spacing) {
+            radii.push(node);
+        }
+        if nodes.peek().is_none_or(|node| *node > even + SAME * spacing) {
+            radii.push(even);
+        }
+    }
+    radii.extend(nodes);
+    radii.push(to);
+    radii
+}
+
+/// The spring at a place behind sample j.
+pub(super) fn interpolated(row: &PlanarRow, j: usize, place: Place) -> (PlanarKnot, Slip) {
+    let (p, q) = (&row.knots[j], &row.knots[(j + 1).min(row.knots.len() - 1)]);
+    let rise = q.place.image - p.place.image;
+    let share = if rise > 0.0 {
+        (place.image - p.place.image) / rise
+    } else {
+        (place.x - p.place.x) / (q.place.x - p.place.x)
+    };
+    // of one place twice, either will do
+    let share = if share.is_nan() { 0.0 } else { share.clamp(0.0, 1.0) };
+    let mix = |k: usize| p.origin[k] + share * (q.origin[k] - p.origin[k]);
+    let origin = [mix(0), mix(1)];
+    let slip = match (row.slips.get(j), row.slips.get(j + 1)) {
+        (Some(inner), Some(outer)) => inner.between(outer, share),
+        (Some(inner), None) => *inner,
+        _ => Slip::starting(origin),
+    };
+    (PlanarKnot { place, origin }, slip)
+}
+
+impl PlanarRow {
+    /// The row of a body that has moved along x alone so far and stands at `y` (m) across.
+    pub(crate) fn of_line(springs: &Springs, surface: &Surface, y: f64, samples: Samples) -> Self {
+        let edge = springs.knots().last().map_or(0.0, |knot| knot.place.x);
+        let spacing = edge / samples.0 as f64;
+        let mut radii: Vec<f64> = springs.knots().iter().map(|knot| knot.place.x).collect();
+        radii.dedup();
+        let mut even = radii_between(surface, spacing, 0.0, edge);
+        even.retain(|x| {
+            let above = radii.partition_point(|knot| knot < x);
+            let near = |knot: Option<&f64>| knot.is_some_and(|knot| (knot - x).abs() <= SAME * spacing);
+            !near(radii.get(above)) && !near(radii.get(above.max(1) - 1))
+        });
+        radii.extend(even);
+        radii.sort_by(f64::total_cmp);
+        let origins = springs.origins_at(surface, &radii);
+        let knot = |(x, origin): (&f64, f64)| PlanarKnot { place: surface.place(*x), origin: [origin, y] };
+        Self { spacing, knots: radii.iter().zip(origins).map(knot).collect(), slips: Vec::new() }
+    }
+
+    /// The same springs at other radii, on a surface whose nodes may be others or lie elsewhere, up to a contact radius.
+    fn laid(&self, surface: &Surface, spacing: f64, radius: f64) -> Self {
+        let Some(first) = self.knots.first() else { return Self::default() };
+        let mut row = Self { spacing, knots: Vec::new(), slips: Vec::new() };
+        let place = surface.place(0.0);
+        row.knots.push(PlanarKnot { place, ..*first });
+        row.slips.extend(self.slips.first());
+        let mut j = 0;
+        for x in radii_between(surface, spacing, 0.0, radius) {
+            while j + 1 < self.knots.len() && self.knots[j + 1].place.x <= x {
+                j += 1;
+            }
+            let place = surface.place(x);
+            let (p, q) = (&self.knots[j], &self.knots[(j + 1).min(self.knots.len() - 1)]);
+            // the share of the way is that of the image on which the row lay
+            let width = q.place.x - p.place.x;
+            let share = if width > 0.0 { ((x - p.place.x) / width).clamp(0.0, 1.0) } else { 0.0 };
+            let image = p.place.image + share * (q.place.image - p.place.image);
+            let (knot, slip) = interpolated(self, j, Place { image, ..place });
+            row.knots.push(PlanarKnot { place, ..knot });
+            if !self.slips.is_empty() {
+                row.slips.push(slip);
+            }
+        }
+        row
+    }
+
+    /// The same row where the nodes of its surface have become others; the contact stays.
+    pub(crate) fn on_nodes(&self, surface: &Surface) -> Self {
+        let edge = self.knots.last().map_or(0.0, |knot| knot.place.x);
+        self.laid(surface, self.spacing, edge)
+    }
+
+    /// Springs that touch along a path take their places before it is walked.
+    pub(super) fn touch(&mut self, path: &PlanarPath) {
+        let radius = path.to.radius;
+        if let Some(spacing) = path.samples.respaced(self.spacing, radius) {
+            let edge = self.knots.last().map(|knot| knot.place.x);
+            self.spacing = spacing;
+            if let Some(edge) = edge {
+                *self = self.laid(path.surface, spacing, edge);
+            }
+        }
+        // the edge of before has no deflection, and the samples beyond it tell when they touched
+        self.knots.pop();
+        self.slips.pop();
+        let from = match self.knots.last() {
+            Some(knot) => knot.place.x,
+            None => {
+                self.take(path.touching(0.0), path.counts);
+                0.0
+            }
+        };
+        for x in radii_between(path.surface, self.spacing, from, radius) {
+            self.take(path.touching(x), path.counts);
+        }
+    }
+
+    fn take(&mut self, knot: PlanarKnot, counts: bool) {
+        self.knots.push(knot);
+        if counts {
+            self.slips.push(Slip::starting(knot.origin));
+        }
+    }
+
+    /// Keeps the samples as close as asked for after the contact has shrunk.
+    pub(super) fn tidy(&mut self, path: &PlanarPath) {
+        let radius = path.to.radius;
+        if radius < path.from.radius
+            && radius > 0.0
+            && let Some(spacing) = path.samples.respaced(self.spacing, radius)
+        {
+            *self = self.laid(path.surface, spacing, radius);
+        }
+    }
+
+    /// The row on a surface that has worn while nothing moved. Springs that slipped have followed their bound, up or down, all
+    /// the time; others slip back to theirs where it has fallen below them.
+    pub(crate) fn rested(&self, resting: &Resting) -> Self {
+        let (old, new) = resting.contacts;
+        if new.is_open() {
+            return Self::default();
+        }
+        let spacing = resting.samples.respaced(self.spacing, new.radius).unwrap_or(self.spacing);
+        let Resting { surface, bound_slope, displacement, .. } = *resting;
+        let before = Standing { row: self, surface, contact: old, bound_slope, displacement };
+        let slides = |j: usize| self.knots.get(j).is_none_or(|knot| before.at_bound(knot));
+        let mut row = self.laid(surface, spacing, new.radius);
+        let old_edge = self.knots.last().map_or(0.0, |knot| knot.place.x);
+        let (mut j, mut last) = (0, [0.0; 2]);
+        for knot in &mut row.knots {
+            let x = knot.place.x;
+            while j + 1 < self.knots.len() && self.knots[j + 1].place.x <= x {
+                j += 1;
+            }
+            // a sample of its own between two of which one sticks keeps what it holds
+            let slipped = slides(j) && (self.knots[j].place.x == x || slides(j + 1));
+            let bound = bound_slope * (new.depth - knot.place.image).max(0.0);
+            let deflection = if x >= old_edge { last } else { difference(displacement, knot.origin) };
+            let size = norm(deflection);
+            if size > 0.0 && (slipped || size > bound) {
+                knot.origin = difference(displacement, along(deflection, bound));
+            } else if x >= old_edge {
+                knot.origin = displacement;
+            }
+            if slipped && size > 0.0 {
+                last = deflection;
+            }
+        }
+        row
+    }
+}

@@ -1,0 +1,214 @@
+//! What the row says of the present state.
+
+use super::spring::{Vector, difference, dot, norm, scaled, sum};
+use super::{PlanarKnot, PlanarRow};
+use crate::friction::interval::Interval;
+use crate::surface::{Contact, Place, Surface};
+use std::f64::consts::FRAC_2_PI;
+
+impl PlanarRow {
+    /// ∫ u dx from the axis to the edge, m².
+    pub(crate) fn deflection_integral(&self, displacement: Vector) -> Vector {
+        let mut sum = [0.0; 2];
+        for pair in self.knots.windows(2) {
+            let interval = Interval::between(&pair[0].place, &pair[1].place);
+            for k in 0..2 {
+                let u = |i: usize| displacement[k] - pair[i].origin[k];
+                sum[k] += interval.linear(u(0), u(1));
+            }
+        }
+        sum
+    }
+
+    /// ∫ |u|² dx from the axis to the edge, m³: the elastic energy of the row over G*.
+    pub(crate) fn energy_integral(&self, displacement: Vector) -> f64 {
+        let mut sum = 0.0;
+        for pair in self.knots.windows(2) {
+            let interval = Interval::between(&pair[0].place, &pair[1].place);
+            for k in 0..2 {
+                let u = (displacement[k] - pair[0].origin[k], displacement[k] - pair[1].origin[k]);
+                sum += interval.product(u, u);
+            }
+        }
+        sum
+    }
+}
+
+/// A row where it stands.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Standing<'a> {
+    pub(crate) row: &'a PlanarRow,
+    pub(crate) surface: &'a Surface,
+    pub(crate) contact: &'a Contact,
+    /// m = μE*/G*.
+    pub(crate) bound_slope: f64,
+    pub(crate) displacement: Vector,
+}
+
+impl Standing<'_> {
+    fn bound(&self, knot: &PlanarKnot) -> f64 {
+        self.bound_slope * (self.contact.depth - knot.place.image).max(0.0)
+    }
+
+    pub(super) fn deflection(&self, knot: &PlanarKnot) -> Vector {
+        difference(self.displacement, knot.origin)
+    }
+
+    /// Whether a spring is at its bound; that at the very edge is.
+    pub(super) fn at_bound(&self, knot: &PlanarKnot) -> bool {
+        let rounding = 8.0 * f64::EPSILON * norm(self.displacement);
+        let bound = self.bound(knot);
+        bound <= 1e-12 * self.bound_slope * self.contact.depth.abs() + rounding
+            || norm(self.deflection(knot)) >= bound * (1.0 - 1e-9) - rounding
+    }
+
+    /// Place of the front between sample j, which sticks, and the next, which slips: where the springs that stick would reach
+    /// their bound if they went on as from the sample before, linear in g.
+    fn front(&self, j: usize) -> Place {
+        let knots = &self.row.knots;
+        let (here, next) = (&knots[j], &knots[j + 1]);
+        let Some(before) = j.checked_sub(1).map(|i| &knots[i]).filter(|knot| !self.at_bound(knot)) else {
+            return here.place;
+        };
+        let room = |knot: &PlanarKnot| self.bound(knot) - norm(self.deflection(knot));
+        let fall = room(before) - room(here);
+        let rise = here.place.image - before.place.image;
+        let image = here.place.image + room(here) / fall * rise;
+        if !(fall > 0.0 && rise > 0.0 && image < next.place.image) {
+            return if fall > 0.0 && rise > 0.0 { next.place } else { here.place };
+        }
+        self.surface.place(self.surface.radius_of_image(image, here.place.x, next.place.x))
+    }
+
+    /// Inner edge of the outer zone in which all springs are at their bound: the stick radius, m.
+    pub(crate) fn stick_radius(&self) -> f64 {
+        let knots = &self.row.knots;
+        let Some(last) = knots.iter().rposition(|knot| !self.at_bound(knot)) else { return 0.0 };
+        if last + 1 >= knots.len() {
+            return self.contact.radius;
+        }
+        let relaxed = 1e-12 * self.bound_slope * self.contact.depth.abs();
+        // with nothing but the edge at its bound, and nothing that pulls on it
+        if last + 2 == knots.len() && norm(self.deflection(&knots[last])) <= relaxed {
+            return self.contact.radius;
+        }
+        self.front(last).x
+    }
+
+    /// At the stick radius: fall of b − |u| per image inside it, and **n** = u/|u|; `None` where no front moves, as in gross slip and where
+    /// the present direction does not pull.
+    pub(crate) fn front_slope(&self, ahead: Vector) -> Option<(f64, Vector)> {
+        let knots = &self.row.knots;
+        let last =
+            knots.iter().rposition(|knot| !self.at_bound(knot)).filter(|last| last + 1 < knots.len())?;
+        let (before, here) = (&knots[last.checked_sub(1)?], &knots[last]);
+        let room = |knot: &PlanarKnot| self.bound(knot) - norm(self.deflection(knot));
+        let rise = here.place.image - before.place.image;
+        let fall = (room(before) - room(here)) / rise;
+        let u = self.deflection(here);
+        let size = norm(u);
+        (fall > 0.0 && fall.is_finite() && size > 0.0 && dot(u, ahead) > 0.0)
+            .then(|| (-fall, [u[0] / size, u[1] / size]))
+    }
+
+    /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e dx/√(r² − x²) from 0 to r.
+    pub(crate) fn surface_slip(&self, r: f64, ahead: Vector) -> [Vector; 3] {
+        let mut slip = [[0.0; 2]; 3];
+        let of_spring = |knot: &PlanarKnot| {
+            let u = self.deflection(knot);
+            let size = norm(u);
+            if !(self.at_bound(knot) && size > 0.0 && dot(u, ahead) > 0.0) {
+                return [[0.0; 2]; 3];
+            }
+            let n = [u[0] / size, u[1] / size];
+            [scaled(n, n[0]), scaled(n, n[1]), scaled(n, -self.bound_slope)]
+        };
+        for pair in self.row.knots.windows(2) {
+            let (x0, x1) = (pair[0].place.x, pair[1].place.x.min(r));
+            if x0 >= r {
+                break;
+            }
+            let weight = FRAC_2_PI * ((x1 / r).asin() - (x0 / r).asin());
+            let (inner, outer) = (of_spring(&pair[0]), of_spring(&pair[1]));
+            for k in 0..3 {
+                slip[k] = sum(slip[k], scaled(sum(inner[k], outer[k]), 0.5 * weight));
+            }
+        }
+        slip
+    }
+
+    /// Tangents of half the row for going on in a direction: springs at their bound that the motion pulls on follow it.
+    pub(crate) fn tangent(&self, ahead: Vector) -> Tangent {
+        let part = |knot: &PlanarKnot| {
+            let u = self.deflection(knot);
+            let size = norm(u);
+            let slips = self.at_bound(knot) && size > 0.0 && dot(u, ahead) > 0.0;
+            slips.then(|| {
+                let (n, bound, m) = ([u[0] / size, u[1] / size], self.bound(knot), self.bound_slope);
+                Tangent {
+                    stiffness: [[n[1] * n[1], -n[0] * n[1]], [-n[0] * n[1], n[0] * n[0]]],
+                    by_depth: [m * n[0], m * n[1]],
+                    work: [bound * n[0], bound * n[1]],
+                    work_by_depth: -m * bound,
+                }
+            })
+        };
+        let stuck = Tangent { stiffness: [[1.0, 0.0], [0.0, 1.0]], ..Tangent::default() };
+        let mut sum = Tangent::default();
+        let knots = &self.row.knots;
+        let mut inner = knots.first().and_then(part);
+        for j in 1..knots.len() {
+            let (p, q) = (&knots[j - 1].place, &knots[j].place);
+            let outer =
+                if j + 1 == knots.len() && self.bound(&knots[j]) == 0.0 { inner } else { part(&knots[j]) };
+            match (inner, outer) {
+                (None, Some(slips)) => {
+                    let front = self.front(j - 1);
+                    sum.add(p, &front, (&stuck, &stuck));
+                    sum.add(&front, q, (&slips, &slips));
+                }
+                (a, b) => sum.add(p, q, (&a.unwrap_or(stuck), &b.unwrap_or(stuck))),
+            }
+            inner = outer;
+        }
+        sum
+    }
+}
+
+/// Derivatives of integrals over half the row, by displacement and depth.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Tangent {
+    /// ∂(∫u dx)/∂U, m.
+    pub(crate) stiffness: [Vector; 2],
+    /// ∂(∫u dx)/∂d, m.
+    pub(crate) by_depth: Vector,
+    /// ∂(∫∫|u||de| dx)/∂U, m².
+    pub(crate) work: Vector,
+    /// The same by depth, m².
+    pub(crate) work_by_depth: f64,
+}
+
+impl Tangent {
+    /// This times a factor.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            stiffness: self.stiffness.map(|row| row.map(|part| factor * part)),
+            by_depth: self.by_depth.map(|part| factor * part),
+            work: self.work.map(|part| factor * part),
+            work_by_depth: factor * self.work_by_depth,
+        }
+    }
+
+    /// Adds an interval on which the parts are linear in g.
+    fn add(&mut self, p: &Place, q: &Place, (inner, outer): (&Self, &Self)) {
+        let interval = Interval::between(p, q);
+        for k in 0..2 {
+            for l in 0..2 {
+                self.stiffness[k][l] += interval.linear(inner.stiffness[k][l], outer.stiffness[k][l]);
+            }
+            self.by_depth[k] += interval.linear(inner.by_depth[k], outer.by_depth[k]);
+            self.work[k] += interval.linear(inner.work[k], outer.work[k]);
+        }
+        self.work_by_depth += interval.linear(inner.work_by_depth, outer.work_by_depth);
+    }
+}
