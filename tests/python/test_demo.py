@@ -113,6 +113,15 @@ def test_progress_and_list_of_files(demo):
         assert path.name in text
 
 
+def test_the_page_is_left_out_without_its_library(monkeypatch, tmp_path):
+    import page
+
+    monkeypatch.setitem(sys.modules, "vl_convert", None)
+    with pytest.raises(page.NoLibrary, match="vl-convert is not installed"):
+        page.write(tmp_path)
+    assert not list(tmp_path.iterdir())
+
+
 def test_missing_fmu_is_one_clear_line(tmp_path):
     command = [sys.executable, str(DEMO / "demo.py"), "--fmu", str(tmp_path / "none.fmu"), "--out", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60)
