@@ -35,6 +35,9 @@ pub(crate) const MOST_CYCLES: f64 = 1e30;
 /// An image that rises by less, m, is flat: displacements of [`MOST_INPUT`] over it would be no number.
 pub(crate) const LEAST_RISE: f64 = 1e-240;
 
+/// A contact of a smaller radius, m, is none: the squares of radii, in which meshes are laid, would be none.
+pub(crate) const LEAST_RADIUS: f64 = 1e-120;
+
 const MOST_RADIUS: f64 = 1e60;
 const MOST_DEPTH: f64 = 1e90;
 const MOST_LOAD: f64 = 1e120;

@@ -145,7 +145,8 @@ impl Surface {
             return Ok(place.contact);
         }
         let touch = self.image(0.0);
-        let open = Contact { control: value, depth: touch, radius: 0.0, load: 0.0 };
+        let apart = if control == NormalControl::Force { touch } else { value };
+        let open = Contact { control: value, depth: apart, radius: 0.0, load: 0.0 };
         let contact = match control {
             NormalControl::Force if value > 0.0 => {
                 let radius = self.radius_at_load(value, force_scale)?;
@@ -158,14 +159,9 @@ impl Surface {
                 let radius = self.radius_at_depth(value)?;
                 let load = self.load(radius) + radius * (value - self.image(radius));
                 // a body worn free by wear at this depth touches in places at most; a NaN has to stay one, to be refused
-                if load <= 0.0 {
-                    Contact { depth: value, ..open }
-                } else {
-                    Contact { control: value, depth: value, radius, load }
-                }
+                if load <= 0.0 { open } else { Contact { control: value, depth: value, radius, load } }
             }
-            NormalControl::Force => open,
-            NormalControl::Indentation => Contact { depth: value, ..open },
+            _ => open,
         };
         if let Profile::Table(table) = &*self.profile
             && contact.radius > table.monotone_up_to()
@@ -175,6 +171,9 @@ impl Surface {
                 radius: table.monotone_up_to(),
                 contact_radius: contact.radius,
             });
+        }
+        if contact.radius < range::LEAST_RADIUS {
+            return Ok(open);
         }
         let Contact { depth, radius, load, .. } = contact;
         range::contact(radius, depth, load, load * force_scale)?;
