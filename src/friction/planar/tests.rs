@@ -170,12 +170,13 @@ fn line_error(
 
 /// Asserts that errors fall with the square of the number of samples, next to a flat tip, where the image of a blunted ball starts like a
 /// root, with the power 3/2; and their size, which is largest there.
-fn assert_second_order(what: &str, (coarse, fine): ([f64; 3], [f64; 3]), most: [f64; 2]) {
+fn assert_order(profile: &Profile, what: &str, (coarse, fine): ([f64; 3], [f64; 3]), most: [f64; 2]) {
     println!("{what}: {coarse:?} {fine:?}");
+    let least = if matches!(profile, Profile::BluntedSphere { .. }) { 1.2 } else { 1.6 };
     for k in 0..2 {
         assert!(fine[k] < most[k], "{what}: {:e}", fine[k]);
         let order = (coarse[k] / fine[k]).log2() / 2.0;
-        assert!(fine[k] < 1e-12 || order > 1.4, "{what}: order {order:.2}, {:e}", fine[k]);
+        assert!(fine[k] < 1e-12 || order > least, "{what}: order {order:.2}, {:e}", fine[k]);
     }
     assert!(fine[2] < 1e-9, "{what}: stick radius {:e}", fine[2]);
 }
@@ -188,7 +189,7 @@ fn a_line_at_any_angle_is_the_same_as_in_one_dimension() {
         for angle in [0.0, 0.4, FRAC_PI_2, 2.7] {
             let error = |samples| line_error(&profile, NormalControl::Indentation, samples, angle, 0.0, 24);
             let errors = (error(64), error(256));
-            assert_second_order(&format!("{profile:?} at {angle}"), errors, [1e-4, 2e-4]);
+            assert_order(&profile, &format!("{profile:?} at {angle}"), errors, [1e-4, 2e-4]);
         }
     }
 }
@@ -200,7 +201,7 @@ fn a_line_under_a_load_that_varies_is_the_same_as_in_one_dimension() {
         for control in [NormalControl::Indentation, NormalControl::Force] {
             let error = |samples| line_error(&profile, control, samples, 0.7, 0.33, 96);
             let errors = (error(64), error(256));
-            assert_second_order(&format!("{profile:?}, {control:?}"), errors, [1e-4, 2e-4]);
+            assert_order(&profile, &format!("{profile:?}, {control:?}"), errors, [1e-4, 2e-4]);
         }
     }
 }
