@@ -11,17 +11,22 @@ async function draw(id, picture) {
 }
 
 const film = {
-  life: null, views: [], timer: null, drawing: Promise.resolve(),
+  life: null,
+  views: [],
+  timer: null,
+  drawing: Promise.resolve(),
 
   /// Draws the pictures of a life, then its first frame.
   choose(life) {
     this.drawing = this.drawing.then(async () => {
       this.life = life;
       this.views = await Promise.all([
-        draw("profile", profilePicture(life)), draw("pressure", pressurePicture(life)), draw("volume", volumePicture(life)),
+        draw("profile", profilePicture(life)),
+        draw("pressure", pressurePicture(life)),
+        draw("volume", volumePicture(life)),
       ]);
       element("time").max = life.frames.length - 1;
-      this.show(element("time").value = 0);
+      this.show((element("time").value = 0));
     });
     return this.drawing;
   },
@@ -32,21 +37,28 @@ const film = {
     for (const view of this.views.slice(0, 2)) view.data("frame", rowsOf(frame)); // the third has no radii
     for (const view of this.views) view.data("state", stateOf(frame)).run();
     const parts = [
-      ["cycle", number(Math.round(cycles), 7)], ["worn volume", `${number(volume)} · 10⁻⁶ mm³`], ["deepest", `${number(depth)} µm`],
-      ["contact radius", `${number(contact)} µm`], ["sticks inside", stick > 0 ? `${number(stick)} µm` : "nowhere"],
+      ["cycle", number(Math.round(cycles), 7)],
+      ["worn volume", `${number(volume)} · 10⁻⁶ mm³`],
+      ["deepest", `${number(depth)} µm`],
+      ["contact radius", `${number(contact)} µm`],
+      ["sticks inside", stick > 0 ? `${number(stick)} µm` : "nowhere"],
     ];
-    element("state").replaceChildren(...parts.map(([name, text]) => {
-      const part = document.createElement("span"), value = document.createElement("b");
-      value.textContent = text;
-      part.append(`${name} `, value);
-      return part;
-    }));
+    element("state").replaceChildren(
+      ...parts.map(([name, text]) => {
+        const part = document.createElement("span"),
+          value = document.createElement("b");
+        value.textContent = text;
+        part.append(`${name} `, value);
+        return part;
+      }),
+    );
     element("time").setAttribute("aria-valuetext", `${number(Math.round(cycles), 7)} cycles`);
   },
 
   play(on) {
     clearInterval(this.timer);
-    const slider = element("time"), button = element("play");
+    const slider = element("time"),
+      button = element("play");
     button.setAttribute("aria-pressed", on);
     button.textContent = on ? "Pause" : "Play";
     element("state").setAttribute("aria-live", on ? "off" : "polite");
@@ -62,18 +74,30 @@ const film = {
 
 function offer(lives) {
   lives.forEach((life, k) => {
-    const label = document.createElement("label"), choice = document.createElement("input");
+    const label = document.createElement("label"),
+      choice = document.createElement("input");
     Object.assign(choice, { type: "radio", name: "life", value: k, checked: k === 0 });
-    choice.addEventListener("change", () => { film.play(false); film.choose(life); });
+    choice.addEventListener("change", () => {
+      film.play(false);
+      film.choose(life);
+    });
     label.append(choice, ` ±${number(life.amplitude)} µm: ${life.name.toLowerCase()}`);
     element("lives").append(label);
   });
-  element("time").addEventListener("input", (event) => { film.play(false); film.show(event.target.value); });
+  element("time").addEventListener("input", (event) => {
+    film.play(false);
+    film.show(event.target.value);
+  });
   element("play").addEventListener("click", () => film.play(element("play").getAttribute("aria-pressed") !== "true"));
 }
 
 offer(DATA.film);
 Promise.all([
-  draw("loops", loopsPicture(DATA.loops)), film.choose(DATA.film[0]), draw("map", mapPicture(DATA.map)),
-  draw("swing", swingPicture(DATA.mass)), draw("joint", jointPicture(DATA.mass)),
-]).then(() => { document.body.dataset.drawn = "yes"; });
+  draw("loops", loopsPicture(DATA.loops)),
+  film.choose(DATA.film[0]),
+  draw("map", mapPicture(DATA.map)),
+  draw("swing", swingPicture(DATA.mass)),
+  draw("joint", jointPicture(DATA.mass)),
+]).then(() => {
+  document.body.dataset.drawn = "yes";
+});
