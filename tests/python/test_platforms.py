@@ -16,7 +16,9 @@ BUILDER = [os.environ["FRETTING_FMU_BUILD"]] if "FRETTING_FMU_BUILD" in os.envir
 @pytest.fixture(scope="module")
 def tried(fmu_path):
     """platform: what became of its library."""
-    done = subprocess.run([*BUILDER, "try", fmu_path.resolve()], cwd=ROOT, capture_output=True, text=True, timeout=300)
+    own = os.environ | {"CARGO_MANIFEST_DIR": str(ROOT / "fmu-build")}  # the program's checkout is this one
+    command = [*BUILDER, "try", fmu_path.resolve()]
+    done = subprocess.run(command, cwd=ROOT, env=own, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     return dict(line.split(": ", 1) for line in done.stdout.splitlines())
 
