@@ -28,7 +28,7 @@
 //!
 //! # Limits of validity
 //! Bodies of revolution, half-spaces, small slopes; one contact disc; elastic similarity (a pair that misses it is
-//! computed all the same, [`material::Pair::similarity_defect`] says by how much it does); one tangential direction;
+//! computed all the same, [`material::Pair::similarity_defect`] says by how much it does);
 //! no debris, no temperature, no rate effects.
 
 pub mod engine;

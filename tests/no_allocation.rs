@@ -59,6 +59,32 @@ fn contact_alone_under_a_load_that_varies() {
     asks_for_nothing("chatter", 0.0, 1e-6, 130.0);
 }
 
+/// An orbit and a Lissajous figure, at constant and at varying load.
+#[test]
+fn motion_in_the_plane() {
+    let inputs = ["normal_force", "tangential_displacement", "tangential_displacement_y"].map(reference);
+    let outputs = [
+        "tangential_force",
+        "tangential_force_y",
+        "dissipated_energy",
+        "stick_radius",
+        "tangential_stiffness",
+    ]
+    .map(reference);
+    for (turns, swing) in [(1.0, 0.0), (2.0, 0.0), (1.0, 30.0), (2.0, 30.0)] {
+        let fmu = Fmu::started(|fmu| assert_eq!(fmu.set_real("wear_coefficient", 0.0), OK));
+        for step in 0..20 * STEPS {
+            let phase = TAU * f64::from(step + 1) / f64::from(STEPS);
+            let before = allocations();
+            let values = [100.0 + swing * phase.cos(), 1.5e-6 * phase.sin(), 1.5e-6 * (turns * phase).cos()];
+            assert_eq!(fmu.set_reals(&inputs, &values), OK);
+            assert_eq!(fmu.do_step(f64::from(step), 1.0), OK);
+            assert_eq!(fmu.get_reals(&outputs, &mut [0.0; 5]), OK);
+            assert!(step < 10 * STEPS || allocations() == before, "{turns}, {swing}: step {step}");
+        }
+    }
+}
+
 /// Wear so slow that no profile update falls into the cycles.
 #[test]
 fn with_wear_between_two_updates() {

@@ -7,12 +7,18 @@ use crate::xml::escape;
 type Terminal = (&'static str, &'static str, &'static str, &'static [&'static str]);
 
 /// A plug fits whole; of a bus each end may use a part.
-const TERMINALS: [Terminal; 4] = [
+const TERMINALS: [Terminal; 5] = [
     (
         "tangential",
         "Tangential connection: the displacement goes in, the force that body 1 exerts on body 2 comes out",
         "plug",
         &["tangential_displacement", "tangential_force"],
+    ),
+    (
+        "tangential_y",
+        "Tangential connection at right angles to the first",
+        "plug",
+        &["tangential_displacement_y", "tangential_force_y"],
     ),
     (
         "normal",

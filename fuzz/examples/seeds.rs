@@ -86,5 +86,9 @@ fn main() {
     scene("pressed", &[("normal_control", 2.0), ("profile", 2.0)], &[&[moved(1e-6), ("indentation", 2e-6)]]);
     scene("cyclic", &[("loading", 2.0)], &[&[("displacement_amplitude", 1e-6), ("frequency", 1e3)]]);
     scene("rig", &[("rig_stiffness", 1e7), ("wear_coefficient", 0.03)], strokes);
+    let aside = |y: f64| ("tangential_displacement_y", y);
+    let turns: &[&[_]] = &[&[moved(1e-6)], &[aside(1e-6)], &[moved(-1e-6), ("normal_force", 80.0)]];
+    scene("plane", &[("wear_coefficient", 0.0)], turns);
+    scene("plane-wears", &[("wear_coefficient", 0.03)], turns);
     scene("apart", &[], &[&[("normal_force", -1.0)]]);
 }

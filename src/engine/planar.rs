@@ -21,6 +21,9 @@ use std::mem::{replace, swap, take};
 /// Samples of the row for each cell of the resolution, across the contact.
 const SAMPLES_PER_CELL: usize = 2;
 
+/// Name of the displacement along y in messages.
+const Y: &str = "tangential_displacement_y";
+
 /// What a contact has besides once it has moved along y.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Planar {
@@ -89,7 +92,7 @@ impl FrettingContact {
     /// # Errors
     /// As [`Self::advance_to_planar`].
     pub fn start_at_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
-        self.check_along_y(displacement[1])?;
+        range::input(Y, displacement[1])?;
         self.start_at(normal, displacement[0])?;
         self.displacement_y = displacement[1];
         Ok(())
@@ -97,12 +100,11 @@ impl FrettingContact {
 
     /// Refuses a place along y that cannot be gone to.
     fn check_along_y(&self, y: f64) -> Result<(), Error> {
-        let name = "tangential_displacement_y";
-        range::input(name, y)?;
+        range::input(Y, y)?;
         if self.compliance > 0.0 && y != self.displacement_y {
             let requirement =
                 "behind a rig_stiffness the body moves along x only: keep y as it is, or leave the rig out";
-            return Err(Error::Input { name, value: y, requirement });
+            return Err(Error::Input { name: Y, value: y, requirement });
         }
         Ok(())
     }

@@ -18,6 +18,7 @@ use core::mem::MaybeUninit;
 struct Change {
     normal: f64,
     displacement: f64,
+    displacement_y: f64,
     loading: Loading,
     /// Whether the contact may still be pressed on anew.
     starting: bool,
@@ -28,14 +29,18 @@ impl Change {
         if self.starting && output.starts_anywhere {
             return if self.loading == Loading::Transient { self.displacement } else { 0.0 };
         }
-        if self.normal == 0.0 && self.displacement == 0.0
+        if self.normal == 0.0 && self.displacement == 0.0 && self.displacement_y == 0.0
             || self.loading == Loading::Cyclic && output.per_cycle.is_some()
         {
             return 0.0;
         }
         let gradient = (output.gradient)(contact);
-        let displacement = if self.starting { 0.0 } else { self.displacement };
-        gradient.normal * self.normal + gradient.displacement * displacement
+        if self.starting {
+            return gradient.normal * self.normal;
+        }
+        gradient.normal * self.normal
+            + gradient.displacement * self.displacement
+            + gradient.displacement_y * self.displacement_y
     }
 }
 
@@ -124,10 +129,11 @@ impl Component {
         let starting = !self.model.is_initialized();
         let settings = &self.model.staged().settings;
         let loading = settings.loading();
-        let displacement = match loading {
-            Loading::Transient => change.tangential_displacement,
-            Loading::Cyclic => change.displacement_amplitude,
+        let [displacement, displacement_y] = match loading {
+            Loading::Transient => change.place(),
+            Loading::Cyclic => [change.displacement_amplitude, 0.0],
         };
-        Change { normal: change.normal(settings.normal_control()), displacement, loading, starting }
+        let normal = change.normal(settings.normal_control());
+        Change { normal, displacement, displacement_y, loading, starting }
     }
 }

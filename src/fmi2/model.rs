@@ -116,11 +116,11 @@ impl Model {
                 .map_err(|problem| engine("parameters", problem))?,
         };
         let displacement = match settings.loading() {
-            Loading::Transient => inputs.tangential_displacement,
-            Loading::Cyclic => 0.0,
+            Loading::Transient => inputs.place(),
+            Loading::Cyclic => [0.0; 2],
         };
         built
-            .start_at(inputs.normal(settings.normal_control()), displacement)
+            .start_at_planar(inputs.normal(settings.normal_control()), displacement)
             .map_err(|problem| engine(&format!("start with {}", inputs.describe(settings)), problem))?;
         *contact = Some(built);
         *started = true;
@@ -157,7 +157,7 @@ impl Model {
             Ok(())
         };
         let advanced = retuned.and_then(|()| match settings.loading() {
-            Loading::Transient => contact.advance_to(normal, to.tangential_displacement),
+            Loading::Transient => contact.advance_to_planar(normal, to.place()),
             Loading::Cyclic => {
                 let cycles = 0.5 * (from.frequency + to.frequency) * length;
                 contact.advance_cycles(normal, to.displacement_amplitude, cycles)

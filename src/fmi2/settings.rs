@@ -132,6 +132,7 @@ pub(super) struct Inputs {
     pub(super) tangential_displacement: f64,
     pub(super) displacement_amplitude: f64,
     pub(super) frequency: f64,
+    pub(super) tangential_displacement_y: f64,
 }
 
 impl Default for Inputs {
@@ -143,6 +144,7 @@ impl Default for Inputs {
             tangential_displacement: 0.0,
             displacement_amplitude: 1e-6,
             frequency: 1.0,
+            tangential_displacement_y: 0.0,
         }
     }
 }
@@ -155,6 +157,7 @@ impl Inputs {
         tangential_displacement: 0.0,
         displacement_amplitude: 0.0,
         frequency: 0.0,
+        tangential_displacement_y: 0.0,
     };
 
     /// The inputs after `time`, s, when they change at the rates `slopes`.
@@ -165,16 +168,31 @@ impl Inputs {
             tangential_displacement: self.tangential_displacement + slopes.tangential_displacement * time,
             displacement_amplitude: self.displacement_amplitude + slopes.displacement_amplitude * time,
             frequency: self.frequency + slopes.frequency * time,
+            tangential_displacement_y: self.tangential_displacement_y
+                + slopes.tangential_displacement_y * time,
         }
     }
 
     /// Whether all are finite.
     pub(super) fn is_finite(&self) -> bool {
-        let Self { normal_force, indentation, tangential_displacement, displacement_amplitude, frequency } =
-            *self;
-        [normal_force, indentation, tangential_displacement, displacement_amplitude, frequency]
-            .iter()
-            .all(|value| value.is_finite())
+        let Self {
+            normal_force,
+            indentation,
+            tangential_displacement,
+            displacement_amplitude,
+            frequency,
+            tangential_displacement_y,
+        } = *self;
+        [
+            normal_force,
+            indentation,
+            tangential_displacement,
+            displacement_amplitude,
+            frequency,
+            tangential_displacement_y,
+        ]
+        .iter()
+        .all(|value| value.is_finite())
     }
 
     /// Rates of change over `time`, s, since `start`.
@@ -186,6 +204,7 @@ impl Inputs {
             tangential_displacement: rate(self.tangential_displacement, start.tangential_displacement),
             displacement_amplitude: rate(self.displacement_amplitude, start.displacement_amplitude),
             frequency: rate(self.frequency, start.frequency),
+            tangential_displacement_y: rate(self.tangential_displacement_y, start.tangential_displacement_y),
         }
     }
 
@@ -197,6 +216,11 @@ impl Inputs {
         }
     }
 
+    /// The displacement in the plane, m.
+    pub(super) fn place(&self) -> [f64; 2] {
+        [self.tangential_displacement, self.tangential_displacement_y]
+    }
+
     /// The inputs in use, for messages.
     pub(super) fn describe(&self, settings: &Settings) -> String {
         let normal = match settings.normal_control() {
@@ -205,7 +229,10 @@ impl Inputs {
         };
         match settings.loading() {
             Loading::Transient => {
-                format!("{normal}, tangential_displacement = {:?} m", self.tangential_displacement)
+                let [x, y] = self.place();
+                let along_y =
+                    if y == 0.0 { String::new() } else { format!(", tangential_displacement_y = {y:?} m") };
+                format!("{normal}, tangential_displacement = {x:?} m{along_y}")
             }
             Loading::Cyclic => format!(
                 "{normal}, displacement_amplitude = {:?} m, frequency = {:?} Hz",

@@ -34,6 +34,8 @@ pub struct Variable {
     pub(super) access: Access,
     /// Names of the variables on which it depends at the end of the initialization, if it is an output.
     pub initial_dependencies: &'static [&'static str],
+    /// Names of the inputs on which it never depends, if it is an output.
+    pub independent_of: &'static [&'static str],
 }
 
 /// Type of a variable and what belongs to it.

@@ -5,8 +5,8 @@
 use fretting_contact::fmi2::variables::{DataType, Start, Variable, variables};
 use std::sync::LazyLock;
 
-/// The inputs come before all other variables.
-const INPUTS: usize = 5;
+/// Number of inputs.
+const INPUTS: usize = 6;
 
 /// Room for the variables that are not fields.
 const ROOM: usize = 48;
@@ -15,9 +15,20 @@ const ROOM: usize = 48;
 pub(crate) static NAMED: LazyLock<Vec<u32>> = LazyLock::new(|| {
     let named = |(_, variable): &(u32, &Variable)| variable.causality() != "local";
     let list: Vec<u32> = (0..).zip(variables()).filter(named).map(|(reference, _)| reference).collect();
-    assert!(list.len() <= ROOM && (0..INPUTS).all(|k| variables()[k].causality() == "input"));
+    assert!(list.len() <= ROOM);
     list
 });
+
+/// References of the inputs.
+static INPUT: LazyLock<[u32; INPUTS]> = LazyLock::new(|| {
+    let list: Vec<u32> = NAMED.iter().copied().filter(|&reference| is_input(reference)).collect();
+    list.try_into().expect("INPUTS is their number")
+});
+
+/// Whether it is an input.
+pub(crate) fn is_input(reference: u32) -> bool {
+    variable(reference).is_some_and(|variable| variable.causality() == "input")
+}
 
 /// Where a variable that is no field has its value.
 fn slot(reference: u32) -> usize {
@@ -258,11 +269,11 @@ impl Model {
     }
 
     pub(crate) fn set_slope(&mut self, reference: u32, order: i32, value: f64) -> Expected {
-        let input = variable(reference).is_some_and(|v| v.causality() == "input");
-        if !(self.allows(Group::Set) && input && order == 1 && value.is_finite()) {
+        let Some(input) = INPUT.iter().position(|&input| input == reference) else { return Expected::Error };
+        if !(self.allows(Group::Set) && order == 1 && value.is_finite()) {
             return Expected::Error;
         }
-        self.slopes[reference as usize] = value;
+        self.slopes[input] = value;
         Expected::Ok
     }
 
@@ -280,7 +291,10 @@ impl Model {
     /// Inputs at the end of a step of `length`.
     fn targets(&self, length: f64) -> [f64; INPUTS] {
         let moves = self.slopes.iter().any(|slope| *slope != 0.0);
-        core::array::from_fn(|k| if moves { self.reals[k] + self.slopes[k] * length } else { self.reals[k] })
+        core::array::from_fn(|k| {
+            let value = self.reals[slot(INPUT[k])];
+            if moves { value + self.slopes[k] * length } else { value }
+        })
     }
 
     /// fmi2DoStep: what it may return. The step itself is taken by [`Self::stepped`].
@@ -290,8 +304,8 @@ impl Model {
         }
         let slack = |time: f64| SAME_TIME * time.abs().max(length).max(self.longest);
         let end = point + length;
-        let in_range = |(v, &target): (&Variable, &f64)| match &v.data_type {
-            DataType::Real { range, .. } => range.contains(target),
+        let in_range = |(&reference, &target): (&u32, &f64)| match variable(reference).map(|v| &v.data_type) {
+            Some(DataType::Real { range, .. }) => range.contains(target),
             _ => false,
         };
         let good = length >= 0.0
@@ -299,7 +313,7 @@ impl Model {
             && (point == self.time || (point - self.time).abs() <= slack(point))
             && end.is_finite()
             && self.stop.is_none_or(|stop| end <= stop + slack(stop))
-            && variables().iter().zip(&self.targets(length)).all(in_range);
+            && INPUT.iter().zip(&self.targets(length)).all(in_range);
         if !good {
             self.last_step = 3;
             return Expected::Error;
@@ -312,7 +326,7 @@ impl Model {
         self.last_step = status;
         if status == 0 {
             let targets = self.targets(length);
-            self.reals[..INPUTS].copy_from_slice(&targets);
+            INPUT.iter().zip(targets).for_each(|(&input, target)| self.reals[slot(input)] = target);
             self.slopes.fill(0.0);
             self.time = point + length;
             self.longest = self.longest.max(length);

@@ -1,7 +1,7 @@
 //! Calls on values, steps, derivatives and statuses.
 
 use super::bytes::Record;
-use super::model::{Expected, Group, is_real_output, reference};
+use super::model::{Expected, Group, is_input, is_real_output, reference};
 use super::{Called, Host, LEAST_TOLERANCE, MOST_WEARING_CELLS, MOST_WEARING_STEPS, TEXTS};
 use core::ffi::CStr;
 use core::ptr::{null, null_mut};
@@ -121,7 +121,10 @@ impl Host {
                     self.model.gated(Group::Status, if good { Expected::Ok } else { Expected::Error }),
                 );
             }
-            let known = [record.index() as u32 % 8];
+            let known = [match record.index() as u32 % 8 {
+                7 => reference("tangential_displacement_y"),
+                other => other,
+            }];
             let seed = [if record.mode() & 2 != 0 { record.raw() } else { 1.0 }];
             let status = fmi2GetDirectionalDerivative(
                 self.component,
@@ -132,7 +135,7 @@ impl Host {
                 seed.as_ptr(),
                 values.as_mut_ptr(),
             );
-            let good = outputs && known[0] < 5 && seed[0].is_finite();
+            let good = outputs && is_input(known[0]) && seed[0].is_finite();
             (status, self.model.gated(Group::Get, if good { self.model.computes() } else { Expected::Error }))
         }
     }

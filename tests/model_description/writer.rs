@@ -158,11 +158,15 @@ fn type_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
     attributes
 }
 
-/// Outputs follow the inputs through the steps; at the start they follow what the table says.
+/// Outputs follow the inputs through the steps, but for those that the table names; at the start they follow what the table says.
 fn structure(xml: &mut Xml) -> io::Result<()> {
     let inputs: Vec<_> =
         variables().iter().filter(|v| v.causality() == "input").map(|v| v.name.as_ref()).collect();
-    xml.create_element("Outputs").write_inner_content(|xml| unknowns(xml, |_| inputs.clone()))?;
+    xml.create_element("Outputs").write_inner_content(|xml| {
+        unknowns(xml, |output| {
+            inputs.iter().copied().filter(|input| !output.independent_of.contains(input)).collect()
+        })
+    })?;
     xml.create_element("InitialUnknowns")
         .write_inner_content(|xml| unknowns(xml, |output| output.initial_dependencies.to_vec()))?;
     Ok(())

@@ -55,6 +55,7 @@ pub(super) fn rows() -> Vec<Variable> {
     rows.extend(fields());
     // what came later stands at the end, so that the references before it stay
     rows.extend(rig());
+    rows.extend(second_direction());
     rows
 }
 
@@ -184,7 +185,27 @@ fn rig() -> Vec<Variable> {
         ),
         output("contact_displacement", "m", 1e-6, Range::FINITE, &["tangential_displacement", "loading"], own).about(
             "Tangential displacement of body 1 in the contact, without the stretch of the rig; in cyclic loading its amplitude",
+        )
+        .independent_of(&["tangential_displacement_y"]),
+    ]
+}
+
+/// The other tangential direction.
+fn second_direction() -> Vec<Variable> {
+    let force = Output {
+        read: FrettingContact::tangential_force_y,
+        gradient: FrettingContact::tangential_force_y_gradient,
+        per_cycle: None,
+        starts_anywhere: false,
+    };
+    vec![
+        input("tangential_displacement_y", "m", 1e-6, Range::FINITE, |i| &mut i.tangential_displacement_y).about(
+            "Tangential displacement of body 1 at right angles to tangential_displacement, used when loading = transient; it has to stay as it is where there is a rig_stiffness",
         ),
+        output("tangential_force_y", "N", 10.0, Range::FINITE, &[], force).about(
+            "Tangential force that body 1 exerts on body 2 along tangential_displacement_y; 0 in cyclic loading",
+        )
+        .independent_of(&["displacement_amplitude", "frequency"]),
     ]
 }
 
@@ -204,6 +225,7 @@ fn fields() -> Vec<Variable> {
         data_type: DataType::Real { unit: Some(unit_named(unit)), nominal: None, range: Range::FINITE },
         access: Access::Field { probe, read },
         initial_dependencies: &[],
+        independent_of: &[],
     };
     fields.into_iter().flat_map(|field| (0..PROBES).map(move |probe| row(field, probe))).collect()
 }
@@ -213,12 +235,23 @@ fn unit_named(name: &str) -> Unit {
 }
 
 fn variable(name: &'static str, data_type: DataType, access: Access) -> Variable {
-    Variable { name: name.into(), description: "".into(), data_type, access, initial_dependencies: &[] }
+    Variable {
+        name: name.into(),
+        description: "".into(),
+        data_type,
+        access,
+        initial_dependencies: &[],
+        independent_of: &[],
+    }
 }
 
 impl Variable {
     fn about(self, description: &'static str) -> Self {
         Self { description: description.into(), ..self }
+    }
+
+    fn independent_of(self, inputs: &'static [&'static str]) -> Self {
+        Self { independent_of: inputs, ..self }
     }
 }
 

@@ -46,11 +46,10 @@ impl Samples {
     }
 }
 
-/// Sample radii behind `from` and up to `to`, which is the last of them.
-fn radii_between(surface: &Surface, spacing: f64, from: f64, to: f64) -> Vec<f64> {
+/// Sample radii behind `from` and up to `to`, which is the last of them, in turn.
+fn each_radius(surface: &Surface, spacing: f64, (from, to): (f64, f64), mut sink: impl FnMut(f64)) {
     let nodes = surface.worn().map_or(&[][..], |nodes| nodes.x());
     let mut nodes = nodes.iter().copied().filter(|&x| x > from && x < to).peekable();
-    let mut radii = Vec::new();
     // a spacing that is lost to underflow leaves the edge alone
     let most = if spacing > 0.0 { to / spacing } else { 0.0 };
     let mut k = if spacing > 0.0 { (from / spacing).floor() } else { 1.0 };
@@ -61,15 +60,14 @@ fn radii_between(surface: &Surface, spacing: f64, from: f64, to: f64) -> Vec<f64
             continue;
         }
         while let Some(node) = nodes.next_if(|node| *node < even - SAME * spacing) {
-            radii.push(node);
+            sink(node);
         }
         if nodes.peek().is_none_or(|node| *node > even + SAME * spacing) {
-            radii.push(even);
+            sink(even);
         }
     }
-    radii.extend(nodes);
-    radii.push(to);
-    radii
+    nodes.for_each(&mut sink);
+    sink(to);
 }
 
 /// The spring at a place behind sample j.
@@ -100,7 +98,8 @@ impl PlanarRow {
         let spacing = edge / samples.0 as f64;
         let mut radii: Vec<f64> = springs.knots().iter().map(|knot| knot.place.x).collect();
         radii.dedup();
-        let mut even = radii_between(surface, spacing, 0.0, edge);
+        let mut even = Vec::new();
+        each_radius(surface, spacing, (0.0, edge), |x| even.push(x));
         even.retain(|x| {
             let above = radii.partition_point(|knot| knot < x);
             let near = |knot: Option<&f64>| knot.is_some_and(|knot| (knot - x).abs() <= SAME * spacing);
@@ -121,7 +120,7 @@ impl PlanarRow {
         row.knots.push(PlanarKnot { place, ..*first });
         row.slips.extend(self.slips.first());
         let mut j = 0;
-        for x in radii_between(surface, spacing, 0.0, radius) {
+        each_radius(surface, spacing, (0.0, radius), |x| {
             while j + 1 < self.knots.len() && self.knots[j + 1].place.x <= x {
                 j += 1;
             }
@@ -136,7 +135,7 @@ impl PlanarRow {
             if !self.slips.is_empty() {
                 row.slips.push(slip);
             }
-        }
+        });
         row
     }
 
@@ -166,9 +165,7 @@ impl PlanarRow {
                 0.0
             }
         };
-        for x in radii_between(path.surface, self.spacing, from, radius) {
-            self.take(path.touching(x), path.counts);
-        }
+        each_radius(path.surface, self.spacing, (from, radius), |x| self.take(path.touching(x), path.counts));
     }
 
     fn take(&mut self, knot: PlanarKnot, counts: bool) {
