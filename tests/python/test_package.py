@@ -10,9 +10,17 @@ from closed_forms import Sphere, Tangential
 from contact_fmu import PROBES
 from fmpy.validation import validate_fmu
 
-INPUTS = {"normal_force", "indentation", "tangential_displacement", "displacement_amplitude", "frequency"}
+INPUTS = {
+    "normal_force",
+    "indentation",
+    "tangential_displacement",
+    "tangential_displacement_y",
+    "displacement_amplitude",
+    "frequency",
+}
 OUTPUTS = {
     "tangential_force",
+    "tangential_force_y",
     "wear_volume",
     "wear_depth",
     "dissipated_energy",
