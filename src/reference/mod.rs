@@ -41,4 +41,4 @@ pub use shape::Shape;
 pub use springs::PlainSpringRow;
 pub use tangential::{MonomialContact, TangentialContact};
 pub use wear::ConstantDepthEnd;
-pub use wearing_springs::WearingRow;
+pub use wearing_springs::{PlanarWearingRow, WearingRow};

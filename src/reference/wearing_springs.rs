@@ -7,6 +7,10 @@
 //! integrals. Nothing is implicit: steps must wear less than about (4/π)(p/E*) Δx. The contact edge is known to a cell,
 //! so that the error is of first order in the spacing. O(n²) a step.
 
+mod planar;
+
+pub use planar::PlanarWearingRow;
+
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI, PI};
 
 /// A wearing contact of a body of revolution under force control.

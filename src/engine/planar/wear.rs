@@ -7,8 +7,9 @@
 
 use super::PlanarEnd;
 use crate::engine::FrettingContact;
+use crate::engine::history::STROKE;
 use crate::error::Error;
-use crate::friction::{PlanarRow, Resting, Vector, difference};
+use crate::friction::{PlanarRow, Resting, Standing, Vector, difference};
 use crate::surface::{Contact, Nodes};
 use crate::wear::{self, Edge, Segment};
 
@@ -27,7 +28,38 @@ const LOAD_SHARE: f64 = 0.05;
 impl FrettingContact {
     /// Walks one piece with wear.
     pub(super) fn wear_in_plane(&mut self, value: f64, place: Vector) -> Result<(), Error> {
+        if self.turns_back(place) {
+            self.bounded(Self::turn_in_plane)?;
+        }
         self.wear_in_parts(value, place, MOST_HALVINGS)
+    }
+
+    /// Whether the body goes back: springs that slip come off their bound, and hold what they had.
+    fn turns_back(&self, place: Vector) -> bool {
+        let ([x, y], way) = (self.direction_in_plane(), difference(place, self.place()));
+        x * way[0] + y * way[1] < 0.0
+    }
+
+    /// Where the body goes back all springs that have slipped are at their bound, so that the profile can follow with them; if the next stroke,
+    /// taken to be like the last, would wear too much, it does so now.
+    fn turn_in_plane(&mut self) -> Result<(), Error> {
+        let last = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
+        self.gather_in_plane()?;
+        if self.constants.wear_per_work * (self.pending_work() + last) > self.update_limit() {
+            self.update_profile()?;
+        }
+        Ok(())
+    }
+
+    /// Whether all springs that have slipped since the last update are at their bound. An update lets others slip against them.
+    fn follows_everywhere(&self) -> bool {
+        let (Some(wear), Some(planar)) = (&self.wear, &self.planar) else { return true };
+        let x = |i: usize| self.surface.worn().and_then(|nodes| nodes.x().get(i).copied());
+        // the front may have moved on by a cell or two
+        let pending =
+            wear.pending.slip_path.iter().position(|path| *path > 0.0).and_then(|first| x(first + 2));
+        let innermost = pending.unwrap_or(f64::INFINITY).min(planar.row.innermost_slip(2));
+        self.stick_radius() <= innermost
     }
 
     fn wear_in_parts(&mut self, value: f64, place: Vector, halvings: u32) -> Result<(), Error> {
@@ -37,13 +69,22 @@ impl FrettingContact {
             self.bounded(Self::close_in_plane)?;
         }
         let end = self.try_in_plane(value, place)?;
-        let limit = self.update_limit();
+        let (to, row) = (&end.to, &end.row);
+        let reached = Standing {
+            row,
+            surface: &self.surface,
+            contact: to,
+            bound_slope: self.bound_slope,
+            displacement: place,
+        };
         let volume = self.constants.wear_per_work * end.work;
-        if volume > MOST_WEAR * limit && self.outwears(end.work) {
+        let ratio =
+            if end.work > 0.0 { self.exceeds_limit(volume, to, reached.stick_radius()) } else { None };
+        if ratio.is_some_and(|ratio| ratio > MOST_WEAR) && self.outwears(end.work) {
             return Err(Error::WearOutrun { from: self.displacement, displacement: place[0] });
         }
         let turns = end.one_way < 1.0 - TURNED;
-        if halvings > 0 && end.work > 0.0 && (turns || volume > limit) {
+        if halvings > 0 && end.work > 0.0 && (turns || ratio.is_some()) {
             let middle = [0, 1].map(|k| 0.5 * (self.place()[k] + place[k]));
             let between = 0.5 * (self.contact.control + value);
             if middle != place && middle != self.place() {
@@ -70,7 +111,13 @@ impl FrettingContact {
         let load_moved =
             (self.contact.load - start.load).abs() > LOAD_SHARE * self.contact.load.max(start.load);
         let volume = self.constants.wear_per_work * (self.pending_work() + wear.segment.work);
-        if load_moved || volume > self.update_limit() { self.bounded(Self::close_in_plane) } else { Ok(()) }
+        if load_moved || self.is_due(volume) { self.bounded(Self::close_in_plane) } else { Ok(()) }
+    }
+
+    /// Whether the profile has to follow a volume (m³) here.
+    fn is_due(&self, volume: f64) -> bool {
+        let limit = self.update_limit();
+        volume > limit && (volume > STROKE * limit || self.follows_everywhere())
     }
 
     /// Adds a piece to the segment.
@@ -104,10 +151,11 @@ impl FrettingContact {
     /// Closes the segment, and brings the profile up to date where enough has worn.
     fn close_in_plane(&mut self) -> Result<(), Error> {
         self.gather_in_plane()?;
-        if self.constants.wear_per_work * self.pending_work() > self.update_limit() {
-            self.update_profile()?;
+        if self.is_due(self.constants.wear_per_work * self.pending_work()) {
+            self.update_profile()
+        } else {
+            Ok(())
         }
-        Ok(())
     }
 
     /// Turns the slip since the segment's start into work per area and slip path at the nodes.

@@ -156,6 +156,12 @@ impl PlanarRow {
         fields
     }
 
+    /// Radius of the sample so many behind the first that has slipped, m.
+    pub(crate) fn innermost_slip(&self, behind: usize) -> f64 {
+        let first = self.slips.iter().position(|slip| slip.path > 0.0);
+        first.and_then(|first| self.knots.get(first + behind)).map_or(f64::INFINITY, |knot| knot.place.x)
+    }
+
     /// Whether springs have slipped since the count began.
     pub(crate) fn has_slipped(&self) -> bool {
         self.slips.iter().any(|slip| slip.path > 0.0 && norm(slip.pull) > 0.0)
