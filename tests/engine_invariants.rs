@@ -131,6 +131,37 @@ fn random_histories_with_wear_keep_every_invariant() {
     }
 }
 
+/// Cycles lay a mesh over whatever is there: the rim of a worn punch, steep outside it, and fronts near the axis.
+#[test]
+fn cycles_on_what_a_history_has_left_keep_the_volume_on_the_profile() {
+    for profile in profiles() {
+        for seed in [1, 2, 3] {
+            let what = format!("{profile:?}, history {seed}");
+            let wearing =
+                Parameters { wear_coefficient: 0.1, resolution: 24, ..without_wear(profile.clone()) };
+            let mut contact = contact(wearing);
+            let mut random = seeded(seed);
+            for _ in 0..25 {
+                to(&mut contact, uniform(&mut random, -10.0, FORCE), uniform(&mut random, -4e-6, 4e-6));
+            }
+            for _ in 0..3 {
+                let (load, amplitude) =
+                    (uniform(&mut random, 0.5 * FORCE, FORCE), uniform(&mut random, 0.5e-6, 3e-6));
+                contact.advance_cycles(load, amplitude, 2.5).expect(&what);
+                let disc = std::f64::consts::PI
+                    * contact.contact_radius().powi(2)
+                    * contact.indentation_depth().abs();
+                let missing = contact.wear_volume() - contact.profile_volume();
+                assert!(
+                    missing.abs() <= contact.parameters().tolerance * (contact.wear_volume() + disc),
+                    "{what}: {missing:e} of {:e} m3",
+                    contact.wear_volume()
+                );
+            }
+        }
+    }
+}
+
 /// Nothing but an error or finite results, and after an error the same state as before.
 fn attempt(
     contact: &mut FrettingContact,

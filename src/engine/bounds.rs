@@ -6,8 +6,12 @@ use crate::error::Error;
 use crate::surface::Contact;
 use crate::wear::annulus;
 
-/// Share of the worn volume and of π a² d that may have found no place on the profile.
-const UNPLACED: f64 = 0.01;
+/// Least share of the worn volume and of π a² d that may have found no place on the profile, the usual tolerance. What an update leaves
+/// for the next does not fall with a tighter one.
+const UNPLACED: f64 = 1e-3;
+
+/// And that by which friction may have taken more than it can, which is lost in those of a step that went wrong.
+const OVERTAKEN: f64 = 0.01;
 
 /// Rounding and the error of an update, relative.
 const SLACK: f64 = 0.05;
@@ -37,7 +41,7 @@ impl FrettingContact {
         let per_work = self.constants.wear_per_work;
         // what went wrong may have blown up the contact after
         let slack =
-            UNPLACED * if before.is_open() { disc(&before).max(disc(&self.contact)) } else { disc(&before) };
+            OVERTAKEN * if before.is_open() { disc(&before).max(disc(&self.contact)) } else { disc(&before) };
         let bounded = per_work * taken <= (1.0 + SLACK) * per_work * (driven + stored) + slack;
         let placed = self.is_placed((&before, unplaced));
         if bounded && placed {
@@ -47,16 +51,19 @@ impl FrettingContact {
     }
 
     /// Volume that has found no place on the profile, m³.
-    fn unplaced(&self) -> f64 {
+    pub(super) fn unplaced(&self) -> f64 {
         let work = self.wear.as_ref().map_or(0.0, |wear| wear.pending.unplaced);
         (self.constants.wear_per_work * work).abs()
     }
 
     /// Whether nearly all that has worn shows on the profile, or at least no less than before a step; the contact of then
     /// counts, too.
-    fn is_placed(&self, (contact, unplaced): (&Contact, f64)) -> bool {
+    pub(super) fn is_placed(&self, (contact, unplaced): (&Contact, f64)) -> bool {
         let now = self.unplaced();
-        now <= unplaced || now <= UNPLACED * (self.wear_volume() + disc(contact).max(disc(&self.contact)))
+        now <= unplaced
+            || now
+                <= self.parameters.tolerance.max(UNPLACED)
+                    * (self.wear_volume() + disc(contact).max(disc(&self.contact)))
     }
 }
 

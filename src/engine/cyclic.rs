@@ -22,7 +22,8 @@ impl FrettingContact {
     ///
     /// # Errors
     /// As [`Self::advance_to`]; [`Error::Input`] also for a negative amplitude or number of cycles;
-    /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed.
+    /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed; [`Error::WearOutrun`] where more of it than the
+    /// tolerance finds no place on the profile.
     pub fn advance_cycles(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         let (value, _) = self.checked(normal, 0.0)?;
         for (name, value, most) in
@@ -41,6 +42,7 @@ impl FrettingContact {
     }
 
     fn run_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
+        let (before, unplaced) = (self.contact, self.unplaced());
         self.settle()?;
         self.planar = None;
         self.contact = self.contact_at(value)?;
@@ -60,6 +62,9 @@ impl FrettingContact {
         self.displacement = amplitude;
         self.direction = 1.0;
         self.start_segment();
+        if !self.is_placed((&before, unplaced)) {
+            return Err(Error::WearOutrun { from: -amplitude, displacement: amplitude });
+        }
         Ok(())
     }
 

@@ -112,15 +112,22 @@ impl FrettingContact {
     fn thin_nodes(&mut self) {
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return };
         let Some(contact) = wear.pending.contact else { return };
+        let volume = nodes.worn_volume();
+        let mut left = nodes.mesh().map(|_| {
+            let (transforms, made) = wear.transforms.get(nodes);
+            self.counters.transform_tables += u64::from(made);
+            self.counters.descent_transforms += 1;
+            nodes.without_mesh(transforms.descend(nodes.worn_image()))
+        });
         let share = wear::THINNING * self.parameters.tolerance;
-        if let Some(thinned) = nodes.thinned(share, contact.radius, self.surface.profile()) {
-            wear.pending.moved_to(nodes.x(), thinned.x());
-            wear.pending.owe((nodes.worn_volume() - thinned.worn_volume()) / self.constants.wear_per_work);
-            self.surface.set_worn(Some(thinned));
-        } else {
-            // of a mesh the volume is told from the image, after the update from the depths
-            let told_anew = nodes.volume(nodes.depth());
-            wear.pending.owe((nodes.worn_volume() - told_anew) / self.constants.wear_per_work);
+        let present = left.as_ref().unwrap_or(nodes);
+        if let Some(thinned) = present.thinned(share, contact.radius, self.surface.profile()) {
+            wear.pending.moved_to(present.x(), thinned.x());
+            left = Some(thinned);
+        }
+        if let Some(left) = left {
+            wear.pending.owe((volume - left.worn_volume()) / self.constants.wear_per_work);
+            self.surface.set_worn(Some(left));
         }
     }
 

@@ -83,6 +83,14 @@ impl Nodes {
         self.update_integrals(profile);
     }
 
+    /// These nodes without the mesh among them, with the depths of their image, m. The mesh tells both by lines in x² of the image over x,
+    /// which at a front near the axis is another profile between nodes.
+    pub(crate) fn without_mesh(&self, depth: Vec<f64>) -> Self {
+        let mut nodes = Self { depth: depth.into_iter().map(|w| w.max(0.0)).collect(), ..self.clone() };
+        nodes.leave_mesh();
+        nodes
+    }
+
     fn update_integrals(&mut self, profile: &Profile) {
         self.whole.clear();
         self.whole.extend(self.x.iter().zip(&self.worn_image).map(|(x, h)| profile.image(*x) + h));

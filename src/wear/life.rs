@@ -309,15 +309,16 @@ fn left_at_the_end(
     let mut nodes = left_behind(patch, &state, &rate, tolerance);
     let mut missing = target - nodes.worn_volume();
     let defect = missing.abs();
-    if patch.body.worn().is_some() {
-        // what the mesh carries may be far less than what is there, and less than what is missing
-        return (nodes, defect);
-    }
+    // what a mesh over a worn body carries may be less than what is missing
+    let most = if patch.body.worn().is_some() { MISSING * patch.own_volume(&rate) } else { f64::INFINITY };
     for _ in 0..CORRECTIONS {
         if missing.abs() <= MET * tolerance * target {
             break;
         }
-        let Some(grown) = patch.with_volume(&state, &rate, missing) else { break };
+        let Some(grown) = patch.with_volume(&state, &rate, missing.signum() * missing.abs().min(most.abs()))
+        else {
+            break;
+        };
         (state, rate) = grown;
         nodes = left_behind(patch, &state, &rate, tolerance);
         missing = target - nodes.worn_volume();

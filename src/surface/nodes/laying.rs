@@ -76,23 +76,43 @@ impl Nodes {
         Self { x, worn_image, depth, whole, worn_load, square, resolution, mesh, remains: None }
     }
 
-    /// These nodes with the wear of others on top. Nodes at which the line between others meets image and depth within a share of
-    /// their largest values are left out: the volume is told from the depths.
+    /// These nodes with the wear of a mesh, left as the others, on top. Nodes at which the line between others meets image and depth
+    /// within a share of their largest values are left out: the volume is told from the depths.
+    ///
+    /// A body that ends at its last node, worn there, is steep outside the mesh. There its depths stay lines between its own nodes:
+    /// more of them would change the volume.
     pub(crate) fn with(&self, others: &Self, share: f64, profile: &Profile) -> Self {
-        let mut x: Vec<f64> = self.x.iter().chain(&others.x).copied().collect();
+        let end = self.x[self.last()];
+        let edge = match others.mesh {
+            Some(mesh) if self.depth[self.last()] > 0.0 => others.x[mesh.first + mesh.cells],
+            _ => f64::INFINITY,
+        };
+        let mut x = self.x.clone();
+        x.extend(others.x.iter().filter(|x| **x <= edge || **x > end));
         x.sort_by(f64::total_cmp);
         x.dedup_by(|b, a| *b - *a <= 1e-13 * *a);
-        let worn_image: Vec<f64> = x.iter().map(|x| self.worn_part(*x).0 + others.worn_part(*x).0).collect();
+        let outside = x.partition_point(|x| *x <= edge);
         let transforms = NodeTransforms::new(&x);
-        let descended = |nodes: &Self| {
-            let image: Vec<f64> = x.iter().map(|x| nodes.worn_part(*x).0).collect();
-            let end = nodes.x[nodes.last()];
+        let image_of = |nodes: &Self| x.iter().map(|x| nodes.worn_part(*x).0).collect::<Vec<f64>>();
+        let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<f64>>();
+        let depth_of = |nodes: &Self, image: &[f64]| {
+            let mut depth = transforms.descend(image);
             // behind its last node nothing of a surface has worn, where lines cannot follow its image exactly
-            let depth = transforms.descend(&image).into_iter().zip(&x);
-            depth.map(|(w, x)| if *x < end { w.max(0.0) } else { 0.0 }).collect::<Vec<f64>>()
+            let inside = x[..outside].partition_point(|x| *x < nodes.x[nodes.last()]);
+            depth[..inside].iter_mut().for_each(|w| *w = w.max(0.0));
+            depth[inside..].iter_mut().zip(&x[inside..]).for_each(|(w, x)| *w = nodes.line_of_depth(*x));
+            depth
         };
-        let depth: Vec<f64> =
-            descended(self).iter().zip(descended(others)).map(|(base, top)| base + top).collect();
+        let (base, top) = (image_of(self), image_of(others));
+        let depth = sum(&depth_of(self, &base), &depth_of(others, &top));
+        let mut worn_image = sum(&base, &top);
+        if outside < x.len() {
+            let found = transforms.descend(&worn_image);
+            let mut missing: Vec<f64> =
+                depth.iter().zip(&found).map(|(depth, found)| depth - found).collect();
+            missing[..outside].fill(0.0);
+            worn_image = sum(&worn_image, &transforms.ascend(&missing));
+        }
         let kept = thin_unless(&x, &worn_image, share, |_, _| false, met_by_lines(&x, &depth, share));
         let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect::<Vec<f64>>();
         let (x, worn_image, depth) = (pick(&x), pick(&worn_image), pick(&depth));

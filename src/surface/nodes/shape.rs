@@ -24,6 +24,16 @@ impl Nodes {
         }
     }
 
+    /// Worn depth at radius r by the line in r² between the nodes, m.
+    pub(super) fn line_of_depth(&self, r: f64) -> f64 {
+        let Some(j) = self.cell(r) else {
+            return if r == self.x[self.last()] { self.depth[self.last()] } else { 0.0 };
+        };
+        let (x0, x1) = (self.x[j], self.x[j + 1]);
+        let share = (r - x0) * (r + x0) / ((x1 - x0) * (x1 + x0));
+        (1.0 - share) * self.depth[j] + share * self.depth[j + 1]
+    }
+
     /// Image and depth (m) of the node at a radius, within a share of that; `None` where there is none.
     pub(crate) fn at(&self, radius: f64, share: f64) -> Option<(f64, f64)> {
         let near = self.x.partition_point(|x| *x < radius * (1.0 - share));
