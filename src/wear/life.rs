@@ -165,7 +165,14 @@ pub(crate) fn live(
             life.defect += defect;
             nodes
         };
-        if !(life.volume.is_finite() && life.defect.is_finite() && nodes.worn_volume().is_finite()) {
+        let on_profile = nodes.worn_volume();
+        if !(life.volume.is_finite() && life.defect.is_finite() && on_profile.is_finite()) {
+            return Err(lost(motion));
+        }
+        // on cells that do not follow the body at its edge the depths may carry a tenth of the work's volume
+        if let Some(body) = patch.body.worn()
+            && (on_profile - body.worn_volume() - volume).abs() > MISSING * volume
+        {
             return Err(lost(motion));
         }
         life.surface.set_worn(Some(nodes));
