@@ -10,7 +10,11 @@ use crate::wear::annulus;
 /// for the next does not fall with a tighter one.
 const UNPLACED: f64 = 1e-3;
 
-/// And that by which friction may have taken more than it can, which is lost in those of a step that went wrong.
+/// Share of that which a step may add where others have left too much: what wears next takes it up.
+const NOT_AT_FAULT: f64 = 0.1;
+
+/// Share of the worn volume and of π a² d by which friction may have taken more than it can, which is lost in those of a step that went
+/// wrong.
 const OVERTAKEN: f64 = 0.01;
 
 /// Rounding and the error of an update, relative.
@@ -56,14 +60,12 @@ impl FrettingContact {
         (self.constants.wear_per_work * work).abs()
     }
 
-    /// Whether nearly all that has worn shows on the profile, or at least no less than before a step; the contact of then
+    /// Whether nearly all that has worn shows on the profile, or what does not is hardly more than before a step; the contact of then
     /// counts, too.
-    pub(super) fn is_placed(&self, (contact, unplaced): (&Contact, f64)) -> bool {
-        let now = self.unplaced();
-        now <= unplaced
-            || now
-                <= self.parameters.tolerance.max(UNPLACED)
-                    * (self.wear_volume() + disc(contact).max(disc(&self.contact)))
+    pub(super) fn is_placed(&self, (contact, before): (&Contact, f64)) -> bool {
+        let (now, size) = (self.unplaced(), disc(contact).max(disc(&self.contact)));
+        let limit = self.parameters.tolerance.max(UNPLACED) * (self.wear_volume() + size);
+        now <= limit || now - before <= NOT_AT_FAULT * limit
     }
 }
 
