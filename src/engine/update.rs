@@ -47,8 +47,9 @@ impl FrettingContact {
         let old = self.surface.clone();
         self.surface.set_worn(Some(nodes));
         self.springs = self.springs.moved_to(&old, &self.surface);
+        let standing = (self.bound_slope, self.place());
         if let Some(planar) = &mut self.planar {
-            planar.row = planar.row.on_nodes(&self.surface);
+            planar.row = planar.row.on_nodes(&self.surface, &self.contact, standing);
         }
         if let Some(wear) = &mut self.wear {
             wear.segment.unslipped = wear.segment.unslipped.moved_to(&old, &self.surface);

@@ -22,6 +22,13 @@ const MOST_HALVINGS: u32 = 9;
 /// Ratio of what one line wears to what may wear between two updates at which it is refused without being tried.
 const MOST_WEAR: f64 = 1e4;
 
+/// Share of what may wear between two updates that may be left pending when the nodes change.
+const LITTLE: f64 = 0.1;
+
+/// An annulus that slips is taken to begin at this share of the contact radius at the most: what little wears in a thin one need not be
+/// followed at once.
+const WIDE: f64 = 0.9;
+
 /// Largest change of load within a segment, relative.
 const LOAD_SHARE: f64 = 0.05;
 
@@ -45,7 +52,7 @@ impl FrettingContact {
     fn turn_in_plane(&mut self) -> Result<(), Error> {
         let last = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
         self.gather_in_plane()?;
-        if self.constants.wear_per_work * (self.pending_work() + last) > self.update_limit() {
+        if self.constants.wear_per_work * (self.pending_work() + last) > self.limit_in_plane() {
             self.update_profile()?;
         }
         Ok(())
@@ -78,8 +85,11 @@ impl FrettingContact {
             displacement: place,
         };
         let volume = self.constants.wear_per_work * end.work;
-        let ratio =
-            if end.work > 0.0 { self.exceeds_limit(volume, to, reached.stick_radius()) } else { None };
+        let ratio = if end.work > 0.0 {
+            self.exceeds_limit(volume, to, reached.stick_radius().min(WIDE * to.radius))
+        } else {
+            None
+        };
         if ratio.is_some_and(|ratio| ratio > MOST_WEAR) && self.outwears(end.work) {
             return Err(Error::WearOutrun { from: self.displacement, displacement: place[0] });
         }
@@ -114,9 +124,20 @@ impl FrettingContact {
         if load_moved || self.is_due(volume) { self.bounded(Self::close_in_plane) } else { Ok(()) }
     }
 
+    /// Volume that may wear before the profile is updated, m³.
+    fn limit_in_plane(&self) -> f64 {
+        let wide = wear::update_limit(
+            self.parameters.tolerance,
+            &self.surface,
+            &self.contact,
+            WIDE * self.contact.radius,
+        );
+        self.update_limit().max(wide)
+    }
+
     /// Whether the profile has to follow a volume (m³) here.
     fn is_due(&self, volume: f64) -> bool {
-        let limit = self.update_limit();
+        let limit = self.limit_in_plane();
         volume > limit && (volume > STROKE * limit || self.follows_everywhere())
     }
 
@@ -214,21 +235,24 @@ impl FrettingContact {
         if self.surface.worn().is_some_and(|present| present.x().len() == nodes.x().len()) {
             return Ok(());
         }
-        let Some(wear) = &mut self.wear else { return Ok(()) };
-        if !wear.pending.is_empty() {
-            let segment = std::mem::take(&mut wear.segment);
-            let Some((row, start)) = self.planar.as_ref().map(|p| (p.row.clone(), p.segment_start)) else {
-                return Ok(());
-            };
+        let (Some(wear), Some(planar)) = (&mut self.wear, &self.planar) else { return Ok(()) };
+        let (row, start) = (planar.row.clone(), planar.segment_start);
+        let segment = std::mem::take(&mut wear.segment);
+        if self.constants.wear_per_work * self.pending_work() > LITTLE * self.limit_in_plane() {
             self.update_profile()?;
-            if let (Some(wear), Some(planar)) = (&mut self.wear, &mut self.planar) {
-                planar.row.count_slip_of(&row);
-                planar.segment_start = start;
-                wear.segment = segment;
-            }
         }
         // the update may have moved the nodes, too
         self.move_to_nodes(adapted(self));
+        // and nodes beyond the last change where the wear ends
+        let to = self.contact_at(self.contact.control)?;
+        if to != self.contact {
+            self.rest_in_plane(to);
+        }
+        if let (Some(wear), Some(planar)) = (&mut self.wear, &mut self.planar) {
+            planar.row.count_slip_of(&row);
+            planar.segment_start = start;
+            wear.segment = segment;
+        }
         Ok(())
     }
 

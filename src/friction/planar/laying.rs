@@ -140,9 +140,27 @@ impl PlanarRow {
     }
 
     /// The same row where the nodes of its surface have become others; the contact stays.
-    pub(crate) fn on_nodes(&self, surface: &Surface) -> Self {
+    pub(crate) fn on_nodes(
+        &self,
+        surface: &Surface,
+        contact: &Contact,
+        (bound_slope, displacement): (f64, Vector),
+    ) -> Self {
         let edge = self.knots.last().map_or(0.0, |knot| knot.place.x);
-        self.laid(surface, self.spacing, edge)
+        let mut row = self.laid(surface, self.spacing, edge);
+        row.keep_within(contact, (bound_slope, displacement));
+        row
+    }
+
+    /// Takes samples that were not there before to their bound, where the image of a rough profile falls between their neighbours'.
+    fn keep_within(&mut self, contact: &Contact, (bound_slope, displacement): (f64, Vector)) {
+        for knot in &mut self.knots {
+            let bound = bound_slope * (contact.depth - knot.place.image).max(0.0);
+            let u = difference(displacement, knot.origin);
+            if norm(u) > bound * (1.0 + 1e-9) {
+                knot.origin = difference(displacement, along(u, bound));
+            }
+        }
     }
 
     /// Springs that touch along a path take their places before it is walked.
@@ -183,6 +201,7 @@ impl PlanarRow {
             && let Some(spacing) = path.samples.respaced(self.spacing, radius)
         {
             *self = self.laid(path.surface, spacing, radius);
+            self.keep_within(&path.to, (path.bound_slope, path.end));
         }
     }
 
