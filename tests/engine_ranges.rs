@@ -14,7 +14,7 @@ fn sizes_beyond_what_is_computed_with_are_refused() {
         match FrettingContact::new(parameters) {
             Err(Error::Parameter { name: found, requirement, .. }) => {
                 assert_eq!(found, name);
-                assert!(requirement.contains("1e"), "{requirement}");
+                assert!(requirement.contains("lies in"), "{requirement}");
             }
             other => panic!("{name}: {other:?}"),
         }
@@ -25,6 +25,7 @@ fn sizes_beyond_what_is_computed_with_are_refused() {
     refused(&|p| p.profile = Profile::Cone { slope: 1e-31 }, "cone_slope");
     refused(&|p| p.profile = Profile::PowerLaw { exponent: 2.0, coefficient: 1e301 }, "coefficient");
     refused(&|p| p.materials.body_2.youngs_modulus = 2.67e-307, "youngs_modulus_2");
+    refused(&|p| p.resolution = 7, "resolution");
     refused(&|p| p.hardness = 1e31, "hardness");
     refused(&|p| p.friction_coefficient = 1e10, "friction_coefficient");
     refused(&|p| p.wear_coefficient = 1e31, "wear_coefficient");
@@ -154,7 +155,7 @@ fn the_ends_of_all_ranges_give_numbers_or_refusals() {
     let (mut sound, mut refused) = (0, 0);
     for parameters in scenes() {
         let fresh = contact(parameters);
-        for load in [5e-324, 1e-300, 1.0, 1e60] {
+        for load in [5e-324, 1.0, 1e60] {
             let mut contact = fresh.clone();
             for (what, call) in CALLS {
                 match call(&mut contact, load) {

@@ -278,6 +278,22 @@ fn a_load_beyond_the_table() {
     profile_refused(wide, &["normal_force = 100.0 N", "beyond the last point"]);
 }
 
+/// What can be set but not computed is refused by the step, which says what it was given.
+#[test]
+fn inputs_beyond_what_is_computed_with() {
+    for (control, name) in [(1, "normal_force"), (2, "indentation")] {
+        let fmu = Fmu::started(|fmu| assert_eq!(fmu.set_integer("normal_control", control), OK));
+        let before = fmu.bits();
+        assert_eq!(fmu.set_real(name, 1e61), OK);
+        assert_eq!(fmu.do_step(0.0, 0.1), DISCARD);
+        let message = fmu.message();
+        assert!(message.contains(&format!("{name} = 1e61")) && message.contains("1e60 at most"), "{message}");
+        assert_eq!(fmu.bits(), before);
+        assert_eq!(fmu.set_real(name, 1e-6), OK);
+        assert_eq!(fmu.do_step(0.0, 0.1), OK);
+    }
+}
+
 #[test]
 fn profile_files_that_cannot_be_read() {
     let fmu = Fmu::new();

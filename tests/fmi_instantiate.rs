@@ -118,6 +118,35 @@ fn a_profile_is_found_in_the_resources() {
     }
 }
 
+/// Not needed but by a table: told under logging, not refused.
+#[test]
+fn a_resource_location_that_is_no_folder_is_told() {
+    let (guid, functions) = (guid(), callbacks());
+    for (logging_on, told) in [(1, 1), (0, 0)] {
+        // SAFETY: the strings and callbacks are alive; the instance is freed last.
+        unsafe {
+            let uri = c"http://example.org/resources".as_ptr();
+            let component = fmi2Instantiate(
+                c"elsewhere".as_ptr(),
+                1,
+                guid.as_ptr(),
+                uri,
+                &raw const functions,
+                0,
+                logging_on,
+            );
+            let messages = messages_of("elsewhere");
+            let count = messages
+                .iter()
+                .filter(|text| text.contains("http://example.org/resources is no folder"))
+                .count();
+            assert_eq!(count, told, "{messages:?}");
+            assert_eq!(fmi2EnterInitializationMode(component), OK);
+            fmi2FreeInstance(component);
+        }
+    }
+}
+
 #[test]
 fn versions() {
     // SAFETY: the functions return strings that live for ever.

@@ -6,6 +6,7 @@
 
 mod check;
 mod commands;
+mod coverage;
 mod cross;
 mod documentation;
 mod emulate;
@@ -100,6 +101,11 @@ enum Task {
     },
     /// Run a C master with 10,000 instances under valgrind and AddressSanitizer
     Harden,
+    /// Run the tests of the library with counters: lines that none of them runs; an error below 95 %
+    Coverage {
+        /// Files of tests, such as fmi_bad_input; all tests of the library if none is given
+        tests: Vec<String>,
+    },
     /// Run rustfmt and clippy, warnings being errors
     Lint,
     /// Print the environment that plain cargo calls need to find libclang, for `eval "$(cargo fmu env)"`
@@ -163,6 +169,9 @@ fn run(task: Task) -> Result<()> {
             fuzz::run(&workspace, &commands::set_up(&workspace)?.environment, &targets, effort, seed)?;
         }
         Task::Harden => harden::run(&workspace, &commands::set_up(&workspace)?.environment)?,
+        Task::Coverage { tests } => {
+            coverage::run(&workspace, &commands::set_up(&workspace)?.environment, &tests)?;
+        }
         Task::Lint => commands::set_up(&workspace)?.lint()?,
         Task::Env => print_environment(&workspace)?,
     }

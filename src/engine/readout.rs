@@ -2,7 +2,6 @@
 
 use super::{FrettingContact, SlipState};
 use crate::error::Error;
-use crate::parameters::NormalControl;
 use crate::range::LEAST_RISE;
 use crate::surface::{Contact, Nodes};
 use crate::transform;
@@ -234,10 +233,5 @@ impl FrettingContact {
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
         let radii = std::iter::once(0.0).chain(even).chain(nodes.iter().copied());
         radii.map(|r| self.pressure_in(contact, r)).filter(|p| p.is_finite()).fold(0.0, f64::max)
-    }
-
-    /// Which normal quantity is prescribed.
-    pub fn normal_control(&self) -> NormalControl {
-        self.parameters.normal_control
     }
 }

@@ -195,6 +195,23 @@ mod tests {
     }
 
     #[test]
+    fn a_failed_instance_goes_on_from_a_state_saved_before() {
+        let component = new_component(Component::new(Logger::new(None, CString::default(), false), None));
+        let mut saved = core::ptr::null_mut();
+        let save = |component: &mut Component| {
+            saved = component.save(core::ptr::null_mut())?;
+            Ok(())
+        };
+        assert_eq!(run(component, &lifecycle::GET_FMU_STATE, save), fmi2Status_fmi2OK);
+        assert_eq!(run(component, &lifecycle::RESET, |_| panic!("deliberate")), fmi2Status_fmi2Error);
+        let restore = |component: &mut Component| component.restore(saved);
+        assert_eq!(run(component, &lifecycle::SET_FMU_STATE, restore), fmi2Status_fmi2OK);
+        assert_eq!(run(component, &lifecycle::SETUP_EXPERIMENT, |_| Ok(())), fmi2Status_fmi2OK);
+        // SAFETY: the last use of the instance.
+        unsafe { free_component(component) };
+    }
+
+    #[test]
     fn a_null_component_never_reaches_the_body() {
         let status = run(core::ptr::null_mut(), &lifecycle::DO_STEP, |_| panic!("reached"));
         assert_eq!(status, fmi2Status_fmi2Error);

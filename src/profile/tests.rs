@@ -271,6 +271,13 @@ fn tables_beyond_what_is_computed_with_are_refused() {
 }
 
 #[test]
+fn a_flat_punch_has_no_height_inside_and_no_end_of_it_outside() {
+    let punch = Profile::FlatPunch { flat_radius: 1e-4 };
+    assert_eq!([punch.height(0.0), punch.height(1e-4), punch.height(1.1e-4)], [0.0, 0.0, f64::INFINITY]);
+    assert_eq!(Profile::Parabola { radius: 0.01 }.pressure_integral(2e-4, 1e-4), 0.0);
+}
+
+#[test]
 fn copies_of_a_table_share_their_data() {
     let table = waved_sphere(100);
     assert!(std::ptr::eq(table.points(), table.clone().points()));

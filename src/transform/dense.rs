@@ -38,11 +38,6 @@ impl DenseAbel {
         Self { density, nodes: nodes.len(), descent, pressure }
     }
 
-    /// Number of nodes.
-    pub fn nodes(&self) -> usize {
-        self.nodes
-    }
-
     /// Multiplications of one descent or ascent, and of one pressure.
     pub fn work(&self) -> (usize, usize) {
         (self.descent.len(), self.pressure.len())

@@ -39,11 +39,6 @@ impl FastAbel {
         }
     }
 
-    /// Number of nodes.
-    pub fn nodes(&self) -> usize {
-        self.nodes
-    }
-
     /// Multiplications of one descent or ascent, and of one pressure.
     pub fn work(&self) -> (usize, usize) {
         (self.outward.work(), self.inward.work())
