@@ -36,7 +36,7 @@ pub struct Parameters {
     /// [`Self::RIGID`], displacements that are given are those of the drive behind it.
     #[serde(default = "rigid", with = "infinite_as_none")]
     pub rig_stiffness: f64,
-    /// Cells across the slipping annulus, 8 to 8192. Only wear uses them: forces are exact at any resolution.
+    /// Cells across the slipping annulus, 8 to 8192. Only wear and motion in the plane use them: on a line forces are exact at any resolution.
     pub resolution: usize,
     /// Relative tolerance of the wear integration, in [1e-12, 0.1].
     pub tolerance: f64,

@@ -63,6 +63,16 @@ def test_loop(fmu_path):
     assert first(text, "worn volume, at once") == pytest.approx(10 * work * per_work, rel=1e-3)
 
 
+def test_orbit(fmu_path):
+    text = run_python("orbit.py", fmu_path)
+    # 180 corners for a circle; 128 springs: 2e-4 of the limit of friction, which in the work is of its path
+    assert first(text, "force, stepped") == pytest.approx(first(text, "force, closed form"), rel=1e-3)
+    assert first(text, "work, stepped") == pytest.approx(first(text, "work, closed form"), rel=3e-3)
+    edge = (3 * 100.0 * 0.01 / (4 * 115.385e9)) ** (1 / 3)
+    stick = edge * (1 - 1.5e-6 / BALL.full_slip) ** 0.5
+    assert first(text, "stick radius") == pytest.approx(stick, rel=1e-3)
+
+
 def test_oscillator(fmu_path):
     pytest.importorskip("pathsim_fmi", reason="PathSim and its FMI toolbox are not installed")
     text = run_python("oscillator.py", fmu_path)
