@@ -111,9 +111,12 @@ impl FrettingContact {
         if self.stays_apart(value) {
             self.walk_on(value, displacement, splits)
         } else if self.wear.is_some() && turns() {
+            let walk_on = |this: &mut Self| this.walk_on(value, displacement, splits);
+            if let Some(result) = self.turn_without_wear(walk_on) {
+                return result;
+            }
             if let Some(steady) = self.half_cycle_in_rhythm() {
                 let limit = self.update_limit();
-                let walk_on = |this: &mut Self| this.walk_on(value, displacement, splits);
                 if let Some(result) = self.turn_in_rhythm(steady, limit, walk_on) {
                     return result;
                 }

@@ -183,7 +183,7 @@ impl FrettingContact {
     }
 
     /// Whether the wear of so little work (J), with that which has found no place yet, is lost in the rounding of the profile.
-    fn is_beyond_the_profile(&self, work: f64) -> bool {
+    pub(super) fn is_beyond_the_profile(&self, work: f64) -> bool {
         let unplaced = self.wear.as_ref().map_or(0.0, |wear| wear.pending.unplaced);
         let disc = wear::annulus(&self.contact, 0.0);
         self.constants.wear_per_work * (work + unplaced) <= f64::EPSILON * disc * self.contact.depth.abs()

@@ -52,20 +52,53 @@ impl FrettingContact {
         let amount = before.amount + steady.amount;
         wear.pending.steady = Some(Steady { amount, work, repeated: true, ..before });
         wear.pending.unplaced = 0.0;
+        Some(self.in_new_segment(walk_on, |this| {
+            this.counters = counters;
+            if let Some(wear) = &mut this.wear {
+                wear.pending.steady = Some(before);
+                wear.pending.unplaced = unplaced;
+            }
+        }))
+    }
+
+    /// Walks on after a reversal at which nothing is pending and the stroke has worn nothing that the profile could show, without a
+    /// copy; `None`, with nothing changed, where there is more to do.
+    pub(super) fn turn_without_wear(
+        &mut self,
+        walk_on: impl FnOnce(&mut Self) -> Result<(), Error>,
+    ) -> Option<Result<(), Error>> {
+        let (wear, counters) = (self.wear.as_ref()?, self.counters);
+        let (work, unplaced) = (wear.segment.work, wear.pending.unplaced);
+        if !wear.pending.is_empty() || !self.is_beyond_the_profile(work) {
+            return None;
+        }
+        self.wear.as_mut()?.pending.unplaced += work;
+        Some(self.in_new_segment(walk_on, |this| {
+            this.counters = counters;
+            if let Some(wear) = &mut this.wear {
+                wear.pending.unplaced = unplaced;
+            }
+        }))
+    }
+
+    /// Walks on in a new segment; where that fails, goes back to the old one and undoes what else has been done.
+    fn in_new_segment(
+        &mut self,
+        walk_on: impl FnOnce(&mut Self) -> Result<(), Error>,
+        undo: impl FnOnce(&mut Self),
+    ) -> Result<(), Error> {
+        let Some(wear) = &mut self.wear else { return walk_on(self) };
         let next = Segment { unslipped: take(&mut wear.spare_row), ..Segment::default() };
         let segment = replace(&mut wear.segment, next);
         self.start_segment();
         let result = walk_on(self);
-        if let Some(wear) = &mut self.wear {
-            if result.is_err() {
-                wear.pending.steady = Some(before);
-                wear.pending.unplaced = unplaced;
-                wear.spare_row = replace(&mut wear.segment, segment).unslipped;
-                self.counters = counters;
-            } else {
-                wear.spare_row = segment.unslipped;
-            }
+        let Some(wear) = &mut self.wear else { return result };
+        if result.is_err() {
+            wear.spare_row = replace(&mut wear.segment, segment).unslipped;
+            undo(self);
+        } else {
+            wear.spare_row = segment.unslipped;
         }
-        Some(result)
+        result
     }
 }
