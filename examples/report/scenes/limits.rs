@@ -1,4 +1,4 @@
-//! Inputs and parameters at the ends of double precision.
+//! Inputs and parameters at the ends of double precision, and of what is taken.
 
 use super::{Add, FORCE, full_slip, pair, pressed, without_wear};
 use crate::judge::{CLOSED, Judge};
@@ -17,9 +17,14 @@ pub(super) fn pushes(add: Add) {
         ("1e-300 u_max", without_wear(), FORCE, 1e-300),
         ("1e300 N, 0.6 u_max", without_wear(), 1e300, 0.6),
         ("1e300 N, 1e-206 u_max", without_wear(), 1e300, 1e-206),
+        ("1e60 N, 0.6 u_max", without_wear(), 1e60, 0.6),
         ("1e-300 N, 0.6 u_max", without_wear(), 1e-300, 0.6),
         ("R = 1e-300 m, 0.6 u_max", of_radius(1e-300), FORCE, 0.6),
         ("R = 1e300 m, 0.6 u_max", of_radius(1e300), FORCE, 0.6),
+        ("R = 1e-30 m, 0.6 u_max", of_radius(1e-30), FORCE, 0.6),
+        ("R = 1e30 m, 0.6 u_max", of_radius(1e30), FORCE, 0.6),
+        ("E = 1e30 Pa, 0.6 u_max", of_young(1e30), FORCE, 0.6),
+        ("E = 1e-30 Pa, 0.6 u_max", of_young(1e-30), FORCE, 0.6),
         ("E = 1e300 Pa, 0.6 u_max", of_young(1e300), FORCE, 0.6),
         ("E = 1e-290 Pa, 0.6 u_max", of_young(1e-290), FORCE, 0.6),
     ] {
@@ -45,6 +50,8 @@ pub(super) fn inputs(add: Add) {
         ("displacement 5e-324 m", FORCE, 5e-324),
         ("displacement 1e300 m", FORCE, 1e300),
         ("both 1e300", 1e300, 1e300),
+        ("force 1e60 N", 1e60, 1e-6),
+        ("displacement 1e60 m", FORCE, 1e60),
     ] {
         for (kind, parameters) in [("no wear", without_wear()), ("wear", Parameters::default())] {
             let run = move |j: &mut Judge| {
@@ -61,6 +68,7 @@ pub(super) fn inputs(add: Add) {
         ("amplitude 1e300 m", 1e300, 1.0),
         ("amplitude 5e-324 m", 5e-324, 1e6),
         ("1e300 cycles", 1e-6, 1e300),
+        ("1e30 cycles", 1e-6, 1e30),
     ] {
         let run = move |j: &mut Judge| {
             let mut contact = pressed(&Parameters::default(), FORCE)?;
@@ -78,6 +86,13 @@ pub(super) fn parameters(add: Add) {
         ("hardness 1e-300 Pa", Parameters { hardness: 1e-300, ..usual() }),
         ("E = 1e300 Pa", Parameters { materials: pair(1e300, 0.3), ..usual() }),
         ("E = 1e-300 Pa", Parameters { materials: pair(1e-300, 0.3), ..usual() }),
+        ("wear coefficient 1e30", Parameters { wear_coefficient: 1e30, ..usual() }),
+        ("hardness 1e-30 Pa", Parameters { hardness: 1e-30, ..usual() }),
+        ("hardness 1e30 Pa", Parameters { hardness: 1e30, ..usual() }),
+        ("E = 1e30 Pa", Parameters { materials: pair(1e30, 0.3), ..usual() }),
+        ("E = 1e-30 Pa", Parameters { materials: pair(1e-30, 0.3), ..usual() }),
+        ("R = 1e30 m", Parameters { profile: Profile::Parabola { radius: 1e30 }, ..usual() }),
+        ("R = 1e-30 m", Parameters { profile: Profile::Parabola { radius: 1e-30 }, ..usual() }),
         ("R = 1e300 m", Parameters { profile: Profile::Parabola { radius: 1e300 }, ..usual() }),
         ("R = 1e-300 m", Parameters { profile: Profile::Parabola { radius: 1e-300 }, ..usual() }),
     ] {
