@@ -1,6 +1,7 @@
 //! The ready problems, driven by whole cycles, against all that is tabulated of them.
 
 use fretting_contact::problems::{CONE, History, PARABOLA, Problem};
+use fretting_contact::reference::ConstantDepthEnd;
 use fretting_contact::{FrettingContact, NormalControl};
 use std::f64::consts::PI;
 
@@ -70,6 +71,29 @@ fn the_final_profile_is_the_closed_one_at_default_settings() {
                 "{}",
                 problem.name
             );
+        }
+    }
+}
+
+/// Slip that just reaches the axis leaves a needle there, however many cycles: the volume is that of a front at the axis.
+#[test]
+fn slip_that_just_reaches_the_axis_wears_the_closed_volume() {
+    for body in [PARABOLA, CONE] {
+        let mut problem = Problem::partial_slip(body, NormalControl::Indentation, 0.5);
+        let (depth, a) = (problem.depth(), problem.contact_radius());
+        let materials = &problem.parameters.materials;
+        let full = problem.parameters.friction_coefficient * materials.normal_modulus() * depth
+            / materials.tangential_modulus();
+        let volume = ConstantDepthEnd::new(body, depth, 1e-9 * a).worn_volume();
+        for share in [1.0 - 1e-9, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.0 + 1e-8, 1.0 + 1e-5] {
+            problem.amplitude = share * full;
+            let mut contact = problem.begin().expect("a ready problem is valid");
+            for life in [1.0, 19.0] {
+                problem.advance(&mut contact, life).expect("it can be advanced");
+            }
+            let off = contact.wear_volume() / volume - 1.0;
+            println!("{}, {share} of full slip: V {off:+.2e}, {}", problem.name, contact.counters());
+            assert!(off.abs() <= 1e-3, "{}, {share} of full slip: {off:e}", problem.name);
         }
     }
 }

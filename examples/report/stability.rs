@@ -28,7 +28,7 @@ const ONE: &str = "--scene";
 const ONLY: &str = "--only";
 
 /// What the scenes have found: where it was seen, its cause, and what became of it.
-const MENDED: [(&str, &str, &str); 13] = [
+const MENDED: [(&str, &str, &str); 14] = [
     (
         "fast wear, N0 = 5 and 1",
         "an unsteady update was accepted after eight iterations whatever its residual: needles at the contact edge, and a call for a cycle that wore nothing",
@@ -64,6 +64,12 @@ const MENDED: [(&str, &str, &str); 13] = [
         "amplitude u_max (1 + 1e-12), depth held",
         "the mesh tells depths by lines of h/x, the nodes by lines of h: with a front next to the axis they differ by 0.7 %",
         "the depths are told anew when the mesh is left",
+    ),
+    (
+        "amplitude exactly u_max, depth held",
+        "where slip just reaches the axis a needle stays there, for which the cells of a disc left out a whole cell: V of a life up to 27 % low, \
+         though it was that of the springs",
+        "taken for partial slip with a front next to the axis: within 2.2e-4 of the closed volume",
     ),
     (
         "cycles on a worn flat punch",

@@ -23,6 +23,13 @@ const MOST_TIGHTER: f64 = 100.0;
 /// Share of the tolerance that leaving out nodes may take of the largest image.
 pub(crate) const THINNING: f64 = 0.05;
 
+/// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells of a disc do not see: they would
+/// leave out a whole cell, a fifth of the volume. It is taken for partial slip with a front next to the axis.
+const JUST_ALL: f64 = 1e-4;
+
+/// Radius of that front, and the least of any, relative to the contact radius.
+const LEAST_FRONT: f64 = 1e-4;
+
 /// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth a mesh.
 const THINNEST: f64 = 1e-5;
 
@@ -199,10 +206,14 @@ fn over(
     }
     let a = contact.radius;
     let reach = motion.sliding.amplitude() / constants.bound_slope();
-    let (region, front) = if reach >= (contact.depth - surface.image(0.0)) * (1.0 - 1e-7) {
+    let room = contact.depth - surface.image(0.0);
+    let (region, front) = if reach >= room * (1.0 + JUST_ALL)
+        || (reach >= room && surface.profile().flat_radius() > 0.0)
+    {
         (Region::Disc, 0.0)
     } else {
-        (Region::Annulus, surface.radius_of_image(contact.depth - reach, 0.0, a))
+        let front = if reach < room { surface.radius_of_image(contact.depth - reach, 0.0, a) } else { 0.0 };
+        (Region::Annulus, front.max(LEAST_FRONT * a))
     };
     if front >= a * (1.0 - THINNEST) {
         return Ok(None);
