@@ -204,19 +204,28 @@ const HEADER: usize = 60;
 /// Mutations whose checksum fits: each is refused, or a state that can be used without harm.
 #[test]
 fn mutated_states_are_refused_or_usable() {
-    let source = Fmu::started(|fmu| {
-        assert_eq!(fmu.set_integer("resolution", 8), OK);
-        assert_eq!(fmu.set_real("wear_coefficient", 0.03), OK);
-    });
-    let bytes = rich(&source);
+    let source = || {
+        Fmu::started(|fmu| {
+            assert_eq!(fmu.set_integer("resolution", 8), OK);
+            assert_eq!(fmu.set_real("wear_coefficient", 0.03), OK);
+        })
+    };
+    mutate(&rich(&source()), 100_000);
+    let plane = source();
+    rich(&plane);
+    plane.step_with(&[("tangential_displacement_y", 0.5e-6)], 6.0, 1.0);
+    mutate(&plane.serialized(plane.save()), 30_000);
+}
+
+fn mutate(bytes: &[u8], rounds: u32) {
     let mut random = StdRng::seed_from_u64(11);
     let (mut accepted, mut refused) = (0, 0);
     let mut fmu = Fmu::new();
-    for round in 0..100_000 {
+    for round in 0..rounds {
         if round % 1000 == 0 {
             fmu = Fmu::new();
         }
-        let mut changed = bytes.clone();
+        let mut changed = bytes.to_vec();
         for _ in 0..random.random_range(1..=3) {
             let place = random.random_range(HEADER..changed.len());
             match random.random_range(0..4) {
