@@ -104,7 +104,9 @@ impl PlanarRow {
             };
             let start = if touches { [0.0; 2] } else { difference(path.start, before) };
             let moved = move_spring(start, motion, (first.max(0.0), bound.max(0.0)), rounding);
-            if moved.slip > 0.0 || norm(moved.deflection) == 0.0 {
+            // a slip may be lost to rounding beside a bound that falls far
+            let held = moved.slip <= 0.0 && moved.deflection == sum(start, motion);
+            if !held || norm(moved.deflection) == 0.0 {
                 knot.origin = difference(path.end, moved.deflection);
             }
             let way = difference(knot.origin, before);
