@@ -99,16 +99,13 @@ impl Judge {
     pub(crate) fn state(&mut self, contact: &FrettingContact) {
         self.states += 1;
         let numbers = signature(contact);
-        let [force, normal, depth, radius, stick, work, volume, profile] = numbers;
+        let [force, normal, depth, radius, stick, work, volume, profile, force_y] = numbers;
+        let force = force.hypot(force_y);
         let others = [contact.wear_depth(), contact.tangential_stiffness(), contact.normal_stiffness()];
         let infinite = numbers.iter().chain(&others).filter(|x| !x.is_finite()).count();
         self.note("finite", infinite as f64, 0.0);
         let limit = contact.parameters().friction_coefficient * normal;
-        self.note(
-            "|T| <= mu F_N",
-            if force.abs() > limit { force.abs() / limit - 1.0 } else { 0.0 },
-            COULOMB,
-        );
+        self.note("|T| <= mu F_N", if force > limit { force / limit - 1.0 } else { 0.0 }, COULOMB);
         self.note("stick radius <= contact radius", (stick - radius).max(0.0), 0.0);
         self.note("work never decreases", (self.work - work).max(0.0), 0.0);
         self.note("wear never decreases", (self.volume - volume).max(0.0), 0.0);
@@ -117,6 +114,13 @@ impl Judge {
         if volume > 0.0 {
             // the tolerance holds for the image in depths d: over the disc that is a volume, and a life's volume keeps it, too
             let off = (profile - volume).abs() / (volume + self.size);
+            if std::env::var("ZQ").is_ok() {
+                println!(
+                    "   state V {volume:.4e} size {:.3e} profile-V {:.3e} off {off:.2e}",
+                    self.size,
+                    profile - volume
+                );
+            }
             self.note("profile volume = (k/s0) work", off, contact.parameters().tolerance);
         }
         // NaN counts as healed
@@ -139,7 +143,8 @@ impl Judge {
             SPLIT_WITHOUT_WEAR
         };
         if limit > 0.0 {
-            let off = (one.tangential_force() - many.tangential_force()).abs() / limit;
+            let along_y = one.tangential_force_y() - many.tangential_force_y();
+            let off = (one.tangential_force() - many.tangential_force()).hypot(along_y) / limit;
             self.note("T independent of splitting", off, tolerance);
         }
         if one.wear_volume() > 0.0 {
@@ -149,7 +154,7 @@ impl Judge {
     }
 }
 
-fn signature(contact: &FrettingContact) -> [f64; 8] {
+fn signature(contact: &FrettingContact) -> [f64; 9] {
     [
         contact.tangential_force(),
         contact.normal_reaction(),
@@ -159,5 +164,6 @@ fn signature(contact: &FrettingContact) -> [f64; 8] {
         contact.dissipated_energy(),
         contact.wear_volume(),
         contact.profile_volume(),
+        contact.tangential_force_y(),
     ]
 }

@@ -69,7 +69,7 @@ impl FrettingContact {
             // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
             self.solve_contact(value)?;
         }
-        let from = self.place();
+        let (from, before, unplaced) = (self.place(), self.contact, self.unplaced());
         self.planar_transaction(|this| {
             for part in line.split_at(this.touch_control()).iter().flatten() {
                 let pieces = this.pieces(part);
@@ -80,7 +80,10 @@ impl FrettingContact {
                     this.walk_in_plane(value, place)?;
                 }
             }
-            Ok(())
+            if this.is_placed((&before, unplaced)) {
+                return Ok(());
+            }
+            Err(Error::WearOutrun { from: from[0], displacement: x })
         })
         .map_err(|error| self.told_of_step(error, x))?;
         self.counters.steps += 1;

@@ -3,6 +3,7 @@
 mod limits;
 mod loads;
 mod materials;
+mod plane;
 mod shapes;
 mod steps;
 mod wear;
@@ -51,6 +52,7 @@ pub(crate) fn all() -> Vec<Scene> {
     shapes::shapes(&mut add);
     steps::amplitudes(&mut add);
     steps::fineness(&mut add);
+    plane::plane(&mut add);
     scenes
 }
 
