@@ -10,6 +10,10 @@ use crate::wear::annulus;
 /// for the next does not fall with a tighter one.
 const UNPLACED: f64 = 1e-3;
 
+/// On coarse meshes, this over the square of the resolution: a volume told cell by cell is of second order, and told anew where a mesh is
+/// left. At 64 cells it is the same.
+const OF_CELLS: f64 = 4.0;
+
 /// Share of that which a step may add where others have left too much: what wears next takes it up.
 const NOT_AT_FAULT: f64 = 0.1;
 
@@ -64,7 +68,9 @@ impl FrettingContact {
     /// counts, too.
     pub(super) fn is_placed(&self, (contact, before): (&Contact, f64)) -> bool {
         let (now, size) = (self.unplaced(), disc(contact).max(disc(&self.contact)));
-        let limit = self.parameters.tolerance.max(UNPLACED) * (self.wear_volume() + size);
+        let cells = self.parameters.resolution as f64;
+        let share = self.parameters.tolerance.max(UNPLACED).max(OF_CELLS / (cells * cells));
+        let limit = share * (self.wear_volume() + size);
         now <= limit || now - before <= NOT_AT_FAULT * limit
     }
 }

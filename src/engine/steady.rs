@@ -39,6 +39,9 @@ fn near(a: f64, b: f64) -> bool {
     (a - b).abs() <= STEADY * b.abs()
 }
 
+/// Nodes inside a contact below which an update makes more.
+const LEAST_NODES: usize = 8;
+
 impl FrettingContact {
     /// What the segment is of a steady motion: half a cycle or, from rest, its first quarter, or sliding onward.
     pub(super) fn steady_segment(&mut self) -> Option<Steady> {
@@ -202,8 +205,11 @@ impl FrettingContact {
             None => {
                 self.move_to_nodes(Nodes::around(profile, self.parameters.resolution, contact.radius, stick));
             }
-            // those of an earlier contact may end inside this one
-            Some(nodes) if nodes.x()[nodes.last()] <= contact.radius => {
+            // those of an earlier contact may end inside this one, or have no cells for one that is far smaller
+            Some(nodes)
+                if nodes.x()[nodes.last()] <= contact.radius
+                    || nodes.x().partition_point(|x| *x < contact.radius) < LEAST_NODES =>
+            {
                 let mut adapted = nodes.clone();
                 adapted.adapt(profile, contact.radius, stick);
                 self.move_to_nodes(adapted);
