@@ -22,15 +22,10 @@ impl FrettingContact {
     ///
     /// # Errors
     /// [`Error::TooMuchWear`] where neither the mesh nor [`MOST_CHUNKS`] updates can follow; those of the normal contact.
-    pub(super) fn wear_steadily(
-        &mut self,
-        value: f64,
-        (sliding, drive): (Sliding, Option<f64>),
-        amount: f64,
-    ) -> Result<(), Error> {
+    pub(super) fn wear_steadily(&mut self, value: f64, sliding: Sliding, amount: f64) -> Result<(), Error> {
         let (mut left, mut chunks, mut next_trial) = (amount, 0, 1);
         loop {
-            let refused = match self.wear_by(value, (sliding, drive), left, None) {
+            let refused = match self.wear_by(value, sliding, left, None) {
                 Ok(work) => {
                     self.work += work;
                     self.contact = self.contact_at(value)?;
@@ -44,7 +39,6 @@ impl FrettingContact {
                 if self.contact.is_open() {
                     return Ok(());
                 }
-                let sliding = drive.map_or(sliding, |drive| Sliding::Cycles(self.own_amplitude(drive)));
                 let chunk = self.chunk(sliding, left);
                 let hopeless = !(left <= FARTHEST * chunk.amount && chunk.work.is_finite());
                 if hopeless || chunks == MOST_CHUNKS {

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::friction::{Path, Springs};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Amount, Fineness, Motion, Rig, Sliding, UnitMesh, live};
+use crate::wear::{Amount, Fineness, Motion, Sliding, UnitMesh, live};
 
 /// Most cells of the moving mesh.
 const MOST_CELLS: usize = 8192;
@@ -90,12 +90,10 @@ impl FrettingContact {
     /// Returns the amplitude of the contact itself at the end, m.
     fn wear_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<f64, Error> {
         let own = if self.compliance == 0.0 {
-            self.wear_steadily(value, (Sliding::Cycles(amplitude), None), cycles)?;
+            self.wear_steadily(value, Sliding::Cycles(amplitude), cycles)?;
             amplitude
         } else {
-            let own = self.own_amplitude(amplitude);
-            self.wear_steadily(value, (Sliding::Cycles(own), Some(amplitude)), cycles)?;
-            self.own_amplitude(amplitude)
+            self.wear_driven_cycles(value, amplitude, cycles)?
         };
         let contact = self.contact;
         (self.springs, _) = self.quarter(&contact, own);
@@ -108,15 +106,11 @@ impl FrettingContact {
     pub(super) fn wear_by(
         &mut self,
         value: f64,
-        (sliding, drive): (Sliding, Option<f64>),
+        sliding: Sliding,
         amount: f64,
         known: Option<f64>,
     ) -> Result<f64, Error> {
-        let rig = drive.map(|amplitude| Rig {
-            amplitude,
-            compliance: 2.0 * self.constants.tangential_modulus * self.compliance,
-        });
-        let motion = Motion { control: self.parameters.normal_control, value, sliding, rig };
+        let motion = Motion { control: self.parameters.normal_control, value, sliding };
         let last_step = match (self.wear.as_ref().and_then(|wear| wear.next_step), sliding) {
             (Some((Sliding::Cycles(a), step)), Sliding::Cycles(b)) if (0.5 * b..=2.0 * b).contains(&a) => {
                 step

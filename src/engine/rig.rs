@@ -16,6 +16,8 @@
 //! Nothing is kept: D follows from U and T. What an update of the worn profile changes in T is made up for with the motion that
 //! follows, so that it is never a reversal of its own.
 
+mod cycles;
+
 use super::FrettingContact;
 use super::line::Line;
 use crate::error::Error;

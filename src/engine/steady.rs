@@ -176,7 +176,7 @@ impl FrettingContact {
             self.spread(steady);
             return Ok(false);
         }
-        match self.wear_by(self.contact.control, (steady.sliding, None), steady.amount, Some(steady.work)) {
+        match self.wear_by(self.contact.control, steady.sliding, steady.amount, Some(steady.work)) {
             Ok(_) => Ok(true),
             Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {
                 self.spread(steady);
@@ -285,7 +285,7 @@ impl FrettingContact {
         self.settle()?;
         let value = self.contact.control;
         let moved = displacement - self.displacement;
-        self.wear_steadily(value, (Sliding::Onward, None), moved.abs())?;
+        self.wear_steadily(value, Sliding::Onward, moved.abs())?;
         let to = self.contact;
         let (mut springs, _) = self.quarter(&to, 0.0);
         springs.follow_bound((0.0, moved.signum()), &to, self.constants.bound_slope(), displacement);

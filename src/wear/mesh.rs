@@ -68,9 +68,6 @@ enum Transforms {
 /// direct one is slower by a half to two, at 512 cells by six.
 const MOST_DIRECT: usize = 192;
 
-/// One over the share of the cells, at the inner edge, that may hold a wall, where a front that advances slowly leaves one behind.
-const SHARP: usize = 6;
-
 /// Most cells of the coarsest mesh under a finer one.
 const COARSEST: usize = 64;
 
@@ -194,23 +191,6 @@ impl UnitMesh {
             0.5 * (w[i + 1] - w[i - 1])
         };
         2.0 * self.drift[i][2] * difference
-    }
-
-    /// Weights of four nodes, from max(i, 2) − 2 on, in φ d/dφ at node i: of third order, against the wind of an inner edge that
-    /// moves inward. Next to that edge the wind crosses cells by the thousand in a step, and central differences ring.
-    pub(crate) fn upwind(&self, i: usize) -> [f64; 4] {
-        let weight = self.drift[i][2];
-        let weights = match i {
-            0 | 1 => [-6.0, 6.0, 0.0, 0.0],
-            _ if i * SHARP < self.cells => [3.0, -12.0, 9.0, 0.0],
-            _ => [1.0, -6.0, 3.0, 2.0],
-        };
-        weights.map(|of| of * weight / 3.0)
-    }
-
-    /// How far a node moves with the inner edge's square, over how far with the outer one's: (1 − φ)/φ.
-    pub(crate) fn inner_share(&self, i: usize) -> f64 {
-        (1.0 - self.share[i]) / self.share[i]
     }
 
     /// First node whose image is unknown: on an annulus the image at the inner edge is given.

@@ -16,7 +16,6 @@ mod linear;
 mod motion;
 mod multigrid;
 mod rate;
-mod rig;
 mod volume;
 
 use super::Constants;
@@ -31,9 +30,8 @@ use edge::EdgeCondition;
 pub(crate) use front::{FRONT_CELLS, Front};
 pub(crate) use frozen::Frozen;
 pub(super) use linear::Linear;
-pub(crate) use motion::{Motion, Rig, Sliding};
+pub(crate) use motion::{Motion, Sliding};
 pub(crate) use rate::Rate;
-pub(crate) use rig::Steered;
 
 /// How near to the end of the body, relative, a contact edge counts as standing there. A worn rim carries next to nothing, and
 /// would come and go at every step.
@@ -57,12 +55,6 @@ pub(crate) struct Patch {
     /// 4κE*: wear per cycle = factor · (p/E*) · s.
     factor: f64,
     inside_width: f64,
-    /// ∫ g dx over what lies inside the inner edge, m².
-    inside_image: f64,
-    /// Node before which all sticks at first, where the mesh leads an advancing front; 0 where it does not.
-    lead: usize,
-    /// Speed of the inner edge, dc²/dN, m².
-    speed: f64,
     sources: Vec<(f64, f64)>,
 }
 
@@ -85,19 +77,11 @@ impl Patch {
     ) -> Self {
         let kappa = constants.wear_per_work * constants.friction_coefficient;
         let (reach, ratio, strokes) = motion.sliding.law();
-        let inside_width = inside.width_integral();
-        let inside_image = motion.rig.map_or(0.0, |_| {
-            let inner = body.place(inner_radius);
-            inner_radius * inner.image - inner.load + inside_width
-        });
         Self {
             body,
             mesh,
             inner_radius,
-            inside_width,
-            inside_image,
-            lead: 0,
-            speed: 0.0,
+            inside_width: inside.width_integral(),
             sources: inside.sources(),
             inside,
             motion,
@@ -192,21 +176,18 @@ impl Patch {
         h
     }
 
-    /// F_N/(2E*) of a state, m².
-    fn load(&self, (radius, span): (f64, f64), indentation: f64, image: &[f64]) -> f64 {
-        if self.is_force() {
-            return self.motion.value;
-        }
-        let worn = self.inside_width + span.sqrt() * dot(&self.mesh.width, image);
-        // F_N/(2E*) = a d − ∫ g dx, of which the body's part is a g(a) − φ(a)
-        let body = radius * self.body.image(radius) - self.body.load(radius);
-        (radius * indentation - body - worn).max(0.0)
-    }
-
     /// The contact of a state.
     pub(crate) fn contact(&self, rate: &Rate) -> Contact {
         let radius = rate.area.sqrt();
-        let load = self.load((radius, self.span(rate.area)), rate.indentation, &rate.image);
+        let load = if self.is_force() {
+            self.motion.value
+        } else {
+            let span = self.span(rate.area);
+            let worn = self.inside_width + span.sqrt() * dot(&self.mesh.width, &rate.image);
+            // F_N/(2E*) = a d − ∫ g dx, of which the body's part is a g(a) − φ(a)
+            let body = radius * self.body.image(radius) - self.body.load(radius);
+            (radius * rate.indentation - body - worn).max(0.0)
+        };
         Contact { control: self.motion.value, depth: rate.indentation, radius, load }
     }
 }

@@ -4,7 +4,7 @@
 //! any approximation of the Jacobian. Wear relaxes to its final state at rates that span many decades, which an
 //! explicit method would have to follow all; here one small linear system serves the four stages of a step.
 
-use super::patch::{Linear, Patch, Rate, State, Steered};
+use super::patch::{Linear, Patch, Rate, State};
 use crate::engine::Counters;
 
 const GAMMA: f64 = 0.435_866_521_508_459;
@@ -34,8 +34,6 @@ const EMBEDDED: [f64; 4] = [0.378_109_031_458_193_7, -0.096_042_292_212_423_18, 
 pub(crate) struct Trial {
     pub(crate) state: State,
     pub(crate) rate: Rate,
-    /// The region then, where its inner edge has moved.
-    pub(crate) patch: Option<Patch>,
     /// Worn volume by the work of the springs, m³.
     pub(crate) volume: f64,
     /// Largest error of the image, m.
@@ -44,7 +42,7 @@ pub(crate) struct Trial {
 
 /// One step over `cycles`; `None` where a stage has no contact edge or the system cannot be solved.
 pub(crate) fn step(
-    (patch, steered): (&Patch, Option<&Steered>),
+    patch: &Patch,
     state: &State,
     rate: &Rate,
     cycles: f64,
@@ -66,20 +64,11 @@ pub(crate) fn step(
             }
             counters.pressure_transforms += 1;
             counters.descent_transforms += 2;
-            let here = if let Some(steered) = steered {
-                steered.after(ALPHA[stage].iter().sum(), cycles).rate(&depth, rate.area)?
-            } else {
-                patch.rate(&depth, rate.area)?
-            };
+            let here = patch.rate(&depth, rate.area)?;
             (here.growth, here.volume_rate)
         };
         for (coupling, increment) in COUPLING[stage].iter().zip(&increments) {
             add(&mut right, coupling / GAMMA, increment);
-        }
-        if let Some(steered) = steered {
-            // the rates change by themselves with the speed of the inner edge
-            let share = GAMMA + COUPLING[stage].iter().sum::<f64>();
-            add(&mut right, share, &steered.change);
         }
         if !patch.rim {
             right[nodes - 1] = 0.0;
@@ -103,9 +92,6 @@ pub(crate) fn step(
         add(&mut error, cycles * (WEIGHTS[stage] - EMBEDDED[stage]), increment);
     }
     let before = rate;
-    let moved = steered.map(|steered| steered.at_end(cycles));
-    let start = patch;
-    let patch = moved.as_ref().unwrap_or(patch);
     let mut rate = patch.rate(&depth, before.area)?;
     if patch.hold_front(&mut depth, before, &rate) {
         rate = patch.rate(&depth, rate.area)?;
@@ -113,10 +99,10 @@ pub(crate) fn step(
     counters.pressure_transforms += 1;
     counters.descent_transforms += 2;
     // at steps far longer than the relaxation the rate's quadrature is all rounding; then the profile tells the volume
-    let grown = patch.volume(&rate) - start.volume(before);
+    let grown = patch.volume(&rate) - patch.volume(before);
     let volume = if (volume - grown).abs() <= 0.02 * grown.abs() { volume } else { grown }.max(0.0);
     let error = patch.largest_image(&error, &rate);
-    Some(Trial { state: State { depth, area: rate.area }, rate, patch: moved, volume, error })
+    Some(Trial { state: State { depth, area: rate.area }, rate, volume, error })
 }
 
 fn add(sum: &mut [f64], factor: f64, term: &[f64]) {

@@ -38,7 +38,6 @@ impl Patch {
         let (span, a) = (self.span(rate.area), rate.area.sqrt());
         let root = span.sqrt();
         let factor = self.factor * rate.share;
-        let follow = self.follow(rate);
         let mut jacobian = vec![0.0; size * size];
         let mut volume_row = vec![0.0; size];
         // h = z/b; whether a spring slips; b of those that do
@@ -64,12 +63,7 @@ impl Patch {
                 }
                 let moved = dot(descent, &sliding[..descent.len()]);
                 // the body sinks as it wears
-                let sinking = stiffness * uniform - soft * moved * follow.0;
-                if follow.1 != 0.0 {
-                    for (entry, width) in row.iter_mut().zip(&mesh.width[first..]) {
-                        *entry += soft * moved * follow.1 * width;
-                    }
-                }
+                let sinking = stiffness * uniform - soft * moved;
                 if self.is_force() && self.rim {
                     for (entry, width) in row.iter_mut().zip(&mesh.width[first..]) {
                         *entry += sinking * root * width / a;
@@ -80,14 +74,6 @@ impl Patch {
             }
             for (sum, entry) in volume_row.iter_mut().zip(&*row) {
                 *sum += span * mesh.volume.depth[i] * entry;
-            }
-            if self.speed != 0.0 && i < n {
-                let inner = self.speed * mesh.inner_share(i) / span;
-                for (weight, k) in mesh.upwind(i).iter().zip((i.max(2) - 2)..) {
-                    for (entry, descent) in row.iter_mut().zip(&tables.descent_row(k)[first.min(k + 1)..]) {
-                        *entry += inner * weight * descent;
-                    }
-                }
             }
             if !self.rim && i > 0 {
                 for (weight, k) in mesh.drift[i].iter().zip(i - 1..) {

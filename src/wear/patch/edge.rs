@@ -52,13 +52,6 @@ impl Patch {
         rise / (outer + step)
     }
 
-    /// Slope of the residual in the square of the inner edge.
-    pub(super) fn edge_by_inner(&self, depth: &[f64], area: f64) -> f64 {
-        let (sums, step) = (self.edge_sums(depth), 1e-5 * self.span(area));
-        let at = |by: f64| self.moved(by).edge_residual(area, sums);
-        (at(step) - at(-step)) / (2.0 * step)
-    }
-
     pub(super) fn is_inside(&self, area: f64) -> bool {
         area.sqrt() <= self.body.profile().outer_radius()
     }

@@ -1,6 +1,5 @@
 //! Where the springs first slip.
 
-use super::rig::FAR;
 use super::{Patch, RIM, Rate};
 use crate::wear::mesh::Region;
 
@@ -29,7 +28,7 @@ impl Patch {
             };
             self.bound_slope * (rate.indentation - self.body.image(rate.radius[i]) - h)
         };
-        let small = if self.can_advance() { FAR * rate.reach } else { 1e-6 * rate.reach };
+        let small = 1e-6 * self.reach;
         // a punch's worn rim may leave contact, and a contact may grow to the rim
         let edge = if self.rim {
             bound(self.cells()) < -1e-3 * self.bound_slope * rate.indentation.abs()
@@ -37,10 +36,8 @@ impl Patch {
             rate.area.sqrt() >= self.body.profile().outer_radius() * (1.0 - RIM)
         };
         let moved = match self.mesh.region {
-            Region::Annulus if self.is_at_axis(rate) => true,
-            Region::Annulus => rate.reach > bound(0) + small || rate.slip[self.lead + FRONT_CELLS] == 0.0,
-            Region::Disc if self.lead > 0 => rate.slip[self.lead + FRONT_CELLS] == 0.0,
-            Region::Disc => rate.reach < bound(0) - small,
+            Region::Annulus => self.reach > bound(0) + small || rate.slip[FRONT_CELLS] == 0.0,
+            Region::Disc => self.reach < bound(0) - small,
         };
         if moved || edge { Front::Moved } else { Front::Kept }
     }
@@ -48,16 +45,14 @@ impl Patch {
     /// Lets the image at the nodes next to the front not fall below what it was: there it never does, and an error of the
     /// integration, however small, would let the front creep. Returns whether anything had to be mended.
     pub(crate) fn hold_front(&self, depth: &mut [f64], before: &Rate, after: &Rate) -> bool {
-        if self.mesh.region == Region::Disc || self.speed != 0.0 {
+        if self.mesh.region == Region::Disc {
             return false;
         }
         let mut image = after.image[..=FRONT_CELLS].to_vec();
-        let ahead = |rate: &Rate| rate.reach - self.bound_slope * rate.indentation;
-        let retreats = self.motion.rig.is_some() && ahead(after) <= ahead(before);
         let mut mended = false;
         for i in 1..=FRONT_CELLS {
             let least = before.image[i] / before.scale[i] * after.scale[i];
-            if image[i] < least || (retreats && before.slip[i] == 0.0 && image[i] != least) {
+            if image[i] < least {
                 image[i] = least;
                 mended = true;
             }

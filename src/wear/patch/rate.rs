@@ -14,10 +14,6 @@ pub(crate) struct Rate {
     pub(crate) image: Vec<f64>,
     pub(crate) area: f64,
     pub(crate) indentation: f64,
-    /// U₀, m.
-    pub(crate) reach: f64,
-    /// Where the springs first slip, m; the inner edge where that is not looked for.
-    pub(crate) stick: f64,
     /// σ at the nodes, m.
     pub(crate) slip: Vec<f64>,
     pub(super) radius: Vec<f64>,
@@ -69,8 +65,7 @@ impl Patch {
         if !self.rim {
             room[n] = 0.0;
         }
-        let (reach, stick) = self.amplitude((a, span), (&radius, &room), (indentation, &image));
-        let mut slip: Vec<f64> = room.iter().map(|q| (reach - self.bound_slope * q).max(0.0)).collect();
+        let mut slip: Vec<f64> = room.iter().map(|q| (self.reach - self.bound_slope * q).max(0.0)).collect();
         if mesh.first() == 1 {
             slip[0] = 0.0;
         }
@@ -95,17 +90,7 @@ impl Patch {
                 drift[i] = mesh.drift_of(&depth, i) / span;
             }
             let condition = self.edge_condition(&depth, area, scale[n]);
-            let mut forced = 0.0;
-            if self.speed != 0.0 {
-                for i in 1..n {
-                    let slope: f64 =
-                        mesh.upwind(i).iter().zip(&depth[i.max(2) - 2..]).map(|(w, d)| w * d).sum();
-                    growth[i] += self.speed * mesh.inner_share(i) * slope / span;
-                }
-                forced = self.speed * self.edge_by_inner(&depth, area);
-            }
-            area_rate =
-                -(dot(&condition.depth, &growth) + forced) / (condition.area + dot(&condition.depth, &drift));
+            area_rate = -dot(&condition.depth, &growth) / (condition.area + dot(&condition.depth, &drift));
             for i in 0..n {
                 growth[i] += drift[i] * area_rate;
             }
@@ -115,8 +100,6 @@ impl Patch {
             image,
             area,
             indentation,
-            reach,
-            stick,
             slip,
             radius,
             scale,

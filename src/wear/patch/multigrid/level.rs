@@ -47,8 +47,6 @@ struct Sinking {
 struct Edge {
     /// γτ dA/dN/L.
     speed: f64,
-    /// The same of the inner edge.
-    inner: f64,
     /// What the change of A adds to the depths.
     column: Vec<f64>,
     /// Change of A with z.
@@ -66,13 +64,6 @@ impl Combination {
     fn of(self, mesh: &UnitMesh, z: &[f64]) -> f64 {
         let width = if self.width == 0.0 { 0.0 } else { self.width * dot(&mesh.width, z) };
         width + self.last * z[mesh.cells]
-    }
-}
-
-impl Edge {
-    /// What the inner edge adds to the speed at a node.
-    fn inner(&self, mesh: &UnitMesh, i: usize) -> f64 {
-        if self.inner == 0.0 || i == 0 { 0.0 } else { self.inner * mesh.inner_share(i) }
     }
 }
 
@@ -98,21 +89,17 @@ impl Level {
         let slips = |i: usize| f64::from(u8::from(i >= first && rate.slip[i] > 0.0));
         let slipping: Vec<f64> = (0..=n).map(slips).collect();
         let softness: Vec<f64> = rate.scale.iter().map(|b| 1.0 / b).collect();
-        let follow = patch.follow(rate);
-        let sinking = (patch.is_force() || follow.1 != 0.0).then(|| {
+        let sinking = patch.is_force().then(|| {
             let moved: Vec<f64> = slipping.iter().zip(&rate.scale).map(|(on, b)| on * b).collect();
             let (mut uniform, mut slid) = (vec![0.0; n + 1], vec![0.0; n + 1]);
             mesh.pressure(&vec![1.0; n + 1], patch.rim, &mut uniform);
             mesh.descend(&moved, &mut slid);
-            let by = if !patch.is_force() {
-                Combination { width: -follow.1, last: 0.0 }
-            } else if patch.rim {
+            let by = if patch.rim {
                 Combination { width: root / a, last: 0.0 }
             } else {
                 Combination { width: 0.0, last: softness[n] }
             };
-            let stiff = |i: usize| if patch.is_force() { stiff[i] * uniform[i] } else { 0.0 };
-            Sinking { growth: (0..=n).map(|i| stiff(i) - soft[i] * slid[i] * follow.0).collect(), by }
+            Sinking { growth: (0..=n).map(|i| stiff[i] * uniform[i] - soft[i] * slid[i]).collect(), by }
         });
         let edge = edge.map(|edge| {
             let with_area = edge.condition.area;
@@ -125,13 +112,7 @@ impl Level {
             } else {
                 Combination { width: 0.0, last }
             };
-            let per_span = gamma_step / patch.span(rate.area);
-            Edge {
-                speed: gamma_step * rate.area_rate / patch.span(rate.area),
-                inner: patch.speed * per_span,
-                column,
-                area,
-            }
+            Edge { speed: gamma_step * rate.area_rate / patch.span(rate.area), column, area }
         });
         let all = slipping[first..].iter().all(|on| *on == 1.0);
         let slipping = (!all).then_some(slipping);
@@ -178,18 +159,13 @@ impl Level {
     fn complete(mut self) -> Self {
         let mesh = &self.mesh;
         let relief = mesh.relief(self.rim);
+        let speed = self.edge.as_ref().map_or(0.0, |edge| edge.speed);
         for i in self.first..self.end {
             let levelled = self.stiff[i] * self.softness[i] * relief[i];
             let slips = self.slipping.as_ref().map_or(1.0, |slipping| slipping[i]);
-            let (speed, inner) =
-                self.edge.as_ref().map_or((0.0, 0.0), |edge| (edge.speed, edge.inner(mesh, i)));
             // where wear feeds itself, only a coarser mesh can tell
             let own = (1.0 + levelled - self.soft[i] * slips).max(0.5 * (1.0 + levelled));
-            let mut row = mesh.drift[i].map(|weight| -speed * weight);
-            // to first order, which is enough here, it needs no more than the node before
-            row[0] += 2.0 * inner * mesh.drift[i][2];
-            row[1] -= 2.0 * inner * mesh.drift[i][2];
-            self.local.push(own, row);
+            self.local.push(own, mesh.drift[i].map(|weight| -speed * weight));
         }
         self
     }
@@ -236,11 +212,6 @@ impl Level {
         if let Some(edge) = &self.edge {
             for i in 1..self.mesh.cells {
                 growth[i] += edge.speed * dot(&self.mesh.drift[i], &depth[i - 1..=i + 1]);
-                if edge.inner != 0.0 {
-                    let from = i.max(2) - 2;
-                    growth[i] +=
-                        edge.inner(&self.mesh, i) * dot(&self.mesh.upwind(i), &depth[from..from + 4]);
-                }
             }
             add(&mut growth, area, &edge.column);
         }

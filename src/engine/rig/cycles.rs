@@ -1,0 +1,83 @@
+//! Cycles of a drive: how far the contact itself moves changes with its wear.
+
+use super::super::FrettingContact;
+use crate::error::Error;
+use crate::wear::Sliding;
+
+/// Most trials of a stretch of cycles in one call.
+const MOST_TRIALS: u32 = 1000;
+
+/// Share of the tolerance that the amplitude may be wrong by at the end of a stretch, relative.
+const SHARE: f64 = 0.1;
+
+/// Share of the tolerance by which the amplitude may change along a stretch that is run with that of its start.
+const STEADY: f64 = 0.01;
+
+impl FrettingContact {
+    /// Wears the surface by cycles of a drive at constant load; returns the amplitude of the contact itself at their end, m.
+    ///
+    /// The cycles are run in stretches of constant amplitude, the mean of those at both ends (second order in the stretch). The
+    /// end is found with the amplitude of the start first; by how much it moves when the mean is taken
+    /// tells how long a stretch may be.
+    ///
+    /// # Errors
+    /// As [`Self::wear_steadily`].
+    pub(in crate::engine) fn wear_driven_cycles(
+        &mut self,
+        value: f64,
+        drive: f64,
+        cycles: f64,
+    ) -> Result<f64, Error> {
+        let tolerance = self.parameters.tolerance;
+        let (mut left, mut stretch) = (cycles, cycles);
+        let mut amplitude = self.own_amplitude(drive);
+        for _ in 0..MOST_TRIALS {
+            if left <= 0.0 {
+                return Ok(amplitude);
+            }
+            stretch = stretch.min(left);
+            let before = self.clone();
+            let predicted = self.amplitude_after(value, (drive, amplitude), stretch);
+            let change = predicted.as_ref().map_or(f64::INFINITY, |end| (end - amplitude).abs() / amplitude);
+            let (end, error) = if change <= STEADY * tolerance || amplitude == 0.0 {
+                (predicted?, 0.0)
+            } else if let Ok(predicted) = predicted {
+                self.go_back(before.clone());
+                let mean = 0.5 * (amplitude + predicted);
+                match self.amplitude_after(value, (drive, mean), stretch) {
+                    Ok(end) => (end, (end - predicted).abs() / end / (SHARE * tolerance)),
+                    Err(_) => (amplitude, f64::INFINITY),
+                }
+            } else {
+                (amplitude, f64::INFINITY)
+            };
+            let accepted = error <= 1.0;
+            if accepted {
+                amplitude = end;
+                left = if stretch < left { left - stretch } else { 0.0 };
+            } else {
+                self.go_back(before);
+            }
+            stretch *= (0.9 / error.sqrt()).clamp(0.1, 4.0);
+        }
+        Err(Error::TooMuchWear { cycles, left, amplitude: drive, steps: MOST_TRIALS })
+    }
+
+    /// Runs cycles of the contact itself; returns the amplitude that the drive would make then.
+    fn amplitude_after(
+        &mut self,
+        value: f64,
+        (drive, amplitude): (f64, f64),
+        cycles: f64,
+    ) -> Result<f64, Error> {
+        self.wear_steadily(value, Sliding::Cycles(amplitude), cycles)?;
+        Ok(self.own_amplitude(drive))
+    }
+
+    /// Back to another state; work is counted all the same.
+    fn go_back(&mut self, before: Self) {
+        let counters = self.counters;
+        *self = before;
+        self.counters = counters;
+    }
+}
