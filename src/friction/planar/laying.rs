@@ -112,8 +112,9 @@ impl PlanarRow {
         Self { spacing, knots: radii.iter().zip(origins).map(knot).collect(), slips: Vec::new() }
     }
 
-    /// The same springs at other radii, on a surface whose nodes may be others or lie elsewhere, up to a contact radius.
-    fn laid(&self, surface: &Surface, spacing: f64, radius: f64) -> Self {
+    /// The same springs at other radii, up to a contact radius, on the surface on which they lie or, where that `is_another`, on one
+    /// whose nodes may be others or lie elsewhere.
+    fn laid(&self, (surface, is_another): (&Surface, bool), spacing: f64, radius: f64) -> Self {
         let Some(first) = self.knots.first() else { return Self::default() };
         let mut row = Self { spacing, knots: Vec::new(), slips: Vec::new() };
         let place = surface.place(0.0);
@@ -125,11 +126,7 @@ impl PlanarRow {
                 j += 1;
             }
             let place = surface.place(x);
-            let (p, q) = (&self.knots[j], &self.knots[(j + 1).min(self.knots.len() - 1)]);
-            // the share of the way is that of the image on which the row lay
-            let width = q.place.x - p.place.x;
-            let share = if width > 0.0 { ((x - p.place.x) / width).clamp(0.0, 1.0) } else { 0.0 };
-            let image = p.place.image + share * (q.place.image - p.place.image);
+            let image = if is_another { self.former_image(j, x) } else { place.image };
             let (knot, slip) = interpolated(self, j, Place { image, ..place });
             row.knots.push(PlanarKnot { place, ..knot });
             if !self.slips.is_empty() {
@@ -137,6 +134,14 @@ impl PlanarRow {
             }
         });
         row
+    }
+
+    /// Image at a radius behind sample j on the surface on which the row lay, as evenly as it rises over narrow cells.
+    fn former_image(&self, j: usize, x: f64) -> f64 {
+        let (p, q) = (&self.knots[j].place, &self.knots[(j + 1).min(self.knots.len() - 1)].place);
+        let width = q.x - p.x;
+        let share = if width > 0.0 { ((x - p.x) / width).clamp(0.0, 1.0) } else { 0.0 };
+        p.image + share * (q.image - p.image)
     }
 
     /// The same row where the nodes of its surface have become others; the contact stays.
@@ -147,7 +152,7 @@ impl PlanarRow {
         (bound_slope, displacement): (f64, Vector),
     ) -> Self {
         let edge = self.knots.last().map_or(0.0, |knot| knot.place.x);
-        let mut row = self.laid(surface, self.spacing, edge);
+        let mut row = self.laid((surface, true), self.spacing, edge);
         row.keep_within(contact, (bound_slope, displacement));
         row
     }
@@ -170,7 +175,7 @@ impl PlanarRow {
             let edge = self.knots.last().map(|knot| knot.place.x);
             self.spacing = spacing;
             if let Some(edge) = edge {
-                *self = self.laid(path.surface, spacing, edge);
+                *self = self.laid((path.surface, false), spacing, edge);
             }
         }
         // the edge of before has no deflection, and the samples beyond it tell when they touched
@@ -200,7 +205,7 @@ impl PlanarRow {
             && radius > 0.0
             && let Some(spacing) = path.samples.respaced(self.spacing, radius)
         {
-            *self = self.laid(path.surface, spacing, radius);
+            *self = self.laid((path.surface, false), spacing, radius);
             self.keep_within(&path.to, (path.bound_slope, path.end));
         }
     }
@@ -216,7 +221,7 @@ impl PlanarRow {
         let Resting { surface, bound_slope, displacement, .. } = *resting;
         let before = Standing { row: self, surface, contact: old, bound_slope, displacement };
         let slides = |j: usize| self.knots.get(j).is_none_or(|knot| before.at_bound(knot));
-        let mut row = self.laid(surface, spacing, new.radius);
+        let mut row = self.laid((surface, true), spacing, new.radius);
         let old_edge = self.knots.last().map_or(0.0, |knot| knot.place.x);
         let (mut j, mut last) = (0, [0.0; 2]);
         for knot in &mut row.knots {
