@@ -114,6 +114,22 @@ impl Springs {
         Self::from_origins(new, &origins)
     }
 
+    /// Takes springs to their bound that lie beyond it by more than rounding: knots laid between others, where the image of a rough
+    /// profile falls and what is linear in it knows nothing. Says whether there were any.
+    pub(crate) fn keep_within(&mut self, contact: &Contact, bound_slope: f64, displacement: f64) -> bool {
+        let rounding = walk::rounding(bound_slope, contact, displacement);
+        let mut any = false;
+        for knot in &mut self.knots {
+            let bound = bound_slope * (contact.depth - knot.place.image).max(0.0);
+            let trial = walk::Trial::new(knot, displacement, bound, 1e-9 * bound + rounding);
+            if trial.slips() {
+                *knot = trial.clipped();
+                any = true;
+            }
+        }
+        any
+    }
+
     /// Puts the springs outside radius `inner` (all, if that is 0) at their bound on one side.
     pub(crate) fn follow_bound(
         &mut self,

@@ -47,6 +47,7 @@ impl FrettingContact {
         let old = self.surface.clone();
         self.surface.set_worn(Some(nodes));
         self.springs = self.springs.moved_to(&old, &self.surface);
+        self.keep_springs_within();
         let standing = (self.bound_slope, self.place());
         if let Some(planar) = &mut self.planar {
             planar.row = planar.row.on_nodes(&self.surface, &self.contact, standing);
@@ -57,6 +58,20 @@ impl FrettingContact {
                 wear.pending.moved_to(before.x(), now.x());
                 wear.pending.owe((before.worn_volume() - now.worn_volume()) / self.constants.wear_per_work);
             }
+        }
+    }
+
+    /// Takes springs on new nodes back to their bound; friction has taken what they lose.
+    fn keep_springs_within(&mut self) {
+        let energy = self.springs.energy_integral(self.displacement);
+        if !self.springs.keep_within(&self.contact, self.constants.bound_slope(), self.displacement) {
+            return;
+        }
+        let lost = energy - self.springs.energy_integral(self.displacement);
+        let work = (self.constants.tangential_modulus * lost).max(0.0);
+        self.work += work;
+        if let Some(wear) = &mut self.wear {
+            wear.pending.unplaced += work;
         }
     }
 
