@@ -160,7 +160,8 @@ impl Pending {
 
     /// As much of the work without a place as may go along with some more of it: much of it at one place would dig a groove there.
     pub(crate) fn take_unplaced(&mut self, work: f64) -> f64 {
-        let taken = self.unplaced.clamp(-PLACED_WITH * work, PLACED_WITH * work);
+        let most = PLACED_WITH * work.abs();
+        let taken = self.unplaced.max(-most).min(most);
         self.unplaced -= taken;
         taken
     }

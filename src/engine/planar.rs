@@ -200,6 +200,13 @@ impl FrettingContact {
         };
         self.counters.spring_walks += 1;
         let work = 2.0 * self.constants.tangential_modulus * walked.work;
+        if !work.is_finite() {
+            return Err(Error::NotFinite {
+                what: "the work of friction",
+                normal: value,
+                displacement: place[0],
+            });
+        }
         Ok(PlanarEnd { to, row, work, one_way: walked.one_way })
     }
 
