@@ -150,21 +150,26 @@ const CALLS: [(&str, Call); 7] = [
     ("lifted", |c, load| c.advance_to(-load, 0.0)),
 ];
 
+/// Makes all calls of a contact under each load, looks for numbers after each, and counts those that are done and those refused.
+fn call_all(parameters: Parameters, loads: &[f64], (sound, refused): (&mut u32, &mut u32)) {
+    let fresh = contact(parameters);
+    for &load in loads {
+        let mut contact = fresh.clone();
+        for (what, call) in CALLS {
+            match call(&mut contact, load) {
+                Ok(()) => *sound += 1,
+                Err(_) => *refused += 1,
+            }
+            assert_numbers(&contact, &format!("{load:e} {what}"));
+        }
+    }
+}
+
 #[test]
 fn the_ends_of_all_ranges_give_numbers_or_refusals() {
     let (mut sound, mut refused) = (0, 0);
     for parameters in scenes() {
-        let fresh = contact(parameters);
-        for load in [5e-324, 1.0, 1e60] {
-            let mut contact = fresh.clone();
-            for (what, call) in CALLS {
-                match call(&mut contact, load) {
-                    Ok(()) => sound += 1,
-                    Err(_) => refused += 1,
-                }
-                assert_numbers(&contact, &format!("{load:e} {what}"));
-            }
-        }
+        call_all(parameters, &[5e-324, 1.0, 1e60], (&mut sound, &mut refused));
     }
     println!("{sound} calls done, {refused} refused");
     assert!(sound > 5 * refused, "{sound} calls done, {refused} refused");
@@ -184,17 +189,7 @@ fn the_ends_of_the_ranges_of_wear_give_numbers_or_refusals() {
                     resolution: 8,
                     ..without_wear(profile.clone())
                 };
-                let fresh = contact(parameters);
-                for load in [1e-300, 1e-30, 1e-6, 1e60] {
-                    let mut contact = fresh.clone();
-                    for (what, call) in CALLS {
-                        match call(&mut contact, load) {
-                            Ok(()) => sound += 1,
-                            Err(_) => refused += 1,
-                        }
-                        assert_numbers(&contact, &format!("{load:e} {what}"));
-                    }
-                }
+                call_all(parameters, &[1e-300, 1e-30, 1e-6, 1e60], (&mut sound, &mut refused));
             }
         }
     }

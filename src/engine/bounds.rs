@@ -58,15 +58,31 @@ impl FrettingContact {
         Err(Error::WearOutrun { displacement: self.displacement, from: start })
     }
 
+    /// Runs a change after which nearly all that has worn has to show on the profile.
+    ///
+    /// # Errors
+    /// Those of the change; [`Error::WearOutrun`] where it does not.
+    pub(super) fn placed(
+        &mut self,
+        change: impl FnOnce(&mut Self) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        let (start, before, unplaced) = (self.displacement, self.contact, self.unplaced());
+        change(self)?;
+        if self.is_placed((&before, unplaced)) {
+            return Ok(());
+        }
+        Err(Error::WearOutrun { displacement: self.displacement, from: start })
+    }
+
     /// Volume that has found no place on the profile, m³.
-    pub(super) fn unplaced(&self) -> f64 {
+    fn unplaced(&self) -> f64 {
         let work = self.wear.as_ref().map_or(0.0, |wear| wear.pending.unplaced);
         (self.constants.wear_per_work * work).abs()
     }
 
     /// Whether nearly all that has worn shows on the profile, or what does not is hardly more than before a step; the contact of then
     /// counts, too.
-    pub(super) fn is_placed(&self, (contact, before): (&Contact, f64)) -> bool {
+    fn is_placed(&self, (contact, before): (&Contact, f64)) -> bool {
         let (now, size) = (self.unplaced(), disc(contact).max(disc(&self.contact)));
         let cells = self.parameters.resolution as f64;
         let share = self.parameters.tolerance.max(UNPLACED).max(OF_CELLS / (cells * cells));

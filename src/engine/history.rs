@@ -18,6 +18,11 @@ pub(super) const STROKE: f64 = 20.0;
 /// Most pieces into which wear may split a line.
 const MOST_PIECES: f64 = 512.0;
 
+/// Whether the load has changed by so much between two contacts.
+pub(super) fn load_has_moved(start: &Contact, to: &Contact) -> bool {
+    (to.load - start.load).abs() > LOAD_SHARE * to.load.max(start.load)
+}
+
 impl FrettingContact {
     /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or indentation depth
     /// in m, by `normal_control`, and displacement in m, that of the drive where there is a rig stiffness.
@@ -199,8 +204,7 @@ impl FrettingContact {
             });
         }
         let start = wear.segment.contact.unwrap_or(to);
-        let load_moved = (to.load - start.load).abs() > LOAD_SHARE * to.load.max(start.load);
-        if load_moved && !to.is_open() {
+        if load_has_moved(&start, &to) && !to.is_open() {
             self.transaction(|this| {
                 this.extend_segment(&to, displacement, work);
                 this.arrive(to, displacement, springs, work);

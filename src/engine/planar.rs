@@ -69,24 +69,24 @@ impl FrettingContact {
             // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
             self.solve_contact(value)?;
         }
-        let (from, before, unplaced) = (self.place(), self.contact, self.unplaced());
-        self.planar_transaction(|this| {
-            for part in line.split_at(this.touch_control()).iter().flatten() {
-                let pieces = this.pieces(part);
-                for k in 1..=pieces {
-                    let (value, share) = part.at(k, pieces);
-                    let at = |k: usize| from[k] + share * (displacement[k] - from[k]);
-                    let place = if share == 1.0 { displacement } else { [at(0), at(1)] };
-                    this.walk_in_plane(value, place)?;
-                }
-            }
-            if this.is_placed((&before, unplaced)) {
-                return Ok(());
-            }
-            Err(Error::WearOutrun { from: from[0], displacement: x })
-        })
-        .map_err(|error| self.told_of_step(error, x))?;
+        self.planar_transaction(|this| this.placed(|this| this.walk_line_in_plane(&line, displacement)))
+            .map_err(|error| self.told_of_step(error, x))?;
         self.counters.steps += 1;
+        Ok(())
+    }
+
+    /// Walks a line of (load, share of the way) to a place in pieces, cut where the bodies touch or part.
+    fn walk_line_in_plane(&mut self, line: &Line, to: Vector) -> Result<(), Error> {
+        let from = self.place();
+        for part in line.split_at(self.touch_control()).iter().flatten() {
+            let pieces = self.pieces(part);
+            for k in 1..=pieces {
+                let (value, share) = part.at(k, pieces);
+                let at = |k: usize| from[k] + share * (to[k] - from[k]);
+                let place = if share == 1.0 { to } else { [at(0), at(1)] };
+                self.walk_in_plane(value, place)?;
+            }
+        }
         Ok(())
     }
 
@@ -201,11 +201,8 @@ impl FrettingContact {
         self.counters.spring_walks += 1;
         let work = 2.0 * self.constants.tangential_modulus * walked.work;
         if !work.is_finite() {
-            return Err(Error::NotFinite {
-                what: "the work of friction",
-                normal: value,
-                displacement: place[0],
-            });
+            let normal = if self.constants.force_control { value * self.force_scale() } else { value };
+            return Err(Error::NotFinite { what: "the work of friction", normal, displacement: place[0] });
         }
         Ok(PlanarEnd { to, row, work, one_way: walked.one_way })
     }

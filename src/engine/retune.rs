@@ -53,14 +53,13 @@ impl FrettingContact {
             (this.constants, this.bound_slope) = (constants, bound_slope);
             let work = if this.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
             this.counters.spring_walks += 1;
-            this.work += work;
             if let Some(wear) = &mut this.wear {
                 // a volume, told as the work that wears it
                 wear.pending.unplaced *= former_wear_per_work / constants.wear_per_work;
-                wear.pending.unplaced += work;
                 wear.rhythm = None;
                 wear.next_step = None;
             }
+            this.lose_to_friction(work);
             this.start_segment();
             Ok(())
         })

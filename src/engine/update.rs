@@ -14,32 +14,26 @@ impl FrettingContact {
     /// been worn off on the old ones.
     pub(super) fn prepare_nodes(&mut self) -> Result<(), Error> {
         let front = self.stick_radius();
-        let profile = self.surface.profile();
-        let adapted = match self.surface.worn() {
-            None => {
-                Nodes::around(profile, self.parameters.resolution, self.contact.radius.max(self.reach), front)
-            }
-            Some(nodes) => {
-                let mut adapted = nodes.clone();
-                adapted.adapt(profile, self.contact.radius, front);
-                if adapted.x().len() == nodes.x().len() {
-                    return Ok(());
-                }
-                adapted
-            }
-        };
+        if self.new_nodes(front, self.contact.radius).is_none() {
+            return Ok(());
+        }
         self.update_under_segment()?;
         // the update may have moved the nodes, too
-        let adapted = match self.surface.worn() {
-            None => adapted,
-            Some(nodes) => {
-                let mut again = nodes.clone();
-                again.adapt(self.surface.profile(), self.contact.radius, front);
-                again
-            }
-        };
-        self.move_to_nodes(adapted);
+        if let Some(nodes) = self.new_nodes(front, self.contact.radius) {
+            self.move_to_nodes(nodes);
+        }
         Ok(())
+    }
+
+    /// Nodes for a contact whose slip reaches inward to a front; `None` where those of the surface do.
+    pub(super) fn new_nodes(&self, front: f64, radius: f64) -> Option<Nodes> {
+        let profile = self.surface.profile();
+        let Some(nodes) = self.surface.worn() else {
+            return Some(Nodes::around(profile, self.parameters.resolution, radius.max(self.reach), front));
+        };
+        let mut adapted = nodes.clone();
+        adapted.adapt(profile, radius, front);
+        (adapted.x().len() != nodes.x().len()).then_some(adapted)
     }
 
     /// Takes over nodes that add to those of the surface without changing its shape: springs and what is pending go along.
@@ -68,7 +62,12 @@ impl FrettingContact {
             return;
         }
         let lost = energy - self.springs.energy_integral(self.displacement);
-        let work = (self.constants.tangential_modulus * lost).max(0.0);
+        self.lose_to_friction(self.constants.tangential_modulus * lost);
+    }
+
+    /// Counts energy (J) that springs have lost where nothing moved outside: friction has taken it. Where it has worn is not known.
+    pub(super) fn lose_to_friction(&mut self, energy: f64) {
+        let work = energy.max(0.0);
         self.work += work;
         if let Some(wear) = &mut self.wear {
             wear.pending.unplaced += work;
@@ -162,17 +161,12 @@ impl FrettingContact {
         if zone.1 != 0.0 && !to.is_open() {
             springs.follow_bound(zone, &to, self.constants.bound_slope(), self.displacement);
         }
-        // nothing moved outside, so that friction has taken what the springs have lost
         let energy = |row: &Springs| row.energy_integral(self.displacement);
         let lost = self.constants.tangential_modulus * (energy(&self.springs) - energy(&springs));
-        let work = lost.max(0.0);
         self.springs = springs;
         self.contact = to;
         self.reach = self.reach.max(to.radius);
-        self.work += work;
-        if let Some(wear) = &mut self.wear {
-            wear.pending.unplaced += work;
-        }
+        self.lose_to_friction(lost);
         Ok(())
     }
 

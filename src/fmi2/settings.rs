@@ -160,52 +160,32 @@ impl Inputs {
         tangential_displacement_y: 0.0,
     };
 
-    /// The inputs after `time`, s, when they change at the rates `slopes`.
-    pub(super) fn after(&self, slopes: &Self, time: f64) -> Self {
+    /// Each with its like of others.
+    fn with(&self, others: &Self, of: impl Fn(f64, f64) -> f64) -> Self {
         Self {
-            normal_force: self.normal_force + slopes.normal_force * time,
-            indentation: self.indentation + slopes.indentation * time,
-            tangential_displacement: self.tangential_displacement + slopes.tangential_displacement * time,
-            displacement_amplitude: self.displacement_amplitude + slopes.displacement_amplitude * time,
-            frequency: self.frequency + slopes.frequency * time,
-            tangential_displacement_y: self.tangential_displacement_y
-                + slopes.tangential_displacement_y * time,
+            normal_force: of(self.normal_force, others.normal_force),
+            indentation: of(self.indentation, others.indentation),
+            tangential_displacement: of(self.tangential_displacement, others.tangential_displacement),
+            displacement_amplitude: of(self.displacement_amplitude, others.displacement_amplitude),
+            frequency: of(self.frequency, others.frequency),
+            tangential_displacement_y: of(self.tangential_displacement_y, others.tangential_displacement_y),
         }
     }
 
-    /// Whether all are finite.
-    pub(super) fn is_finite(&self) -> bool {
-        let Self {
-            normal_force,
-            indentation,
-            tangential_displacement,
-            displacement_amplitude,
-            frequency,
-            tangential_displacement_y,
-        } = *self;
-        [
-            normal_force,
-            indentation,
-            tangential_displacement,
-            displacement_amplitude,
-            frequency,
-            tangential_displacement_y,
-        ]
-        .iter()
-        .all(|value| value.is_finite())
+    /// The inputs after `time`, s, when they change at the rates `slopes`.
+    pub(super) fn after(&self, slopes: &Self, time: f64) -> Self {
+        self.with(slopes, |value, slope| value + slope * time)
     }
 
     /// Rates of change over `time`, s, since `start`.
     pub(super) fn rates(&self, start: &Self, time: f64) -> Self {
-        let rate = |end: f64, start: f64| (end - start) / time;
-        Self {
-            normal_force: rate(self.normal_force, start.normal_force),
-            indentation: rate(self.indentation, start.indentation),
-            tangential_displacement: rate(self.tangential_displacement, start.tangential_displacement),
-            displacement_amplitude: rate(self.displacement_amplitude, start.displacement_amplitude),
-            frequency: rate(self.frequency, start.frequency),
-            tangential_displacement_y: rate(self.tangential_displacement_y, start.tangential_displacement_y),
-        }
+        self.with(start, |end, start| (end - start) / time)
+    }
+
+    /// Whether all are finite.
+    pub(super) fn is_finite(&self) -> bool {
+        // less itself an infinite number is no number, and nothing equals that
+        self.with(self, |value, same| value - same) == Self::ZERO
     }
 
     /// The quantity that `control` prescribes, N or m.

@@ -336,10 +336,9 @@ fn left_at_the_end(
         if missing.abs() <= MET * tolerance * target {
             break;
         }
-        let Some(grown) = patch.with_volume(&state, &rate, missing.signum() * missing.abs().min(most.abs()))
-        else {
-            break;
-        };
+        // `clamp` would panic at a volume that is no number
+        let volume = missing.signum() * missing.abs().min(most.abs());
+        let Some(grown) = patch.with_volume(&state, &rate, volume) else { break };
         (state, rate) = grown;
         nodes = left_behind(patch, &state, &rate, tolerance);
         missing = target - nodes.worn_volume();

@@ -7,10 +7,10 @@
 
 use super::PlanarEnd;
 use crate::engine::FrettingContact;
-use crate::engine::history::STROKE;
+use crate::engine::history::{STROKE, load_has_moved};
 use crate::error::Error;
 use crate::friction::{PlanarRow, Resting, Standing, Vector, difference};
-use crate::surface::{Contact, Nodes};
+use crate::surface::Contact;
 use crate::wear::{self, Edge, Segment};
 
 /// Share of the work of a segment that may be lost in its means: φ²/12 for springs that turn evenly by φ, so 20°.
@@ -28,9 +28,6 @@ const LITTLE: f64 = 0.1;
 /// An annulus that slips is taken to begin at this share of the contact radius at the most: what little wears in a thin one need not be
 /// followed at once.
 const WIDE: f64 = 0.9;
-
-/// Largest change of load within a segment, relative.
-const LOAD_SHARE: f64 = 0.05;
 
 impl FrettingContact {
     /// Walks one piece with wear.
@@ -118,10 +115,12 @@ impl FrettingContact {
         }
         let Some(wear) = &self.wear else { return Ok(()) };
         let start = wear.segment.contact.unwrap_or(self.contact);
-        let load_moved =
-            (self.contact.load - start.load).abs() > LOAD_SHARE * self.contact.load.max(start.load);
         let volume = self.constants.wear_per_work * (self.pending_work() + wear.segment.work);
-        if load_moved || self.is_due(volume) { self.bounded(Self::close_in_plane) } else { Ok(()) }
+        if load_has_moved(&start, &self.contact) || self.is_due(volume) {
+            self.bounded(Self::close_in_plane)
+        } else {
+            Ok(())
+        }
     }
 
     /// Volume that may wear before the profile is updated, m³.
@@ -220,19 +219,7 @@ impl FrettingContact {
     fn prepare_nodes_in_plane(&mut self) -> Result<(), Error> {
         let front = self.stick_radius();
         let radius = self.contact.radius;
-        let adapted = |this: &Self| {
-            let profile = this.surface.profile();
-            match this.surface.worn() {
-                None => Nodes::around(profile, this.parameters.resolution, radius.max(this.reach), front),
-                Some(nodes) => {
-                    let mut adapted = nodes.clone();
-                    adapted.adapt(profile, radius, front);
-                    adapted
-                }
-            }
-        };
-        let nodes = adapted(self);
-        if self.surface.worn().is_some_and(|present| present.x().len() == nodes.x().len()) {
+        if self.new_nodes(front, radius).is_none() {
             return Ok(());
         }
         let (Some(wear), Some(planar)) = (&mut self.wear, &self.planar) else { return Ok(()) };
@@ -242,7 +229,9 @@ impl FrettingContact {
             self.update_profile()?;
         }
         // the update may have moved the nodes, too
-        self.move_to_nodes(adapted(self));
+        if let Some(nodes) = self.new_nodes(front, radius) {
+            self.move_to_nodes(nodes);
+        }
         // and nodes beyond the last change where the wear ends
         let to = self.contact_at(self.contact.control)?;
         if to != self.contact {
@@ -259,23 +248,18 @@ impl FrettingContact {
     /// Contact and springs on a surface that has worn where the body stands.
     pub(in crate::engine) fn rest_in_plane(&mut self, to: Contact) {
         let stored = self.stored_energy();
-        let displacement = self.place();
+        let (displacement, samples) = (self.place(), self.samples());
         let Some(planar) = &mut self.planar else { return };
         planar.row = planar.row.rested(&Resting {
             surface: &self.surface,
             contacts: (&self.contact, &to),
             bound_slope: self.bound_slope,
             displacement,
-            samples: super::Samples(super::SAMPLES_PER_CELL * self.parameters.resolution),
+            samples,
         });
         self.contact = to;
         self.reach = self.reach.max(to.radius);
-        // nothing moved outside, so that friction has taken what the springs have lost
-        let work = (stored - self.stored_energy()).max(0.0);
-        self.work += work;
-        if let Some(wear) = &mut self.wear {
-            wear.pending.unplaced += work;
-        }
+        self.lose_to_friction(stored - self.stored_energy());
         if to.is_open() {
             self.planar = None;
         }

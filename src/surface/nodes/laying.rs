@@ -114,9 +114,13 @@ impl Nodes {
             worn_image = sum(&worn_image, &transforms.ascend(&missing));
         }
         let kept = thin_unless(&x, &worn_image, share, |_, _| false, met_by_lines(&x, &depth, share));
-        let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect::<Vec<f64>>();
-        let (x, worn_image, depth) = (pick(&x), pick(&worn_image), pick(&depth));
-        let mut nodes = Self::holding(x, worn_image, depth, self.resolution, None);
+        Self::of_kept(&kept, [&x, &worn_image, &depth], self.resolution, profile)
+    }
+
+    /// Some nodes of more: of their radii, images and depths, m, those that are kept.
+    fn of_kept(kept: &[usize], fields: [&[f64]; 3], resolution: usize, profile: &Profile) -> Self {
+        let [x, worn_image, depth] = fields.map(|field| kept.iter().map(|&k| field[k]).collect());
+        let mut nodes = Self::holding(x, worn_image, depth, resolution, None);
         nodes.update_integrals(profile);
         nodes
     }
@@ -154,11 +158,7 @@ impl Nodes {
         if kept.len() * 5 > self.x.len() * 4 {
             return None;
         }
-        let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect::<Vec<f64>>();
-        let (x, worn_image, depth) = (pick(&self.x), pick(&self.worn_image), pick(&self.depth));
-        let mut nodes = Self::holding(x, worn_image, depth, self.resolution, None);
-        nodes.update_integrals(profile);
-        Some(nodes)
+        Some(Self::of_kept(&kept, [&self.x, &self.worn_image, &self.depth], self.resolution, profile))
     }
 
     /// The mesh does not carry the surface any more.
