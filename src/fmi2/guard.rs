@@ -211,6 +211,19 @@ mod tests {
         unsafe { free_component(component) };
     }
 
+    /// A message may be a string, made at run time or not, or no text at all.
+    #[test]
+    fn what_a_panic_said_is_told() {
+        let number = std::hint::black_box(42);
+        for (payload, text) in [
+            (Box::new(format!("made of {number}")) as Box<dyn Any + Send>, "made of 42"),
+            (Box::new("plain"), "plain"),
+            (Box::new(number), "unknown panic"),
+        ] {
+            assert_eq!(panic_text(payload), text);
+        }
+    }
+
     #[test]
     fn a_null_component_never_reaches_the_body() {
         let status = run(core::ptr::null_mut(), &lifecycle::DO_STEP, |_| panic!("reached"));

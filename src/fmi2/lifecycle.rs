@@ -89,3 +89,39 @@ calls! {
     GET_BOOLEAN_STATUS = fmi2GetBooleanStatus in [StepComplete, Terminated];
     GET_STRING_STATUS = fmi2GetStringStatus in [StepComplete, Terminated];
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of all sets of states: a call is let through in those and in no other, and the refusal names them.
+    #[test]
+    fn the_gate_lets_through_what_is_in_its_list() {
+        const STATES: [State; 5] = [Instantiated, InitializationMode, StepComplete, Terminated, Failed];
+        for set in 0..1 << STATES.len() {
+            let allowed: Vec<State> = STATES
+                .into_iter()
+                .enumerate()
+                .filter(|(k, _)| set & 1 << k != 0)
+                .map(|(_, state)| state)
+                .collect();
+            let call = Call::new("fmi2Something", Vec::leak(allowed.clone()));
+            for state in STATES {
+                match call.check(state) {
+                    Ok(()) => assert!(allowed.contains(&state)),
+                    Err(refusal) => {
+                        let message = refusal.to_string();
+                        assert!(
+                            !allowed.contains(&state) && message.contains(&state.to_string()),
+                            "{message}"
+                        );
+                        assert!(
+                            allowed.iter().all(|state| message.contains(&format!("{state}"))),
+                            "{message}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

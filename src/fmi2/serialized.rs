@@ -70,3 +70,54 @@ fn number(bytes: &[u8]) -> u64 {
 fn refuse(problem: &str) -> Box<Refusal> {
     Refusal::SerializedState(problem.into()).into()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fmi2::component::Component;
+    use crate::fmi2::logger::Logger;
+    use serde_json::{Value, json};
+    use std::ffi::CString;
+
+    /// A state with a part changed and a checksum that fits, as only a forger would make it: after `begin`, behind a rig, since JSON
+    /// has no infinite stiffness.
+    fn forged(begin: bool, place: &str, value: Value) -> String {
+        let logger = Logger::new(None, CString::default(), false);
+        let mut component = Component::new(logger, None);
+        component.model.change_settings().rig_stiffness = 1e9;
+        if begin {
+            component.enter_initialization_mode().unwrap();
+            component.exit_initialization_mode().unwrap();
+        }
+        let handle = component.save(core::ptr::null_mut()).unwrap();
+        let sound = decode(&component.serialize(handle).unwrap()).unwrap();
+        let mut changed = serde_json::to_value(&sound).unwrap();
+        decode(&encode(&serde_json::from_value(changed.clone()).unwrap()).unwrap()).unwrap();
+        *changed.pointer_mut(place).expect(place) = value;
+        let bytes = encode(&serde_json::from_value(changed).unwrap()).unwrap();
+        match decode(&bytes) {
+            Err(refusal) => refusal.to_string(),
+            Ok(_) => panic!("{place}: taken"),
+        }
+    }
+
+    #[test]
+    fn what_no_instance_could_have_saved_is_refused() {
+        let settings = |name: &str| format!("/model/staged/settings/{name}");
+        for (begin, place, value, text) in [
+            (false, "/state".to_owned(), json!("Failed"), "failed instance"),
+            (false, settings("profile_file"), json!([0xff]), "not UTF-8"),
+            (false, settings("profile"), json!(9), "give one of"),
+            (false, settings("radius"), json!(-1.0), "radius"),
+            (false, "/model/staged/started".to_owned(), json!(true), "no contact"),
+            (false, "/model/staged/last_step/length".to_owned(), json!(-1.0), "out of range"),
+            (true, "/state".to_owned(), json!("Instantiated"), "contradicts its state"),
+            (true, settings("profile"), json!(7), "other parameters"),
+            (true, settings("radius"), json!(0.02), "other parameters"),
+            (true, "/model/staged/inputs/frequency".to_owned(), json!(-1.0), "frequency"),
+        ] {
+            let message = forged(begin, &place, value);
+            assert!(message.contains(text), "{place}: {message}");
+        }
+    }
+}

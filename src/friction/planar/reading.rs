@@ -111,7 +111,8 @@ impl Standing<'_> {
             .then(|| (-fall, [u[0] / size, u[1] / size]))
     }
 
-    /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e dx/√(r² − x²) from 0 to r.
+    /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e dx/√(r² − x²) from 0 to r;
+    /// on the axis that of the spring there.
     pub(crate) fn surface_slip(&self, r: f64, ahead: Vector) -> [Vector; 3] {
         let mut slip = [[0.0; 2]; 3];
         let of_spring = |knot: &PlanarKnot| {
@@ -123,6 +124,9 @@ impl Standing<'_> {
             let n = [u[0] / size, u[1] / size];
             [scaled(n, n[0]), scaled(n, n[1]), scaled(n, -self.bound_slope)]
         };
+        if r == 0.0 {
+            return self.row.knots.first().map_or(slip, of_spring);
+        }
         for pair in self.row.knots.windows(2) {
             let (x0, x1) = (pair[0].place.x, pair[1].place.x.min(r));
             if x0 >= r {
