@@ -15,6 +15,7 @@
 //! nodes that have not slipped get Δh = 0 exactly, whatever happens outside.
 
 mod krylov;
+mod laying;
 mod life;
 mod mesh;
 mod node_transforms;
@@ -27,7 +28,7 @@ mod update;
 pub(crate) use life::{Amount, Fineness, THINNING, live};
 pub(crate) use mesh::{Region, UnitMesh, depth_volume};
 pub(crate) use node_transforms::{NodeTransforms, TransformCache};
-pub(crate) use patch::{Motion, Sliding};
+pub(crate) use patch::{Motion, Rig, Sliding};
 pub(crate) use update::{Edge, pressure_nodes, worn_depth};
 
 use crate::friction::Springs;

@@ -320,6 +320,72 @@ fn a_life_behind_a_rig_does_not_depend_on_how_it_is_asked_for() {
     }
 }
 
+/// A life of so many times 10⁴ cycles of the drive at constant force, in one call, in which the contact begins with c = 0.4 a₀.
+fn lived(
+    profile: Profile,
+    (ratio, lives): (f64, f64),
+    (tolerance, resolution): (f64, usize),
+) -> FrettingContact {
+    let mut scene = WearScene::new(profile, Force, 1e4);
+    let rig_stiffness = ratio * 2.0 * G_STAR * scene.start.normal.radius();
+    scene.parameters = Parameters { rig_stiffness, tolerance, resolution, ..scene.parameters };
+    scene.amplitude += scene.start.loading(scene.amplitude) / rig_stiffness;
+    let mut contact = scene.begin();
+    contact.advance_cycles(scene.normal, scene.amplitude, 1e4 * lives).unwrap();
+    contact
+}
+
+/// At constant force the amplitude is integrated with the wear: a life takes about as many systems as one without a rig, and is as near to
+/// a far finer one.
+#[test]
+fn a_life_behind_a_rig_takes_few_systems() {
+    for profile in [BALL, CONE, ROUNDED] {
+        for ratio in [0.1, 0.3, 1.0, 3.0, 10.0] {
+            let contact = lived(profile.clone(), (ratio, 1.0), (1e-3, 64));
+            let fine = lived(profile.clone(), (ratio, 1.0), (1e-4, 128));
+            let what = format!("{profile:?}, rig {ratio}");
+            let off = contact.wear_volume() / fine.wear_volume() - 1.0;
+            println!("{what}: V {off:+.1e}, {}", contact.counters());
+            assert!(off.abs() < 1.5e-3, "{what}: V off by {off:e}");
+            assert!(contact.counters().factorisations <= 130, "{what}: {}", contact.counters());
+            volumes_agree(&contact, &what);
+        }
+    }
+}
+
+/// The error falls with the cells by the second order that it has without a rig.
+#[test]
+fn a_life_behind_a_rig_converges() {
+    for (profile, ratio) in [(BALL, 1.0), (CONE, 0.3)] {
+        let volume = |cells| lived(profile.clone(), (ratio, 1.0), (1e-5, cells)).wear_volume();
+        let truth = volume(256);
+        let errors = [16, 32, 64].map(|cells| (volume(cells) / truth - 1.0).abs());
+        println!("{profile:?}, rig {ratio}: {errors:?}");
+        let order = 0.5 * (errors[0] / errors[2]).log2();
+        assert!(order > 1.8, "{profile:?}: of order {order}, {errors:?}");
+    }
+}
+
+/// In the end only what sticks is pressed: T = 2G*cU₀, and nothing wears any more.
+#[test]
+fn the_final_state_at_constant_force_sticks() {
+    for profile in [BALL, CONE, ROUNDED] {
+        for ratio in [0.3, 3.0] {
+            let [long, longer] = [30.0, 60.0].map(|lives| lived(profile.clone(), (ratio, lives), (1e-3, 64)));
+            let what = format!("{profile:?}, rig {ratio}");
+            let (own, stick) = (longer.displacement(), longer.stick_radius());
+            let sticking = 2.0 * G_STAR * stick * own;
+            println!("{what}: T {:.1e} from all that sticks", longer.tangential_force() / sticking - 1.0);
+            close_to(longer.tangential_force(), sticking, 2e-3, &format!("{what}: T"));
+            close_to(longer.wear_volume(), long.wear_volume(), 2e-3, &format!("{what}: V"));
+            close_to(own, long.displacement(), 1e-3, &format!("{what}: U"));
+            let rig = longer.parameters().rig_stiffness;
+            let drive = longer.drive_displacement();
+            close_to(drive, own + longer.tangential_force() / rig, 1e-12, &format!("{what}: D"));
+        }
+    }
+}
+
 /// Random loads and drives, with separation, while the body wears.
 #[test]
 fn invariants_hold_in_random_histories_with_wear() {

@@ -25,7 +25,7 @@ impl FrettingContact {
     pub(super) fn wear_steadily(&mut self, value: f64, sliding: Sliding, amount: f64) -> Result<(), Error> {
         let (mut left, mut chunks, mut next_trial) = (amount, 0, 1);
         loop {
-            let refused = match self.wear_by(value, sliding, left, None) {
+            let refused = match self.wear_by(value, (sliding, None), left, None) {
                 Ok(work) => {
                     self.work += work;
                     self.contact = self.contact_at(value)?;

@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::friction::{Path, Springs};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Amount, Fineness, Motion, Sliding, UnitMesh, live};
+use crate::wear::{Amount, Fineness, Motion, Rig, Sliding, UnitMesh, live};
 
 /// Most cells of the moving mesh.
 const MOST_CELLS: usize = 8192;
@@ -98,15 +98,17 @@ impl FrettingContact {
     }
 
     /// Wears the surface by an amount of sliding at constant load; returns the work, J. Where that is `known`, the profile
-    /// takes it.
+    /// takes it. With the amplitude of a drive (m), at constant force, the sliding is that at the start.
     pub(super) fn wear_by(
         &mut self,
         value: f64,
-        sliding: Sliding,
+        (sliding, drive): (Sliding, Option<f64>),
         amount: f64,
         known: Option<f64>,
     ) -> Result<f64, Error> {
-        let motion = Motion { control: self.parameters.normal_control, value, sliding };
+        let compliance = 2.0 * self.constants.tangential_modulus * self.compliance;
+        let rig = drive.map(|amplitude| Rig { amplitude, compliance });
+        let motion = Motion { control: self.parameters.normal_control, value, sliding, rig };
         let last_step = match (self.wear.as_ref().and_then(|wear| wear.next_step), sliding) {
             (Some((Sliding::Cycles(a), step)), Sliding::Cycles(b)) if (0.5 * b..=2.0 * b).contains(&a) => {
                 step

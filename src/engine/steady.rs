@@ -176,7 +176,7 @@ impl FrettingContact {
             self.spread(steady);
             return Ok(false);
         }
-        match self.wear_by(self.contact.control, steady.sliding, steady.amount, Some(steady.work)) {
+        match self.wear_by(self.contact.control, (steady.sliding, None), steady.amount, Some(steady.work)) {
             Ok(_) => Ok(true),
             Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {
                 self.spread(steady);

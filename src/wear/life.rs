@@ -1,16 +1,20 @@
 //! The life of a contact under a steady motion: many cycles at constant load, under error control.
 
 use super::Constants;
-use super::mesh::{Region, UnitMesh};
-use super::patch::{FRONT_CELLS, Front, Frozen, Motion, Patch, RIM, Rate, State, lost};
+use super::laying::over;
+use super::mesh::UnitMesh;
+use super::patch::{Front, Motion, Patch, Rate, State, lost};
 use super::rosenbrock;
 use crate::engine::Counters;
 use crate::error::Error;
-use crate::surface::{Contact, MeshPlace, Nodes, Surface};
+use crate::surface::{MeshPlace, Nodes, Surface};
 use std::sync::Arc;
 
 /// Most steps of one call: a whole life takes some fifty.
 const MOST_STEPS: u32 = 1000;
+
+/// And behind a rig, at the usual tolerance: where a front hovers, stretches of constant amplitude come sooner to an end.
+const MOST_STEPS_BEHIND_A_RIG: f64 = 250.0;
 
 /// Most steps, at the usual tolerance of 1e-3, of what is but a small part of a life, which takes one or two, and on a body
 /// already worn where the mesh does not carry it. The method is of third order: a thousandth of the tolerance takes ten times as
@@ -23,35 +27,8 @@ const MOST_TIGHTER: f64 = 100.0;
 /// Share of the tolerance that leaving out nodes may take of the largest image.
 pub(crate) const THINNING: f64 = 0.05;
 
-/// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells of a disc do not see: they would
-/// leave out a whole cell, a fifth of the volume. It is taken for partial slip with a front next to the axis.
-const JUST_ALL: f64 = 1e-4;
-
-/// Radius of that front, and the least of any, relative to the contact radius.
-const LEAST_FRONT: f64 = 1e-4;
-
-/// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth a mesh.
-const THINNEST: f64 = 1e-5;
-
-// The next five say when a mesh is laid over a worn surface. Half of each and twice leave every scene of the stability report with the
-// same outcome; beyond them, updates on nodes at rest do the same, only slower.
-
-/// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an update of a profile that wears very
-/// fast leaves there by an inexact contact edge.
-const FAINT: f64 = 1e-2;
-
-/// How far the contact edge may move where a mesh is laid over a surface at rest, on which it is known to a cell: in cells of an even
-/// mesh over the contact.
-const EDGE_CELLS: f64 = 1.0;
-
-/// And in shares of the slipping region.
-const EDGE_SHARE: f64 = 0.2;
-
 /// Share of the worn volume that laying a mesh may miss: its depths are then raised to it.
-const MISSING: f64 = 0.05;
-
-/// And of what the mesh carries of it; in a thin annulus, whose image may be below 0, a small part of the whole is more than that.
-const MISSING_OF_OWN: f64 = 0.09;
+pub(super) const MISSING: f64 = 0.05;
 
 /// Most corrections of the volume: the second takes what the first leaves by the difference between the integrals of mesh and nodes.
 const CORRECTIONS: usize = 2;
@@ -121,6 +98,7 @@ pub(crate) fn live(
     let mut steps = 0;
     let tighter = (1e-3 / fineness.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
     let most_of_an_update = (MOST_STEPS_OF_AN_UPDATE * tighter) as u32;
+    let most = if motion.rig.is_some() { (MOST_STEPS_BEHIND_A_RIG * tighter) as u32 } else { MOST_STEPS };
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
@@ -135,7 +113,7 @@ pub(crate) fn live(
         let mut fresh = true;
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
             let carried = patch.body.worn().is_none() && amount.known.is_none();
-            if steps >= if carried { MOST_STEPS } else { most_of_an_update } {
+            if steps >= if carried { most } else { most_of_an_update } {
                 let amplitude = motion.sliding.amplitude();
                 return Err(Error::TooMuchWear { cycles, left, amplitude, steps });
             }
@@ -192,131 +170,8 @@ pub(crate) fn live(
 
 /// A first step that changes the image by about the size to which the method's error stays within the tolerance.
 fn first_step(patch: &Patch, rate: &Rate, fineness: &Fineness) -> f64 {
-    let change = patch.largest_image(&rate.growth, rate);
+    let change = patch.largest_image(0, &rate.growth, rate);
     0.1 * fineness.tolerance.cbrt() * rate.indentation.abs() / change
-}
-
-/// The slipping region of a contact, with the state that its surface gives it; `None` where nothing slips.
-fn over(
-    surface: &Surface,
-    contact: &Contact,
-    motion: &Motion,
-    constants: &Constants,
-    fineness: &Fineness,
-) -> Result<Option<(Patch, State)>, Error> {
-    if contact.is_open() || motion.sliding.amplitude() == 0.0 {
-        return Ok(None);
-    }
-    let a = contact.radius;
-    let reach = motion.sliding.amplitude() / constants.bound_slope();
-    let room = contact.depth - surface.image(0.0);
-    let (region, front) = if reach >= room * (1.0 + JUST_ALL)
-        || (reach >= room && surface.profile().flat_radius() > 0.0)
-    {
-        (Region::Disc, 0.0)
-    } else {
-        let front = if reach < room { surface.radius_of_image(contact.depth - reach, 0.0, a) } else { 0.0 };
-        (Region::Annulus, front.max(LEAST_FRONT * a))
-    };
-    if front >= a * (1.0 - THINNEST) {
-        return Ok(None);
-    }
-    let mesh = UnitMesh::shared(region, fineness.cells);
-    let outer = surface.profile().outer_radius();
-    let rim = a >= outer * (1.0 - RIM);
-    let a = if rim { outer } else { a };
-    let start =
-        |body: Surface, inside: Frozen, front: f64, area: f64, images: &dyn Fn(&[f64]) -> Vec<f64>| {
-            let patch = Patch::new((body, inside), mesh.clone(), front, *motion, rim, constants);
-            let depth = patch.depths(&images(&patch.radii(area)), area);
-            let area = patch.rate(&depth, area)?.area;
-            Some((patch, State { depth, area }))
-        };
-    if let Some(nodes) = surface.worn() {
-        // the mesh goes on where it was left
-        if let Some(place) = nodes.mesh().filter(|place| fits(nodes, place, &mesh, front)) {
-            let (first, end) = (place.first, place.first + place.cells);
-            let (front, edge) = (nodes.x()[first], nodes.x()[end]);
-            let images = |_: &[f64]| nodes.worn_image()[first..=end].to_vec();
-            let kept = start(
-                surface.unworn(),
-                inside(surface, front, fineness.tolerance),
-                front,
-                edge * edge,
-                &images,
-            );
-            if let Some((patch, state)) = kept
-                && rim == (edge == outer)
-                && (state.area - edge * edge).abs() <= 1e-4 * patch.span(state.area)
-            {
-                return Ok(Some((patch, state)));
-            }
-        }
-        // it is laid anew where it can carry all the wear there is, else the wear so far is left to the body
-        let beyond = nodes.x().partition_point(|x| *x <= a);
-        let deepest = nodes.depth().iter().fold(0.0, |most: f64, w| most.max(*w));
-        if nodes.depth()[beyond..].iter().all(|w| *w <= FAINT * deepest) {
-            let images = |x: &[f64]| x.iter().map(|x| nodes.smooth_image(*x)).collect();
-            let laid =
-                start(surface.unworn(), inside(surface, front, fineness.tolerance), front, a * a, &images);
-            let volume = nodes.worn_volume();
-            if let Some((patch, state)) = laid
-                && patch.rate(&state.depth, state.area).is_some_and(|rate| {
-                    let missing = (patch.volume(&rate) - volume).abs();
-                    let off = (state.area - a * a).abs();
-                    missing <= (MISSING * volume).min(MISSING_OF_OWN * patch.own_volume(&rate))
-                        && off
-                            <= (EDGE_CELLS * 2.0 * a * a / mesh.cells as f64)
-                                .min(EDGE_SHARE * patch.span(a * a))
-                })
-            {
-                return Ok(Some((patch, state)));
-            }
-        }
-    }
-    let zero = |x: &[f64]| vec![0.0; x.len()];
-    let inside = if front > 0.0 && surface.worn().is_none() {
-        inside(surface, front, fineness.tolerance)
-    } else {
-        Frozen::default()
-    };
-    start(surface.clone(), inside, front, a * a, &zero).map(Some).ok_or_else(|| lost(motion))
-}
-
-/// Whether a mesh among the nodes is one for this region and front.
-fn fits(nodes: &Nodes, place: &MeshPlace, mesh: &UnitMesh, front: f64) -> bool {
-    let x = &nodes.x()[place.first..];
-    place.region == mesh.region
-        && place.cells == mesh.cells
-        && front >= x[0] * (1.0 - 1e-7)
-        && front <= x[FRONT_CELLS]
-}
-
-/// What lies inside the front: the surface's nodes up to there, without those that a line through others replaces.
-fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
-    if front == 0.0 {
-        return Frozen::default();
-    }
-    let mut all = Frozen { x: vec![0.0], image: vec![surface.worn_image(0.0)], depth: vec![0.0] };
-    if let Some(nodes) = surface.worn() {
-        all.depth[0] = nodes.depth()[0];
-        for (i, &x) in nodes.x().iter().enumerate().skip(1) {
-            if x < front * (1.0 - 1e-12) {
-                all.x.push(x);
-                all.image.push(nodes.worn_image()[i]);
-                all.depth.push(nodes.depth()[i]);
-            }
-        }
-    }
-    // next to a node the image may be so steep that a rounding of the front would show, and let it creep
-    let node = surface.worn().and_then(|nodes| nodes.at(front, 1e-11));
-    let (image, depth) = node.unwrap_or_else(|| {
-        (surface.worn_image(front), surface.worn().map_or(0.0, |nodes| nodes.depth_at(front)))
-    });
-    all.x.push(front);
-    all.image.push(image);
-    all.depth.push(depth);
-    all.thinned(THINNING * tolerance)
 }
 
 /// Nodes that a patch leaves where the worn volume is known to be `target` (m³), and by how much the patch missed that. The depths

@@ -16,6 +16,7 @@ mod linear;
 mod motion;
 mod multigrid;
 mod rate;
+mod rig;
 mod volume;
 
 use super::Constants;
@@ -30,7 +31,7 @@ use edge::EdgeCondition;
 pub(crate) use front::{FRONT_CELLS, Front};
 pub(crate) use frozen::Frozen;
 pub(super) use linear::Linear;
-pub(crate) use motion::{Motion, Sliding};
+pub(crate) use motion::{Motion, Rig, Sliding};
 pub(crate) use rate::Rate;
 
 /// How near to the end of the body, relative, a contact edge counts as standing there. A worn rim carries next to nothing, and
@@ -55,6 +56,8 @@ pub(crate) struct Patch {
     /// 4κE*: wear per cycle = factor · (p/E*) · s.
     factor: f64,
     inside_width: f64,
+    /// ∫ g dx over what lies inside the inner edge, m².
+    inside_image: f64,
     sources: Vec<(f64, f64)>,
 }
 
@@ -77,11 +80,17 @@ impl Patch {
     ) -> Self {
         let kappa = constants.wear_per_work * constants.friction_coefficient;
         let (reach, ratio, strokes) = motion.sliding.law();
+        let inside_width = inside.width_integral();
+        let inside_image = motion.rig.map_or(0.0, |_| {
+            let inner = body.place(inner_radius);
+            inner_radius * inner.image - inner.load + inside_width
+        });
         Self {
             body,
             mesh,
             inner_radius,
-            inside_width: inside.width_integral(),
+            inside_width,
+            inside_image,
             sources: inside.sources(),
             inside,
             motion,
@@ -156,15 +165,15 @@ impl Patch {
         depth
     }
 
-    /// Largest image (m) that belongs to a change of the depths.
-    pub(crate) fn largest_image(&self, change: &[f64], rate: &Rate) -> f64 {
+    /// Largest image (m) from a node on, of those whose image is free, that belongs to a change of the depths.
+    pub(crate) fn largest_image(&self, from: usize, change: &[f64], rate: &Rate) -> f64 {
         let n = self.cells();
         let (mut depth, mut z) = (change.to_vec(), vec![0.0; n + 1]);
         if !self.rim {
             depth[n] = 0.0;
         }
         self.mesh.ascend(&depth, &mut z);
-        (self.mesh.first()..=n).fold(0.0, |most: f64, i| most.max((z[i] / rate.scale[i]).abs()))
+        (self.mesh.first().max(from)..=n).fold(0.0, |most: f64, i| most.max((z[i] / rate.scale[i]).abs()))
     }
 
     /// Image of the wear at the nodes, m.

@@ -101,7 +101,7 @@ pub(crate) fn step(
     // at steps far longer than the relaxation the rate's quadrature is all rounding; then the profile tells the volume
     let grown = patch.volume(&rate) - patch.volume(before);
     let volume = if (volume - grown).abs() <= 0.02 * grown.abs() { volume } else { grown }.max(0.0);
-    let error = patch.largest_image(&error, &rate);
+    let error = patch.largest_image(patch.sticking(before) + 1, &error, &rate);
     Some(Trial { state: State { depth, area: rate.area }, rate, volume, error })
 }
 

@@ -1,4 +1,8 @@
 //! Cycles of a drive: how far the contact itself moves changes with its wear.
+//!
+//! At constant force the integrator takes the amplitude from the state at every instant ([`crate::wear::live`]). At constant depth the
+//! front advances into what has not worn, which a mesh that begins at the front sees too late: there the cycles are run in stretches of
+//! constant amplitude, and so they are where the integrator cannot follow.
 
 use super::super::FrettingContact;
 use crate::error::Error;
@@ -16,10 +20,6 @@ const STEADY: f64 = 0.01;
 impl FrettingContact {
     /// Wears the surface by cycles of a drive at constant load; returns the amplitude of the contact itself at their end, m.
     ///
-    /// The cycles are run in stretches of constant amplitude, the mean of those at both ends (second order in the stretch). The
-    /// end is found with the amplitude of the start first; by how much it moves when the mean is taken
-    /// tells how long a stretch may be.
-    ///
     /// # Errors
     /// As [`Self::wear_steadily`].
     pub(in crate::engine) fn wear_driven_cycles(
@@ -28,6 +28,28 @@ impl FrettingContact {
         drive: f64,
         cycles: f64,
     ) -> Result<f64, Error> {
+        if self.constants.force_control {
+            let sliding = Sliding::Cycles(self.own_amplitude(drive));
+            match self.wear_by(value, (sliding, Some(drive)), cycles, None) {
+                Ok(work) => {
+                    self.work += work;
+                    self.contact = self.contact_at(value)?;
+                    return Ok(self.own_amplitude(drive));
+                }
+                Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {}
+                Err(other) => return Err(other),
+            }
+        }
+        self.wear_in_stretches(value, drive, cycles)
+    }
+
+    /// The same in stretches of constant amplitude, the mean of those at both ends (second order in the stretch). The
+    /// end is found with the amplitude of the start first; by how much it moves when the mean is taken
+    /// tells how long a stretch may be.
+    ///
+    /// # Errors
+    /// As [`Self::wear_steadily`].
+    fn wear_in_stretches(&mut self, value: f64, drive: f64, cycles: f64) -> Result<f64, Error> {
         let tolerance = self.parameters.tolerance;
         let (mut left, mut stretch) = (cycles, cycles);
         let mut amplitude = self.own_amplitude(drive);

@@ -37,7 +37,7 @@ impl Patch {
         let size = n + 1 - first;
         let (span, a) = (self.span(rate.area), rate.area.sqrt());
         let root = span.sqrt();
-        let factor = self.factor * rate.share;
+        let (factor, lag) = (self.factor * rate.share, self.lag(rate));
         let mut jacobian = vec![0.0; size * size];
         let mut volume_row = vec![0.0; size];
         // h = z/b; whether a spring slips; b of those that do
@@ -63,7 +63,7 @@ impl Patch {
                 }
                 let moved = dot(descent, &sliding[..descent.len()]);
                 // the body sinks as it wears
-                let sinking = stiffness * uniform - soft * moved;
+                let sinking = stiffness * uniform - soft * moved * lag;
                 if self.is_force() && self.rim {
                     for (entry, width) in row.iter_mut().zip(&mesh.width[first..]) {
                         *entry += sinking * root * width / a;

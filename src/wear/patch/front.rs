@@ -28,7 +28,7 @@ impl Patch {
             };
             self.bound_slope * (rate.indentation - self.body.image(rate.radius[i]) - h)
         };
-        let small = 1e-6 * self.reach;
+        let small = 1e-6 * rate.reach;
         // a punch's worn rim may leave contact, and a contact may grow to the rim
         let edge = if self.rim {
             bound(self.cells()) < -1e-3 * self.bound_slope * rate.indentation.abs()
@@ -36,10 +36,19 @@ impl Patch {
             rate.area.sqrt() >= self.body.profile().outer_radius() * (1.0 - RIM)
         };
         let moved = match self.mesh.region {
-            Region::Annulus => self.reach > bound(0) + small || rate.slip[FRONT_CELLS] == 0.0,
-            Region::Disc => self.reach < bound(0) - small,
+            Region::Annulus => rate.reach > bound(0) + small || rate.slip[FRONT_CELLS] == 0.0,
+            Region::Disc => rate.reach < bound(0) - small,
         };
         if moved || edge { Front::Moved } else { Front::Kept }
+    }
+
+    /// Last node before the front; 0 where the first slips, or all do. Behind a rig a front may retreat so slowly that a node next to it
+    /// comes and goes, in cells of a millionth of the region: its error is no reason for a shorter step.
+    pub(crate) fn sticking(&self, rate: &Rate) -> usize {
+        if self.motion.rig.is_none() || self.mesh.region == Region::Disc {
+            return 0;
+        }
+        rate.slip[1..=FRONT_CELLS].iter().take_while(|slip| **slip == 0.0).count()
     }
 
     /// Lets the image at the nodes next to the front not fall below what it was: there it never does, and an error of the

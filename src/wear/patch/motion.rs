@@ -10,6 +10,17 @@ pub(crate) struct Motion {
     /// F_N/(2E*) in m² or the indentation depth in m.
     pub(crate) value: f64,
     pub(crate) sliding: Sliding,
+    /// What drives cycles, where it is no rigid rig: their amplitude is then that on the surface at the start.
+    pub(crate) rig: Option<Rig>,
+}
+
+/// A drive with a spring between it and the body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rig {
+    /// Amplitude of the drive, m.
+    pub(crate) amplitude: f64,
+    /// 2G*/k_rig, 1/m: by so much times ∫ min(U₀, m q) dx the body stays behind the drive.
+    pub(crate) compliance: f64,
 }
 
 /// How the body moves.

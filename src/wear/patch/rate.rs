@@ -14,6 +14,10 @@ pub(crate) struct Rate {
     pub(crate) image: Vec<f64>,
     pub(crate) area: f64,
     pub(crate) indentation: f64,
+    /// U₀, m.
+    pub(crate) reach: f64,
+    /// Where the springs first slip, m; the inner edge where that is not looked for.
+    pub(super) stick: f64,
     /// σ at the nodes, m.
     pub(crate) slip: Vec<f64>,
     pub(super) radius: Vec<f64>,
@@ -65,7 +69,8 @@ impl Patch {
         if !self.rim {
             room[n] = 0.0;
         }
-        let mut slip: Vec<f64> = room.iter().map(|q| (self.reach - self.bound_slope * q).max(0.0)).collect();
+        let (reach, stick) = self.amplitude(indentation, (&radius, &room));
+        let mut slip: Vec<f64> = room.iter().map(|q| (reach - self.bound_slope * q).max(0.0)).collect();
         if mesh.first() == 1 {
             slip[0] = 0.0;
         }
@@ -100,6 +105,8 @@ impl Patch {
             image,
             area,
             indentation,
+            reach,
+            stick,
             slip,
             radius,
             scale,

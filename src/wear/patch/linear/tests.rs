@@ -4,7 +4,7 @@ use crate::profile::Profile;
 use crate::surface::Surface;
 use crate::wear::mesh::{Region, UnitMesh, grading};
 use crate::wear::patch::multigrid::TOLERANCE;
-use crate::wear::patch::{Frozen, Motion, Rate, State};
+use crate::wear::patch::{Frozen, Motion, Rate, Rig, State};
 use crate::wear::{Constants, Sliding, rosenbrock};
 use std::sync::Arc;
 
@@ -18,15 +18,18 @@ struct Scene {
     control: NormalControl,
     /// Whether the body is a punch that ends with the contact.
     rim: bool,
+    /// Whether there is a rig as stiff as the contact.
+    rig: bool,
 }
 
-const SCENES: [Scene; 6] = [
-    Scene { region: Region::Annulus, control: NormalControl::Indentation, rim: false },
-    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false },
-    Scene { region: Region::Disc, control: NormalControl::Indentation, rim: false },
-    Scene { region: Region::Disc, control: NormalControl::Force, rim: false },
-    Scene { region: Region::Disc, control: NormalControl::Indentation, rim: true },
-    Scene { region: Region::Disc, control: NormalControl::Force, rim: true },
+const SCENES: [Scene; 7] = [
+    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: true },
+    Scene { region: Region::Annulus, control: NormalControl::Indentation, rim: false, rig: false },
+    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: false },
+    Scene { region: Region::Disc, control: NormalControl::Indentation, rim: false, rig: false },
+    Scene { region: Region::Disc, control: NormalControl::Force, rim: false, rig: false },
+    Scene { region: Region::Disc, control: NormalControl::Indentation, rim: true, rig: false },
+    Scene { region: Region::Disc, control: NormalControl::Force, rim: true, rig: false },
 ];
 
 impl Scene {
@@ -59,7 +62,13 @@ impl Scene {
             Region::Disc => (Sliding::Onward, 0.0, 1.0),
         };
         let mesh = Arc::new(UnitMesh::graded(self.region, cells, grading(self.region, cells), halved));
-        let motion = Motion { control: self.control, value, sliding };
+        let rig = self.rig.then(|| {
+            // T/(2G*) of the unworn ball: U₀ c + m ∫ q dx from c on
+            let outside = (a * a * (a - c) - (a.powi(3) - c.powi(3)) / 3.0) / RADIUS;
+            let own = sliding.amplitude();
+            Rig { amplitude: own + (own * c + constants.bound_slope() * outside) / a, compliance: 1.0 / a }
+        });
+        let motion = Motion { control: self.control, value, sliding, rig };
         let patch = Patch::new((surface, Frozen::default()), mesh, c, motion, self.rim, &constants);
         let depth = vec![0.0; cells + 1];
         let rate = patch.rate(&depth, a * a).expect("it is in contact");

@@ -99,7 +99,8 @@ impl Level {
             } else {
                 Combination { width: 0.0, last: softness[n] }
             };
-            Sinking { growth: (0..=n).map(|i| stiff[i] * uniform[i] - soft[i] * slid[i]).collect(), by }
+            let lag = patch.lag(rate);
+            Sinking { growth: (0..=n).map(|i| stiff[i] * uniform[i] - lag * soft[i] * slid[i]).collect(), by }
         });
         let edge = edge.map(|edge| {
             let with_area = edge.condition.area;
