@@ -90,5 +90,6 @@ fn main() {
     let turns: &[&[_]] = &[&[moved(1e-6)], &[aside(1e-6)], &[moved(-1e-6), ("normal_force", 80.0)]];
     scene("plane", &[("wear_coefficient", 0.0)], turns);
     scene("plane-wears", &[("wear_coefficient", 0.03)], turns);
+    scene("plane-rig", &[("rig_stiffness", 1e7), ("wear_coefficient", 0.03)], turns);
     scene("apart", &[], &[&[("normal_force", -1.0)]]);
 }

@@ -149,7 +149,7 @@ impl FrettingContact {
         if self.contact.is_open() {
             Gradient { displacement: 1.0, ..Gradient::default() }
         } else {
-            self.gradient(0.0, 1.0)
+            self.displacement_gradient_in_plane().unwrap_or_else(|| self.gradient(0.0, 1.0))
         }
     }
 

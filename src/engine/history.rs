@@ -35,7 +35,7 @@ impl FrettingContact {
     pub fn advance_to(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         let (value, displacement) = self.checked(normal, displacement)?;
         if self.planar.is_some() {
-            return self.advance_to_planar(normal, [displacement, self.displacement_y]);
+            return self.advance_to_planar(normal, [displacement, self.drive_displacement_y()]);
         }
         if self.compliance > 0.0 {
             return self.advance_drive(value, displacement);

@@ -7,6 +7,7 @@
 
 mod derivatives;
 mod reading;
+mod rig;
 mod wear;
 
 use super::FrettingContact;
@@ -48,19 +49,19 @@ impl Planar {
 }
 
 impl FrettingContact {
-    /// Walks the straight line from the present state to (`normal`, `displacement`), displacement along x and y in m.
-    /// [`Self::advance_to`] is the same with y as it is.
+    /// Walks the straight line from the present state to (`normal`, `displacement`), displacement along x and y in m, those of the drive
+    /// where there is a rig stiffness. [`Self::advance_to`] is the same with y as it is.
     ///
     /// # Errors
-    /// As [`Self::advance_to`]; [`Error::Input`] for motion along y behind a rig stiffness.
+    /// As [`Self::advance_to`].
     pub fn advance_to_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
         let [x, y] = displacement;
-        if y == self.displacement_y && self.planar.is_none() {
+        if y == self.drive_displacement_y() && self.planar.is_none() {
             return self.advance_to(normal, x);
         }
         let (value, _) = self.checked(normal, x)?;
-        self.check_along_y(y)?;
-        if value == self.contact.control && displacement == self.place() {
+        range::input(Y, y)?;
+        if value == self.contact.control && displacement == self.drive_place() {
             self.counters.steps += 1;
             return Ok(());
         }
@@ -69,8 +70,15 @@ impl FrettingContact {
             // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
             self.solve_contact(value)?;
         }
-        self.planar_transaction(|this| this.placed(|this| this.walk_line_in_plane(&line, displacement)))
-            .map_err(|error| self.told_of_step(error, x))?;
+        let rigid = self.compliance == 0.0;
+        let walk = |this: &mut Self| {
+            if rigid {
+                this.walk_line_in_plane(&line, displacement)
+            } else {
+                this.walk_drive_in_plane(&line, displacement)
+            }
+        };
+        self.planar_transaction(|this| this.placed(walk)).map_err(|error| self.told_of_step(error, x))?;
         self.counters.steps += 1;
         Ok(())
     }
@@ -98,17 +106,6 @@ impl FrettingContact {
         range::input(Y, displacement[1])?;
         self.start_at(normal, displacement[0])?;
         self.displacement_y = displacement[1];
-        Ok(())
-    }
-
-    /// Refuses a place along y that cannot be gone to.
-    fn check_along_y(&self, y: f64) -> Result<(), Error> {
-        range::input(Y, y)?;
-        if self.compliance > 0.0 && y != self.displacement_y {
-            let requirement =
-                "behind a rig_stiffness the body moves along x only: keep y as it is, or leave the rig out";
-            return Err(Error::Input { name: Y, value: y, requirement });
-        }
         Ok(())
     }
 

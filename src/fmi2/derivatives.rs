@@ -10,7 +10,7 @@ use super::enumerations::Loading;
 use super::refusal::{Checked, Refusal};
 use super::settings::Inputs;
 use super::values::{Asked, Table};
-use super::variables::{Access, Output, Variable};
+use super::variables::{Access, Direction, Output, Variable};
 use crate::engine::FrettingContact;
 use core::mem::MaybeUninit;
 
@@ -26,8 +26,14 @@ struct Change {
 
 impl Change {
     fn of(&self, output: &Output, contact: &FrettingContact) -> f64 {
-        if self.starting && output.starts_anywhere {
-            return if self.loading == Loading::Transient { self.displacement } else { 0.0 };
+        if self.starting
+            && let Some(direction) = output.starts_anywhere
+        {
+            return match (self.loading, direction) {
+                (Loading::Transient, Direction::X) => self.displacement,
+                (Loading::Transient, Direction::Y) => self.displacement_y,
+                (Loading::Cyclic, _) => 0.0,
+            };
         }
         if self.normal == 0.0 && self.displacement == 0.0 && self.displacement_y == 0.0
             || self.loading == Loading::Cyclic && output.per_cycle.is_some()

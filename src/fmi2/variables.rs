@@ -171,9 +171,18 @@ pub(super) struct Output {
     pub(super) gradient: fn(&FrettingContact) -> Gradient,
     /// What a cycle of a given amplitude (m) adds, for outputs that grow with the cycles of cyclic loading.
     pub(super) per_cycle: Option<fn(&FrettingContact, f64) -> f64>,
-    /// Whether it is, in transient loading, the displacement at which the contact is pressed on at the start; nothing else
+    /// Which direction's displacement it is, x or y, at which the contact is pressed on at the start in transient loading; nothing else
     /// follows that.
-    pub(super) starts_anywhere: bool,
+    pub(super) starts_anywhere: Option<Direction>,
+}
+
+/// A tangential direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Direction {
+    /// That of `tangential_displacement`.
+    X,
+    /// That of `tangential_displacement_y`.
+    Y,
 }
 
 /// A start value as modelDescription.xml writes it.

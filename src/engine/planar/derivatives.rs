@@ -13,7 +13,8 @@ impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
     fn gradient_in_plane(&self, by_depth: f64, by_place: Vector) -> Gradient {
         let [displacement, displacement_y] = by_place;
-        Gradient { normal: by_depth * self.depth_per_normal(), displacement, displacement_y }.times(1.0)
+        let gradient = Gradient { normal: by_depth * self.depth_per_normal(), displacement, displacement_y };
+        self.behind_the_rig_in_plane(gradient).times(1.0)
     }
 
     /// Of [`Self::tangential_force_y`].
@@ -21,9 +22,22 @@ impl FrettingContact {
         if let Some(gradient) = self.force_gradient_in_plane(1) {
             return gradient;
         }
-        let free = self.compliance == 0.0 && !self.contact.is_open();
         let stiffness = 2.0 * self.constants.tangential_modulus * self.contact.radius;
-        Gradient { displacement_y: if free { stiffness } else { 0.0 }, ..Gradient::default() }
+        Gradient { displacement_y: stiffness / (1.0 + self.compliance * stiffness), ..Gradient::default() }
+    }
+
+    /// Of [`Self::displacement_y`].
+    pub fn displacement_y_gradient(&self) -> Gradient {
+        if self.planar.is_some() {
+            return self.gradient_in_plane(0.0, [0.0, 1.0]);
+        }
+        let stiffness = 2.0 * self.constants.tangential_modulus * self.contact.radius;
+        Gradient { displacement_y: 1.0 / (1.0 + self.compliance * stiffness), ..Gradient::default() }
+    }
+
+    /// Of the displacement along x.
+    pub(in crate::engine) fn displacement_gradient_in_plane(&self) -> Option<Gradient> {
+        self.planar.is_some().then(|| self.gradient_in_plane(0.0, [1.0, 0.0]))
     }
 
     /// Of one component of the force.
@@ -85,7 +99,7 @@ impl FrettingContact {
             displacement: change(control, [way(0), 0.0], way(0))?,
             displacement_y: change(control, [0.0, way(1)], way(1))?,
         };
-        Some(gradient.times(1.0))
+        Some(self.behind_the_rig_in_plane(gradient).times(1.0))
     }
 
     /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest in the present direction.

@@ -164,7 +164,6 @@ impl Snapshot {
         };
         let [x, y] = planar.direction;
         !self.contact.is_open()
-            && target.compliance == 0.0
             && knots.len() <= most
             && knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x)
             && knots.first().is_some_and(|knot| knot.place.x == 0.0)

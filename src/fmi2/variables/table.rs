@@ -1,6 +1,6 @@
 //! The rows.
 
-use super::{Access, DataType, Output, PROBES, Range, UNITS, Unit, Variable};
+use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable};
 use crate::engine::{FrettingContact, SlipState};
 use crate::fmi2::enumerations::{Enumeration, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
@@ -77,7 +77,7 @@ fn inputs() -> Vec<Variable> {
 
 fn outputs() -> Vec<Variable> {
     type C = FrettingContact;
-    let follows = |read, gradient| Output { read, gradient, per_cycle: None, starts_anywhere: false };
+    let follows = |read, gradient| Output { read, gradient, per_cycle: None, starts_anywhere: None };
     let grows = |read, gradient, per_cycle| Output { per_cycle: Some(per_cycle), ..follows(read, gradient) };
     let (volume, depth, work) = (
         grows(C::wear_volume, C::wear_volume_gradient, C::wear_volume_per_cycle),
@@ -177,7 +177,7 @@ fn rig() -> Vec<Variable> {
         read: FrettingContact::displacement,
         gradient: FrettingContact::displacement_gradient,
         per_cycle: None,
-        starts_anywhere: true,
+        starts_anywhere: Some(Direction::X),
     };
     vec![
         real("rig_stiffness", "N/m", stiffness, |s| &mut s.rig_stiffness).about(
@@ -185,8 +185,7 @@ fn rig() -> Vec<Variable> {
         ),
         output("contact_displacement", "m", 1e-6, Range::FINITE, &["tangential_displacement", "loading"], own).about(
             "Tangential displacement of body 1 in the contact, without the stretch of the rig; in cyclic loading its amplitude",
-        )
-        .independent_of(&["tangential_displacement_y"]),
+        ),
     ]
 }
 
@@ -196,16 +195,25 @@ fn second_direction() -> Vec<Variable> {
         read: FrettingContact::tangential_force_y,
         gradient: FrettingContact::tangential_force_y_gradient,
         per_cycle: None,
-        starts_anywhere: false,
+        starts_anywhere: None,
+    };
+    let own = Output {
+        read: FrettingContact::displacement_y,
+        gradient: FrettingContact::displacement_y_gradient,
+        per_cycle: None,
+        starts_anywhere: Some(Direction::Y),
     };
     vec![
         input("tangential_displacement_y", "m", 1e-6, Range::FINITE, |i| &mut i.tangential_displacement_y).about(
-            "Tangential displacement of body 1 at right angles to tangential_displacement, used when loading = transient; it has to stay as it is where there is a rig_stiffness",
+            "Tangential displacement of body 1 at right angles to tangential_displacement, used when loading = transient; that of the drive where there is a rig_stiffness",
         ),
         output("tangential_force_y", "N", 10.0, Range::FINITE, &[], force).about(
             "Tangential force that body 1 exerts on body 2 along tangential_displacement_y; 0 in cyclic loading",
         )
         .independent_of(&["displacement_amplitude", "frequency"]),
+        output("contact_displacement_y", "m", 1e-6, Range::FINITE, &["tangential_displacement_y", "loading"], own)
+            .about("As contact_displacement, along tangential_displacement_y; where it stands in cyclic loading")
+            .independent_of(&["displacement_amplitude", "frequency"]),
     ]
 }
 
