@@ -189,6 +189,8 @@ impl FrettingContact {
             this.springs = Springs::default();
             this.planar = None;
             this.contact = Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
+            // what a former start has touched is none of this one's
+            this.start_segment();
             this.walk(contact.control, displacement, 1)
         })?;
         self.counters.steps += 1;

@@ -95,6 +95,28 @@ fn lissajous_figures_under_loads_that_vary() {
     }
 }
 
+/// Finer cells and a tighter tolerance lead to the same wear, though the front creeps outward all the time.
+#[test]
+fn an_orbit_wears_the_same_at_any_setting() {
+    let full = exact(&BALL, FORCE).full_slip();
+    for radius in [0.3, 0.6] {
+        let worn = |(resolution, tolerance): (usize, f64)| {
+            let settings = Parameters { resolution, tolerance, ..Parameters::default() };
+            let (mut contact, ..) = begin(&settings, 60.0, 20);
+            for k in 1..=400 {
+                contact.advance_to_planar(FORCE, circle(radius)(k).1.map(|part| part * full)).unwrap();
+            }
+            contact.wear_volume()
+        };
+        let volumes = [(64, 1e-3), (64, 1e-4), (128, 1e-3), (128, 1e-4)].map(worn);
+        let best = volumes[3];
+        println!("{radius}: {:?}", volumes.map(|volume| volume / best - 1.0));
+        for volume in volumes {
+            close_to(volume, best, 6e-3, &format!("{radius}: {volumes:?}"));
+        }
+    }
+}
+
 /// Strokes at an angle wear what strokes along x do.
 #[test]
 fn a_line_at_any_angle_wears_as_the_line_along_x() {

@@ -196,3 +196,16 @@ fn the_ends_of_the_ranges_of_wear_give_numbers_or_refusals() {
     println!("{sound} calls done, {refused} refused");
     assert!(sound > refused, "{sound} calls done, {refused} refused");
 }
+
+/// The friction bound is not lost in the rounding of a way that is 10³⁴ times as long.
+#[test]
+fn after_a_way_beyond_all_measure_friction_is_at_its_limit() {
+    for rig_stiffness in [f64::INFINITY, 1e9] {
+        let parameters = Parameters { rig_stiffness, ..without_wear(BALL) };
+        let mut contact = contact(parameters);
+        contact.start_at(100.0, 1.7e34).unwrap();
+        contact.advance_to(1e8, 1.7e34).unwrap();
+        contact.advance_to(1e8, 1e-6).unwrap();
+        close_to(contact.tangential_force(), -MU * 1e8, 1e-12, "force");
+    }
+}

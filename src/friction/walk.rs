@@ -66,10 +66,14 @@ impl Path<'_> {
     }
 }
 
+/// Share of what a spring slips below which its bound would be lost to rounding.
+const FAR: f64 = 1e-6;
+
 /// State of a spring at the end of a path, before it slips.
 #[derive(Clone, Copy)]
 pub(super) struct Trial<'k> {
     pub(super) knot: &'k Knot,
+    displacement: f64,
     deflection: f64,
     pub(super) bound: f64,
     /// Mean bound while it slips, m.
@@ -87,7 +91,7 @@ impl<'k> Trial<'k> {
         let excess = deflection.abs() - bound;
         // written so that what is no number is taken to slip, and shows in the work
         let excess = if excess <= rounding { 0.0 } else { excess };
-        Self { knot, deflection, bound, mean_bound: bound, excess }
+        Self { knot, displacement, deflection, bound, mean_bound: bound, excess }
     }
 
     #[inline]
@@ -116,7 +120,14 @@ impl<'k> Trial<'k> {
     /// The knot after it has slipped back to its bound.
     #[inline]
     pub(super) fn clipped(&self) -> Knot {
-        Knot { origin: self.knot.origin + self.excess.copysign(self.deflection), ..*self.knot }
+        // a way so long that its rounding would show in the bound
+        let far = self.bound < FAR * self.excess;
+        let origin = if far {
+            self.displacement - self.bound.copysign(self.deflection)
+        } else {
+            self.knot.origin + self.excess.copysign(self.deflection)
+        };
+        Knot { origin, ..*self.knot }
     }
 }
 

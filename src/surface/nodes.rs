@@ -7,6 +7,7 @@ mod thinning;
 use super::Contact;
 use crate::profile::Profile;
 use crate::wear::{Region, depth_volume};
+pub(crate) use laying::Front;
 use serde::{Deserialize, Serialize};
 pub(crate) use thinning::kept_nodes;
 

@@ -172,7 +172,11 @@ fn tables_are_made_once_for_a_set_of_nodes() {
     let mut nodes = surface.worn().expect("the scene has nodes").clone();
     assert!(cache.get(&nodes).1);
     assert!(!cache.get(&nodes).1);
-    nodes.adapt(surface.profile(), 1.3 * contact.radius, 0.3 * contact.radius);
+    nodes.adapt(
+        surface.profile(),
+        1.3 * contact.radius,
+        (0.3 * contact.radius, crate::surface::Front::Returns),
+    );
     assert!(cache.get(&nodes).1, "the nodes have moved");
     surface.set_worn(Some(nodes.clone()));
     assert!(!cache.get(&nodes).1);
