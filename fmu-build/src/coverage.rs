@@ -64,15 +64,17 @@ pub(crate) fn run(workspace: &Workspace, environment: &Environment, files: &[Str
         let mut command = process::command(&merge);
         command.args(["merge", "--sparse", "--output"]).arg(&merged).arg(&profiles);
         run_quietly(step, command)?;
-        let mut command = process::command(&export);
-        command.args(["export", "--format=lcov", "--skip-functions", "--instr-profile"]).arg(&merged);
-        programs.iter().for_each(|program| {
-            command.arg("--object").arg(program);
-        });
-        command.arg("--sources").arg(workspace.file("src"));
-        let output = command.output().context("cannot run llvm-cov")?;
-        ensure!(output.status.success(), "llvm-cov: {}", String::from_utf8_lossy(&output.stderr));
-        files_of(&String::from_utf8_lossy(&output.stdout), workspace.root())
+        // one program at a time: of a function that two programs hold in different versions a common listing shows one
+        let mut files = BTreeMap::new();
+        for program in &programs {
+            let mut command = process::command(&export);
+            command.args(["export", "--format=lcov", "--skip-functions", "--instr-profile"]).arg(&merged);
+            command.arg("--object").arg(program).arg("--sources").arg(workspace.file("src"));
+            let output = command.output().context("cannot run llvm-cov")?;
+            ensure!(output.status.success(), "llvm-cov: {}", String::from_utf8_lossy(&output.stderr));
+            add_files(&mut files, &String::from_utf8_lossy(&output.stdout), workspace.root())?;
+        }
+        Ok(files)
     })?;
     report(&covered)?;
     tested
@@ -105,10 +107,9 @@ fn report(files: &BTreeMap<String, Lines>) -> Result<()> {
     Ok(())
 }
 
-/// Lines by file from what llvm-cov exports, without modules of tests: files named so, and what follows `#[cfg(test)]` at the
-/// end of a file.
-fn files_of(export: &str, root: &Path) -> Result<BTreeMap<String, Lines>> {
-    let mut files = BTreeMap::<String, Lines>::new();
+/// Adds the lines by file of what llvm-cov exports, without modules of tests: files named so, and what follows `#[cfg(test)]` at
+/// the end of a file. The largest count of a line is kept.
+fn add_files(files: &mut BTreeMap<String, Lines>, export: &str, root: &Path) -> Result<()> {
     let (mut file, mut end) = (String::new(), usize::MAX);
     for line in export.lines() {
         if let Some(path) = line.strip_prefix("SF:") {
@@ -120,11 +121,12 @@ fn files_of(export: &str, root: &Path) -> Result<BTreeMap<String, Lines>> {
             let (number, count) = data.split_once(',').context("a line without a count")?;
             let number = number.parse()?;
             if number < end {
-                *files.entry(file.clone()).or_default().entry(number).or_default() += count.parse::<u64>()?;
+                let most = files.entry(file.clone()).or_default().entry(number).or_default();
+                *most = (*most).max(count.parse()?);
             }
         }
     }
-    Ok(files)
+    Ok(())
 }
 
 /// Number of the first line that belongs to the tests of a file.
@@ -182,13 +184,17 @@ mod tests {
     fn lines_are_counted_by_file_without_tests() {
         let root = Workspace::of_this_program();
         let file = root.file("src/range.rs");
-        let export =
-            format!("SF:{0}\nDA:3,0\nDA:4,2\nend_of_record\nSF:{0}\nDA:3,1\nDA:99999,0\n", file.display());
-        let files = files_of(&export, root.root()).unwrap();
+        let mut files = BTreeMap::new();
+        for lines in ["DA:3,0\nDA:4,2\nend_of_record\n", "DA:3,1\nDA:4,0\nDA:99999,0\n"] {
+            let export = format!("SF:{}\n{lines}", file.display());
+            add_files(&mut files, &export, root.root()).unwrap();
+        }
         assert_eq!(files["src/range.rs"], Lines::from([(3, 1), (4, 2), (99999, 0)]));
         assert_eq!(first_line_of_tests("fn f() {}\n\n#[cfg(test)]\nmod tests {\n}\n"), 3);
         let export = format!("SF:{}\nDA:3,0\n", root.file("src/surface/tests.rs").display());
-        assert!(files_of(&export, root.root()).unwrap().is_empty());
+        let mut files = BTreeMap::new();
+        add_files(&mut files, &export, root.root()).unwrap();
+        assert!(files.is_empty());
     }
 
     #[test]
