@@ -201,6 +201,26 @@ fn bodies_that_part_begin_on_a_line_again() {
     }
 }
 
+/// Bodies that touch while they move in the plane know nothing of where: wherever that is, forces and work are the same.
+#[test]
+fn where_in_the_plane_bodies_touch_does_not_matter() {
+    let touched = |x: f64| {
+        let mut contact = pressed(BALL, FORCE);
+        contact.advance_to_planar(0.0, [0.0, 0.0]).unwrap();
+        contact.advance_to_planar(0.0, [x, 0.0]).unwrap();
+        contact.advance_to_planar(FORCE, [x, 5e-7]).unwrap();
+        contact.advance_to_planar(FORCE, [x + 1e-6, 1e-6]).unwrap();
+        (force(&contact), contact.dissipated_energy())
+    };
+    let (at_rest, work) = touched(0.0);
+    for x in [2e-6, -1e-5] {
+        let (moved, moved_work) = touched(x);
+        let off = norm([moved[0] - at_rest[0], moved[1] - at_rest[1]]);
+        assert!(off < 1e-9 * MU * FORCE, "{x}: {moved:?} for {at_rest:?}");
+        common::close_to(moved_work, work, 1e-9, "work");
+    }
+}
+
 /// A step in the plane may be split at will: at constant load to rounding.
 #[test]
 fn a_step_may_be_split() {

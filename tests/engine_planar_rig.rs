@@ -347,3 +347,26 @@ fn a_state_is_taken_back_and_goes_on() {
         assert_eq!(state(&contact), state(&other));
     }
 }
+
+/// Held in depth, a body that has worn deep is lifted, let go by the rig, and pressed on again: it may wear free amid a step.
+#[test]
+fn a_worn_body_held_in_depth_is_found_again() {
+    for ratio in [0.5, 1.0, 3.0] {
+        let worn = Parameters { wear_coefficient: 0.8, ..Parameters::default() };
+        let (mut contact, depth, compliance) = behind(&BALL, (NormalControl::Indentation, ratio), worn);
+        let radius = 0.6 * exact(&BALL, FORCE).full_slip() + 0.75 * compliance * LIMIT;
+        let (mut work, mut volume) = (0.0, 0.0);
+        for k in 0..120u32 {
+            let lifted = k > 80 && k.is_multiple_of(5);
+            let target = polar(radius, TAU * f64::from(k) / 40.0);
+            goes_to(&mut contact, if lifted { -1e-9 } else { depth }, target);
+            assert!(norm(force(&contact)) <= MU * contact.normal_reaction() * (1.0 + 1e-12));
+            assert!(contact.dissipated_energy() >= work && contact.wear_volume() >= volume, "step {k}");
+            // a stroke from one step to the next at the whole load is the most that friction can take
+            let most = 3.0 * LIMIT * radius;
+            assert!(contact.dissipated_energy() - work <= most, "rig {ratio}, step {k}: too much work");
+            (work, volume) = (contact.dissipated_energy(), contact.wear_volume());
+        }
+        close_to(contact.profile_volume(), volume, 2e-3, &format!("rig {ratio}: volume of the profile"));
+    }
+}

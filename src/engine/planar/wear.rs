@@ -71,6 +71,9 @@ impl FrettingContact {
         if parts_ways {
             // the springs take what they have slipped along when they leave
             self.bounded(Self::close_in_plane)?;
+        } else if self.planar.is_none() {
+            // the part before has worn the body free
+            self.enter_plane()?;
         }
         let end = self.try_in_plane(value, place)?;
         let (to, row) = (&end.to, &end.row);

@@ -94,7 +94,10 @@ pub(super) fn interpolated(row: &PlanarRow, j: usize, place: Place) -> (PlanarKn
 impl PlanarRow {
     /// The row of a body that has moved along x alone so far and stands at `y` (m) across.
     pub(crate) fn of_line(springs: &Springs, surface: &Surface, y: f64, samples: Samples) -> Self {
-        let edge = springs.knots().last().map_or(0.0, |knot| knot.place.x);
+        let Some(edge) = springs.knots().last().map(|knot| knot.place.x) else {
+            // nothing touches: a sample would be one that has never been placed
+            return Self::default();
+        };
         let spacing = edge / samples.0 as f64;
         let mut radii: Vec<f64> = springs.knots().iter().map(|knot| knot.place.x).collect();
         radii.dedup();
