@@ -4,6 +4,7 @@ mod limits;
 mod loads;
 mod materials;
 mod plane;
+mod rig;
 mod shapes;
 mod steps;
 mod wear;
@@ -53,6 +54,7 @@ pub(crate) fn all() -> Vec<Scene> {
     steps::amplitudes(&mut add);
     steps::fineness(&mut add);
     plane::plane(&mut add);
+    rig::rig(&mut add);
     scenes
 }
 
