@@ -5,6 +5,7 @@ mod common;
 use common::*;
 use fretting_contact::reference::{TangentialContact, WearingRow};
 use fretting_contact::{FrettingContact, NormalControl, Parameters};
+use std::f64::consts::PI;
 
 /// Ends of straight lines, as shares of the usual force and of u_max.
 type History = Vec<(f64, f64)>;
@@ -142,4 +143,30 @@ fn blocks_that_shrink_from_gross_slip() {
     let outcome = compare(&usual(), (240, 60), &history);
     // as the README says of gross slip amid strokes; the volume keeps what it says of the others
     assert!(outcome.volume.abs() < 1e-2 && outcome.profile < 2e-2 && outcome.force < 2e-2, "{outcome:?}");
+}
+
+/// The rim of a flat punch wears off at once where all slips, again and again: every step is taken, and all that wears shows on the profile.
+#[test]
+fn a_flat_punch_to_and_fro_in_gross_slip() {
+    let start = exact(&PUNCH, FORCE);
+    let full = start.full_slip();
+    let wear_per_work =
+        PI * start.normal.radius().powi(2) * start.normal.depth() / (60.0 * MU * FORCE * full);
+    for (resolution, seed) in [(32, 2), (64, 0), (64, 6)] {
+        let mut contact = contact(Parameters {
+            profile: PUNCH,
+            wear_coefficient: wear_per_work * Parameters::default().hardness,
+            resolution,
+            ..Parameters::default()
+        });
+        contact.start_at(FORCE, 0.0).unwrap();
+        let mut random = seeded(seed);
+        for _ in 0..200 {
+            let (place, load) = (uniform(&mut random, -3.0, 3.0), uniform(&mut random, 0.7, 1.3));
+            contact.advance_to(load * FORCE, place * full).unwrap();
+        }
+        let (volume, on_profile) = (contact.wear_volume(), contact.profile_volume());
+        close_to(volume, wear_per_work * contact.dissipated_energy(), 1e-12, "by the work");
+        close_to(on_profile, volume, 1e-3, "on the profile");
+    }
 }

@@ -135,6 +135,11 @@ impl FrettingContact {
             self.counters.descent_transforms += 1;
             nodes.without_mesh(transforms.descend(nodes.worn_image()))
         });
+        let present = left.as_ref().unwrap_or(nodes);
+        if let Some(spread) = present.spread_at_rim(contact.depth, self.surface.profile()) {
+            wear.pending.moved_to(present.x(), spread.x());
+            left = Some(spread);
+        }
         let share = wear::THINNING * self.parameters.tolerance;
         let present = left.as_ref().unwrap_or(nodes);
         if let Some(thinned) = present.thinned(share, contact.radius, self.surface.profile()) {

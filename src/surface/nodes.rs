@@ -1,6 +1,7 @@
 //! Nodes that carry the image of the wear.
 
 mod laying;
+mod rim;
 mod shape;
 mod thinning;
 

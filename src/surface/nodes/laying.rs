@@ -146,7 +146,7 @@ impl Nodes {
     }
 
     /// Some nodes of more: of their radii, images and depths, m, those that are kept.
-    fn of_kept(kept: &[usize], fields: [&[f64]; 3], resolution: usize, profile: &Profile) -> Self {
+    pub(super) fn of_kept(kept: &[usize], fields: [&[f64]; 3], resolution: usize, profile: &Profile) -> Self {
         let [x, worn_image, depth] = fields.map(|field| kept.iter().map(|&k| field[k]).collect());
         let mut nodes = Self::holding(x, worn_image, depth, resolution, None);
         nodes.update_integrals(profile);
