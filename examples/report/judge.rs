@@ -114,13 +114,6 @@ impl Judge {
         if volume > 0.0 {
             // the tolerance holds for the image in depths d: over the disc that is a volume, and a life's volume keeps it, too
             let off = (profile - volume).abs() / (volume + self.size);
-            if std::env::var("ZQ").is_ok() {
-                println!(
-                    "   state V {volume:.4e} size {:.3e} profile-V {:.3e} off {off:.2e}",
-                    self.size,
-                    profile - volume
-                );
-            }
             self.note("profile volume = (k/s0) work", off, contact.parameters().tolerance);
         }
         // NaN counts as healed

@@ -11,6 +11,9 @@ use crate::wear::Sliding;
 /// their elementary functions.
 const CLOSE: f64 = 1e-6;
 
+/// Share of the image at the farthest reach below which a depth is next to none: the search for it ends in the rounding of that.
+const NEXT_TO_NONE: f64 = 1e-9;
+
 /// Most knots of a row for each cell of the resolution, far beyond what histories leave.
 const MOST_KNOTS: usize = 1000;
 
@@ -134,14 +137,16 @@ impl Snapshot {
     }
 
     /// Whether the saved contact is the one that its load makes. The radius may be uncertain where wear has left the image
-    /// flat up to the edge, and where the load is next to none.
+    /// flat up to the edge, and both radius and depth where the load is next to none.
     fn rests_on(&self, surface: &Surface, target: &FrettingContact) -> bool {
         let saved = &self.contact;
         let (control, scale) = (target.parameters.normal_control, target.force_scale());
         // before the first load the depth is that of first touch
         let Ok(contact) = surface.contact(control, saved.control, scale) else { return false };
+        let least_depth = NEXT_TO_NONE * surface.place(self.reach).image.abs();
+        let scale = contact.depth.abs().max(saved.depth.abs()).max(least_depth);
         contact.is_open() == saved.is_open()
-            && close(contact.depth, saved.depth)
+            && near(contact.depth, saved.depth, scale)
             && close(contact.load, saved.load)
             && (contact.radius - saved.radius).abs() <= 1e-2 * contact.radius + CLOSE * self.reach
     }
