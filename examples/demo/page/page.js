@@ -2,7 +2,9 @@
 // Draws the pictures and lets the slider move the film.
 
 const DATA = JSON.parse(document.getElementById("data").textContent);
-const number = (value, digits = 4) => value.toLocaleString("en", { maximumSignificantDigits: digits });
+/// A number to read; next to the µm and 10⁻⁶ mm³ of the page, a millionth is nothing.
+const number = (value, digits = 4) =>
+  (Math.abs(value) < 1e-6 ? 0 : value).toLocaleString("en", { maximumSignificantDigits: digits });
 const element = (id) => document.getElementById(id);
 
 async function draw(id, picture) {

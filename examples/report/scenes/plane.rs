@@ -3,6 +3,8 @@
 use super::{Add, FORCE, SEED, full_slip, held_in_depth, pressed, wearing, without_wear};
 use crate::judge::Judge;
 use fretting_contact::{Parameters, Profile};
+use rand::rngs::StdRng;
+use rand::{RngExt, SeedableRng};
 use std::f64::consts::TAU;
 
 /// Steps of a circle.
@@ -78,6 +80,21 @@ pub(super) fn plane(add: Add) {
             Box::new(move |j: &mut Judge| circles(j, &parameters, SEED)),
         );
     }
+    for (extreme, profile) in [
+        ("ball", Profile::Parabola { radius: 0.01 }),
+        ("cone", Profile::Cone { slope: 0.02 }),
+        ("rounded punch", Profile::RoundedPunch { radius: 0.01, flat_radius: 1e-4 }),
+        ("flat punch", Profile::FlatPunch { flat_radius: 1e-4 }),
+    ] {
+        for (ways, across) in [("along x", 0.0), ("in the plane", 1.0)] {
+            let parameters = Parameters { profile: profile.clone(), ..Parameters::default() };
+            add(
+                "plane",
+                format!("to anywhere within 3 u_max under random loads, {ways}, {extreme}"),
+                Box::new(move |j: &mut Judge| anywhere(j, &parameters, across)),
+            );
+        }
+    }
     // a line at any angle in one step and in many
     for (extreme, wears) in [("no wear", false), ("wear", true)] {
         let run = move |j: &mut Judge| {
@@ -100,6 +117,21 @@ pub(super) fn plane(add: Add) {
         };
         add("plane", format!("1000 steps against one, {extreme}"), Box::new(run));
     }
+}
+
+/// Lines in gross slip and back, with places along y times `across`.
+fn anywhere(j: &mut Judge, parameters: &Parameters, across: f64) -> super::Outcome {
+    let (parameters, _) = wearing(parameters, FORCE, 60.0)?;
+    let mut contact = pressed(&parameters, FORCE)?;
+    let full = full_slip(&contact);
+    let mut random = StdRng::seed_from_u64(1);
+    for _ in 0..60 {
+        let mut up_to = |most: f64| random.random_range(-most..most) * full;
+        let place = [up_to(3.0), across * up_to(3.0)];
+        let load = FORCE * random.random_range(0.7..1.3);
+        j.step(&mut contact, |c| c.advance_to_planar(load, place))?;
+    }
+    Ok(())
 }
 
 /// Four circles of 0.8 u_max.
