@@ -17,7 +17,7 @@ const LEAST_FRONT: f64 = 1e-4;
 /// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth a mesh.
 const THINNEST: f64 = 1e-5;
 
-// The next five say when a mesh is laid over a worn surface. Half of each and twice leave every scene of the stability report with the
+// The next four and `MISSING` say when a mesh is laid over a worn surface. Half of each and twice leave every scene of the stability report with the
 // same outcome; beyond them, updates on nodes at rest do the same, only slower.
 
 /// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an update of a profile that wears very
