@@ -207,5 +207,10 @@ fn after_a_way_beyond_all_measure_friction_is_at_its_limit() {
         contact.advance_to(1e8, 1.7e34).unwrap();
         contact.advance_to(1e8, 1e-6).unwrap();
         close_to(contact.tangential_force(), -MU * 1e8, 1e-12, "force");
+        // springs that touch on such a way hold no more than those that were there, and the state is one that it takes back
+        contact.start_at(100.0, 1.7e34).unwrap();
+        contact.advance_to(1e8, 1.0).unwrap();
+        let state = contact.snapshot();
+        contact.restore(&state).unwrap();
     }
 }

@@ -35,7 +35,8 @@ impl Path<'_> {
     /// Displacement at the instant at which the spring at `place` comes into or leaves contact.
     fn displacement_at_touch(&self, place: &Place) -> f64 {
         let share = share_at_touch(self.control, (&self.from, &self.to), place);
-        self.start + share * (self.end - self.start)
+        // at the end to the bit, however long the way
+        if share == 1.0 { self.end } else { self.start + share * (self.end - self.start) }
     }
 
     #[inline(always)]

@@ -79,8 +79,9 @@ def state(page):
 
 
 def same(value, text, scale=1.0, digits=4):
-    """Whether a CSV's text is what is shown, rounded to some digits."""
-    return math.isclose(value, float(text) * scale, rel_tol=0.51 * 10.0 ** (1 - digits), abs_tol=1e-12)
+    """Whether a CSV's text is what is shown, rounded to some digits; less than a millionth is shown as none."""
+    number = float(text) * scale
+    return math.isclose(value, number if abs(number) >= 1e-6 else 0.0, rel_tol=0.51 * 10.0 ** (1 - digits), abs_tol=1e-12)
 
 
 def leading(text):
