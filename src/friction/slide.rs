@@ -32,8 +32,8 @@ impl Springs {
             Some(inner) => {
                 let inner = trial(inner);
                 front = between(surface, &inner, &first, share_at_bound(&inner, &first, first.side()));
-                // it is at its bound as it is: clipped, it would put the bound's rounding into the springs that stick
-                (front, slip_work(&trial(&front), &first))
+                let at_bound = trial(&front);
+                (at_bound.at_front(rounding), slip_work(&at_bound, &first))
             }
         };
         let mut last = first;

@@ -70,6 +70,9 @@ impl Path<'_> {
 /// Share of what a spring slips below which its bound would be lost to rounding.
 const FAR: f64 = 1e-6;
 
+/// How much more than the rounding of its bound a front may be off.
+const FAR_OFF: f64 = 1e4;
+
 /// State of a spring at the end of a path, before it slips.
 #[derive(Clone, Copy)]
 pub(super) struct Trial<'k> {
@@ -118,12 +121,18 @@ impl<'k> Trial<'k> {
         side * self.deflection - self.bound
     }
 
+    /// The knot of a front, at its bound as it is: clipping it would put the bound's rounding into the springs that stick. After a way so
+    /// long that its own rounding is far above that it is clipped all the same.
+    #[inline]
+    pub(super) fn at_front(&self, rounding: f64) -> Knot {
+        if self.excess > FAR_OFF * rounding { self.clipped() } else { *self.knot }
+    }
+
     /// The knot after it has slipped back to its bound.
     #[inline]
     pub(super) fn clipped(&self) -> Knot {
         // a way so long that its rounding would show in the bound
-        let far = self.bound < FAR * self.excess;
-        let origin = if far {
+        let origin = if self.bound < FAR * self.excess {
             self.displacement - self.bound.copysign(self.deflection)
         } else {
             self.knot.origin + self.excess.copysign(self.deflection)
@@ -236,8 +245,7 @@ impl Walk<'_> {
     }
 
     /// Work of an interval of which at least one end slips. Inserts the knots where its springs leave the side of the
-    /// bound on which the inner end slips, and where they reach that on which the outer end does. Those are at their
-    /// bound as they are: clipping them would put the bound's rounding into the springs that stick.
+    /// bound on which the inner end slips, and where they reach that on which the outer end does.
     fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
         if inner.slips_with(&outer) {
             return slip_work(&inner, &outer);
@@ -249,7 +257,7 @@ impl Walk<'_> {
             end = between(self.path.surface, &inner, &outer, share);
             let at_bound = self.path.trial(&end, self.rounding);
             work += slip_work(&left, &at_bound);
-            self.push(end);
+            self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
         if outer.slips() {
@@ -258,7 +266,7 @@ impl Walk<'_> {
             start = between(self.path.surface, &inner, &outer, share);
             let at_bound = self.path.trial(&start, self.rounding);
             work += slip_work(&left, &at_bound);
-            self.push(start);
+            self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
         work + slip_work(&left, &outer)
