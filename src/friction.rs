@@ -19,7 +19,7 @@ mod slide;
 mod walk;
 
 pub(crate) use planar::{
-    PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent, Vector, difference,
+    PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent, Vector, Walked, difference,
 };
 pub(crate) use walk::Path;
 

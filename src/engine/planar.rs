@@ -13,7 +13,7 @@ mod wear;
 use super::FrettingContact;
 use super::line::Line;
 use crate::error::Error;
-use crate::friction::{PlanarPath, PlanarRow, Samples, Springs, Vector};
+use crate::friction::{PlanarPath, PlanarRow, Samples, Springs, Vector, Walked};
 use crate::range;
 use crate::surface::Contact;
 use serde::{Deserialize, Serialize};
@@ -70,29 +70,27 @@ impl FrettingContact {
             // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
             self.solve_contact(value)?;
         }
-        let rigid = self.compliance == 0.0;
-        let walk = |this: &mut Self| {
-            if rigid {
-                this.walk_line_in_plane(&line, displacement)
-            } else {
-                this.walk_drive_in_plane(&line, displacement)
-            }
-        };
-        self.planar_transaction(|this| this.placed(walk)).map_err(|error| self.told_of_step(error, x))?;
+        self.planar_transaction(|this| this.placed(|this| this.walk_line_in_plane(&line, displacement)))
+            .map_err(|error| self.told_of_step(error, x))?;
         self.counters.steps += 1;
         Ok(())
     }
 
-    /// Walks a line of (load, share of the way) to a place in pieces, cut where the bodies touch or part.
+    /// Walks a line of (load, share of the way) to a place, that of the drive where there is a rig stiffness, in pieces, cut where the
+    /// bodies touch or part.
     fn walk_line_in_plane(&mut self, line: &Line, to: Vector) -> Result<(), Error> {
-        let from = self.place();
+        let from = self.drive_place();
         for part in line.split_at(self.touch_control()).iter().flatten() {
             let pieces = self.pieces(part);
             for k in 1..=pieces {
                 let (value, share) = part.at(k, pieces);
                 let at = |k: usize| from[k] + share * (to[k] - from[k]);
                 let place = if share == 1.0 { to } else { [at(0), at(1)] };
-                self.walk_in_plane(value, place)?;
+                if self.compliance == 0.0 {
+                    self.walk_in_plane(value, place)?;
+                } else {
+                    self.follow_drive(value, place)?;
+                }
             }
         }
         Ok(())
@@ -186,15 +184,20 @@ impl FrettingContact {
         }
     }
 
+    /// The row at the end of a path, from none where the bodies have been apart. `spare` is a row no longer needed.
+    fn walked_in_plane(&self, path: &PlanarPath, spare: PlanarRow) -> (PlanarRow, Walked) {
+        match &self.planar {
+            Some(planar) => planar.row.walk(path, spare),
+            None => PlanarRow::default().walk(path, spare),
+        }
+    }
+
     /// Contact, row and work of friction (J) at the end of a piece, and the share of the work that went one way.
     fn try_in_plane(&mut self, value: f64, place: Vector) -> Result<PlanarEnd, Error> {
         let to = if value == self.contact.control { self.contact } else { self.contact_at(value)? };
         let spare = self.planar.as_mut().map(|planar| take(&mut planar.spare)).unwrap_or_default();
         let path = self.planar_path(to, place);
-        let (row, walked) = match &self.planar {
-            Some(planar) => planar.row.walk(&path, spare),
-            None => PlanarRow::default().walk(&path, spare),
-        };
+        let (row, walked) = self.walked_in_plane(&path, spare);
         self.counters.spring_walks += 1;
         let work = 2.0 * self.constants.tangential_modulus * walked.work;
         if !work.is_finite() {

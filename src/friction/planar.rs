@@ -18,7 +18,7 @@ mod walk;
 pub(crate) use laying::{Resting, Samples};
 pub(crate) use reading::{Standing, Tangent};
 pub(crate) use spring::{Vector, difference};
-pub(crate) use walk::PlanarPath;
+pub(crate) use walk::{PlanarPath, Walked};
 
 use crate::surface::Place;
 use serde::{Deserialize, Serialize};

@@ -8,7 +8,6 @@
 //!
 //! Nothing is kept: **D** follows from **U** and **T**. What an update of the worn profile changes in **T** is made up for by going on, never back.
 
-use crate::engine::line::Line;
 use crate::engine::{FrettingContact, Gradient};
 use crate::error::Error;
 use crate::friction::{PlanarRow, Standing, Vector, difference};
@@ -84,23 +83,8 @@ impl FrettingContact {
         [self.drive_displacement(), self.drive_displacement_y()]
     }
 
-    /// Walks a line of (load, share of the way) of the drive to a place in pieces, cut where the bodies touch or part.
-    pub(super) fn walk_drive_in_plane(&mut self, line: &Line, to: Vector) -> Result<(), Error> {
-        let from = self.drive_place();
-        for part in line.split_at(self.touch_control()).iter().flatten() {
-            let pieces = self.pieces(part);
-            for k in 1..=pieces {
-                let (value, share) = part.at(k, pieces);
-                let at = |k: usize| from[k] + share * (to[k] - from[k]);
-                let drive = if share == 1.0 { to } else { [at(0), at(1)] };
-                self.follow_drive(value, drive)?;
-            }
-        }
-        Ok(())
-    }
-
     /// Follows one piece of the drive's line.
-    fn follow_drive(&mut self, value: f64, drive: Vector) -> Result<(), Error> {
+    pub(super) fn follow_drive(&mut self, value: f64, drive: Vector) -> Result<(), Error> {
         if value <= self.touch_control() {
             // what holds the body holds no force then
             return self.walk_in_plane(value, drive);
@@ -204,10 +188,7 @@ impl FrettingContact {
         spare: &mut PlanarRow,
     ) -> (Vector, Matrix) {
         let path = self.planar_path(*to, place);
-        let row = match &self.planar {
-            Some(planar) => planar.row.walk(&path, take(spare)).0,
-            None => PlanarRow::default().walk(&path, take(spare)).0,
-        };
+        let (row, _) = self.walked_in_plane(&path, take(spare));
         let modulus = self.compliance * 2.0 * self.constants.tangential_modulus;
         let force = row.deflection_integral(place);
         let ahead = difference(drive, self.drive_place());
