@@ -6,7 +6,7 @@
 
 mod nodes;
 
-pub(crate) use nodes::{Front, MeshPlace, Nodes, kept_nodes, outer_weight};
+pub(crate) use nodes::{FrontWay, MeshPlace, Nodes, kept_nodes, outer_weight};
 
 use crate::error::Error;
 use crate::parameters::NormalControl;

@@ -105,6 +105,14 @@ impl Scene {
         assert_eq!((fmu.last_successful_time(), fmu.step_status()), (START, OK), "{}", self.name);
         assert_eq!(self.run(fmu, self.steps.len()), alone, "{}", self.name);
     }
+
+    /// An instance that has begun and taken so many steps.
+    fn after(&self, count: usize) -> Fmu {
+        let fmu = Fmu::new();
+        self.begin(&fmu);
+        self.run(&fmu, count);
+        fmu
+    }
 }
 
 /// After the initialization alone, and after each of the steps, on one instance that begins anew each time.
@@ -128,9 +136,7 @@ fn a_simulation_may_end_at_a_step_that_was_discarded() {
     for scene in SCENES {
         let alone = scene.alone();
         for count in [0, 3] {
-            let fmu = Fmu::new();
-            scene.begin(&fmu);
-            scene.run(&fmu, count);
+            let fmu = scene.after(count);
             let (name, value) = scene.impossible;
             assert_eq!((fmu.set_real(name, value), fmu.set_slope(X, 1, 1e-6)), (OK, OK));
             assert_eq!(fmu.set_real("friction_coefficient", 0.3), OK);
@@ -146,9 +152,7 @@ fn a_simulation_may_end_after_an_error() {
     for scene in SCENES {
         let alone = scene.alone();
         for count in [0, 3] {
-            let fmu = Fmu::new();
-            scene.begin(&fmu);
-            scene.run(&fmu, count);
+            let fmu = scene.after(count);
             let time = START + count as f64;
             fmu.refused(fmu.do_step(time, -1.0), &["communicationStepSize = -1.0"]);
             fmu.refused(fmu.do_step(time + 0.5, 1.0), &["currentCommunicationPoint"]);

@@ -9,7 +9,7 @@ use super::history::STROKE;
 use super::snapshot::is_contact;
 use crate::error::Error;
 use crate::friction::Springs;
-use crate::surface::{Contact, Front, Nodes};
+use crate::surface::{Contact, FrontWay, Nodes};
 use crate::wear::{Edge, Pending, Sliding, Steady, annulus, pressure_nodes};
 use serde::{Deserialize, Serialize};
 
@@ -211,7 +211,7 @@ impl FrettingContact {
                     || nodes.x().partition_point(|x| *x < contact.radius) < LEAST_NODES =>
             {
                 let mut adapted = nodes.clone();
-                adapted.adapt(profile, contact.radius, (stick, Front::Returns));
+                adapted.adapt(profile, contact.radius, (stick, FrontWay::Returns));
                 self.move_to_nodes(adapted);
             }
             Some(_) => {}

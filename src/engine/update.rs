@@ -3,7 +3,7 @@
 use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::Springs;
-use crate::surface::{Front, Nodes, Surface};
+use crate::surface::{FrontWay, Nodes, Surface};
 use crate::wear::{self, Pending, Segment, Steady};
 
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
@@ -32,7 +32,7 @@ impl FrettingContact {
             return Some(Nodes::around(profile, self.parameters.resolution, radius.max(self.reach), front));
         };
         let mut adapted = nodes.clone();
-        let way = if self.planar.is_some() { Front::Creeps } else { Front::Returns };
+        let way = if self.planar.is_some() { FrontWay::Creeps } else { FrontWay::Returns };
         adapted.adapt(profile, radius, (front, way));
         (adapted.x().len() != nodes.x().len()).then_some(adapted)
     }

@@ -8,7 +8,7 @@ mod thinning;
 use super::Contact;
 use crate::profile::Profile;
 use crate::wear::{Region, depth_volume};
-pub(crate) use laying::Front;
+pub(crate) use laying::FrontWay;
 use serde::{Deserialize, Serialize};
 pub(crate) use thinning::kept_nodes;
 

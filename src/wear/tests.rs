@@ -175,7 +175,7 @@ fn tables_are_made_once_for_a_set_of_nodes() {
     nodes.adapt(
         surface.profile(),
         1.3 * contact.radius,
-        (0.3 * contact.radius, crate::surface::Front::Returns),
+        (0.3 * contact.radius, crate::surface::FrontWay::Returns),
     );
     assert!(cache.get(&nodes).1, "the nodes have moved");
     surface.set_worn(Some(nodes.clone()));

@@ -11,7 +11,7 @@ const SPARE: usize = 6;
 
 /// How the front of slip goes on its way, and with it what an update needs there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Front {
+pub(crate) enum FrontWay {
     /// With every stroke it comes in again: a node, unless the cell there is finer than half an even one.
     Returns,
     /// As the body goes round it creeps outward before the worn image that rises steeply behind it. Where a cell flattens that rise it
@@ -19,7 +19,7 @@ pub(crate) enum Front {
     Creeps,
 }
 
-impl Front {
+impl FrontWay {
     /// Width of the cell at the front, in even ones, that will do.
     fn fine(self) -> f64 {
         match self {
@@ -155,7 +155,7 @@ impl Nodes {
 
     /// Adapts the nodes to a contact of radius `a` whose slip has reached inward to `front`: extends them beyond a,
     /// halves cells of the slipping annulus that are too wide, puts nodes at the front. h does not change by that.
-    pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, (front, way): (f64, Front)) {
+    pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, (front, way): (f64, FrontWay)) {
         let before = self.x.len();
         self.extend_beyond(a, profile.outer_radius());
         if self.wants_node_at((front, way), a) {
@@ -235,7 +235,7 @@ impl Nodes {
     }
 
     /// A front wants a node of its own unless the cell around it is fine.
-    fn wants_node_at(&self, (front, way): (f64, Front), a: f64) -> bool {
+    fn wants_node_at(&self, (front, way): (f64, FrontWay), a: f64) -> bool {
         let Some(j) = self.cell(front) else { return false };
         let width = self.x[j + 1] - self.x[j];
         let off = (front - self.x[j]).min(self.x[j + 1] - front);

@@ -9,10 +9,7 @@ use super::Nodes;
 use crate::profile::Profile;
 use crate::transform;
 
-/// Share of the width over which wear has taken the load of a rim that its cells need not go below.
-const RESOLVED: f64 = 1.0;
-
-/// The same of an even cell.
+/// Share of an even cell that the cells at the rim need not go above: elsewhere the profile is resolved by even ones.
 const OF_EVEN: f64 = 0.25;
 
 impl Nodes {
@@ -47,7 +44,7 @@ impl Nodes {
             return None;
         }
         let even = outer / self.resolution as f64;
-        let least = (RESOLVED * outer * (worn / depth).powi(2)).min(OF_EVEN * even);
+        let least = (outer * (worn / depth).powi(2)).min(OF_EVEN * even);
         Some((outer - 1.5 * even, least))
     }
 
