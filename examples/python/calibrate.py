@@ -16,6 +16,7 @@ from scipy.optimize import least_squares
 
 FMU = sys.argv[1] if len(sys.argv) > 1 else "target/fmu/FrettingContact.fmu"
 INPUTS = ["time", "normal_force", "indentation", "tangential_displacement", "displacement_amplitude", "frequency"]
+INPUTS += ["tangential_displacement_y"]  # all inputs, or FMPy prints that one is missing
 MEASURED = Path(__file__).with_name("measured_loop.csv")
 FORCE, AMPLITUDE = 100.0, 8e-6  # N, m of the drive
 CYCLES, VOLUME = 200_000, 1.154e-11  # of the wear test, and what it wore, m³

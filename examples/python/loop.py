@@ -12,6 +12,7 @@ from fmpy import simulate_fmu
 
 FMU = sys.argv[1] if len(sys.argv) > 1 else "target/fmu/FrettingContact.fmu"
 INPUTS = ["time", "normal_force", "indentation", "tangential_displacement", "displacement_amplitude", "frequency"]
+INPUTS += ["tangential_displacement_y"]  # all inputs, or FMPy prints that one is missing
 FORCE, AMPLITUDE, CYCLES, STEPS = 100.0, 2e-6, 10, 80  # N, m, of 1 s each, steps a cycle
 
 

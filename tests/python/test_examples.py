@@ -8,6 +8,7 @@ import zipfile
 from pathlib import Path
 
 import fmpy
+import numpy as np
 import pytest
 from closed_forms import Sphere, Tangential
 from conftest import ROOT
@@ -24,7 +25,9 @@ def run(*command, **options):
 
 
 def run_python(name, fmu_path):
-    return run(sys.executable, EXAMPLES / "python" / name, fmu_path)
+    said = run(sys.executable, EXAMPLES / "python" / name, fmu_path)
+    assert "missing input" not in said
+    return said
 
 
 def numbers(text, title):
@@ -127,15 +130,40 @@ PAGES = [path for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.m
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
-def test_the_python_of_a_page_runs_as_it_stands_and_says_what_it_shows(fmu_path, page):
+def test_the_python_of_a_page_runs_as_it_stands_and_says_what_it_shows(fmu_path, tmp_path, page):
     text = page.read_text(encoding="utf-8")
     for block in re.finditer(r"```python\n(.*?)```(?:\n\n```text\n(.*?)```)?", text, re.DOTALL):
         code, shown = block[1], block[2]
         assert "target/fmu/FrettingContact.fmu" in code
-        said = run(sys.executable, "-c", code.replace("target/fmu/FrettingContact.fmu", fmu_path.as_posix()))
+        code = code.replace("target/fmu/FrettingContact.fmu", fmu_path.as_posix())
+        said = run(sys.executable, "-c", code, cwd=tmp_path)
+        assert "Warning" not in said
         if shown:
             lines = [line for line in shown.splitlines() if line != "..."]
             assert said.splitlines()[: len(lines)] == lines
+
+
+def test_the_loop_of_the_readme_is_that_of_mindlin(fmu_path, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    code = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)[1]
+    names = {}
+    exec(code.replace("target/fmu/FrettingContact.fmu", fmu_path.as_posix()), names)
+    last = names["result"][-names["steps"] - 1 :]
+    displacement, force = last["contact_displacement"], last["tangential_force"]
+    assert np.ptp(displacement) / 2 == pytest.approx(1.5e-6, rel=1e-12)
+    assert np.ptp(force) / 2 == pytest.approx(BALL.loading(1.5e-6)[0], rel=1e-6)
+    # the trapezium rule on 200 points a cycle is (2π/200)²/6 = 1.6e-4 low
+    assert np.trapezoid(force, displacement) == pytest.approx(BALL.loop_work(1.5e-6), rel=2e-4)
+    # what the README warns of: the input as abscissa
+    of_input = np.interp(last["time"], names["signals"]["time"], names["signals"]["tangential_displacement"])
+    assert np.trapezoid(force, of_input) == pytest.approx(0.65 * BALL.loop_work(1.5e-6), rel=0.01)
+    assert (tmp_path / "loop.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_input_derivatives_fail_inside_fmpy_as_the_readme_says(fmu_path):
+    signals = np.array([(0.0, 0.0), (1.0, 1e-6)], dtype=[("time", "f8"), ("tangential_displacement", "f8")])
+    with pytest.raises(ValueError, match="Can only assign sequence of same size"):
+        fmpy.simulate_fmu(str(fmu_path), stop_time=1.0, output_interval=0.1, input=signals, set_input_derivatives=True)
 
 
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the example loads a Linux library")
