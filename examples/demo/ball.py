@@ -149,7 +149,7 @@ def draw(loops, swings, tractions, steps, path):
         loop_axes.axhline(sign * SPHERE.limit, color=GREY, lw=1, ls="--")
     loop_axes.annotate("μF", (-3.7, SPHERE.limit), (0, -13), textcoords="offset points", color=GREY)
     loop_axes.set(title="Constant load, 100 N", xlabel="displacement U (µm)", ylabel="tangential force T (N)")
-    loop_axes.legend(loc="lower right", bbox_to_anchor=(1, 0.06), title="U₀ = θ u_max")
+    loop_axes.legend(loc="lower right", bbox_to_anchor=(1, 0.06), title="amplitude U₀ = θ u_max")
     draw_tractions(traction_axes, tractions)
 
     last = slice(-2 * steps - 1, None)
@@ -159,13 +159,16 @@ def draw(loops, swings, tractions, steps, path):
         swing_axes.plot(displacement[: -2 * steps], force[: -2 * steps], color=colour, lw=0.8, alpha=0.45)
         swing_axes.plot(displacement[last], force[last], color=colour, label=f"load {name}")
         turn = np.linspace(0, 1, 2 * steps + 1)
-        share_axes.plot(turn, force[last] / (SPHERE.friction * swing["load"][last]), color=colour)
+        share = force[last] / (SPHERE.friction * swing["load"][last])
+        share_axes.plot(turn, share, color=colour, label=f"load {name}")
     swing_axes.set(
         title=f"Load swings between {100 * (1 - LOAD_SWING):g} and {100 * (1 + LOAD_SWING):g} N, θ = {VARYING_THETA:g}",
         xlabel="displacement U (µm)",
         ylabel="tangential force T (N)",
     )
+    swing_axes.plot([], [], color=GREY, lw=0.8, label="first cycles (thin)")
     swing_axes.legend(loc="upper left")
+    share_axes.legend(loc="lower right", fontsize=8.5)
     for sign in (-1, 1):
         share_axes.axhline(sign, color=GREY, lw=1, ls="--")
     share_axes.set(title="Share of the friction limit in use", xlabel="cycles", ylabel="T / (μ F_N)")

@@ -19,6 +19,7 @@ class Parabola:
     """f = r²/(2R), g = x²/R."""
 
     name = "Parabola"
+    dimensions = f"R = {1e3 * STEEL.radius:g} mm"
 
     @property
     def parameters(self):
@@ -40,6 +41,7 @@ class Cone:
     """f = r tanθ, g = (π/2) x tanθ."""
 
     name = "Cone"
+    dimensions = f"slope {CONE_SLOPE:g} rad"
 
     @property
     def parameters(self):
@@ -62,6 +64,7 @@ class BluntedParabola:
     """f = (r² − b²)/(2R) and g = (x/R) √(x² − b²) outside the flat tip r < b."""
 
     name = "Parabola with a worn tip"
+    dimensions = f"R = {1e3 * STEEL.radius:g} mm, b = {BLUNT_RATIO:g} a₀"
 
     @property
     def parameters(self):

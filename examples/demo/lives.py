@@ -178,7 +178,8 @@ def draw(life, path):
     top = max(state["indentation_depth"] for state in states) / d
     profile.set(title="Profile", xlabel="r / a₀", ylabel="f / d₀", xlim=(0, reach), ylim=(0, 1.1 * top))
     image.set(title="Its 1-D image", xlabel="x / a₀", ylabel="g / d₀", xlim=(0, reach), ylim=(0, 1.1 * top))
-    profile.legend(loc="upper left")
+    lines, names = profile.get_legend_handles_labels()
+    fig.legend(lines, names, loc="outside right upper")
     image.legend(loc="lower right")
     for axes, name, title, label in (
         (pressure, "pressure", "Pressure", "p / (F₀/πa₀²)"),
@@ -187,7 +188,12 @@ def draw(life, path):
         axes.set(title=title, xlabel="r / a₀", ylabel=label, xlim=(0, reach))
         limit(axes, [state[name] / case.mean_pressure for state in states], states[-1]["radius_probe"] / a)
     held = f"{STEEL.normal_force:g} N" if case.control == "force" else f"{d * 1e6:.3g} µm"
-    fig.suptitle(f"{case.title} ({held}), c₀ = {STICK_RATIO:g} a₀", x=0.01, ha="left", fontsize=14)
+    title = (
+        f"{case.title} ({held}): {case.body.dimensions}, μ = {STEEL.friction:g}, c₀ = {STICK_RATIO:g} a₀,"
+        f" amplitude U₀ = {case.amplitude * 1e6:.3g} µm\n"
+        f"Ñ = N/N₀, N cycles, N₀ = π a₀² d₀ / ((k/σ₀) μ F₀ U₀) = {case.life_unit:,.0f}; a₀, d₀, F₀: radius, depth and load at N = 0"
+    )
+    fig.suptitle(title, x=0.01, ha="left", fontsize=12)
     return save_picture(fig, path)
 
 

@@ -4,7 +4,7 @@ import ball
 import numpy as np
 import shaken_mass
 import worn_tip
-from plotting import BLUE, GIGA, GREY, INK, MICRO, figure, save_picture, shades
+from plotting import BLUE, GIGA, INK, MICRO, figure, save_picture, shades
 
 
 def draw(loops, lives, motion, envelope, path):
@@ -17,16 +17,16 @@ def draw(loops, lives, motion, envelope, path):
 
 
 def draw_loops(axes, loops):
-    for loop, colour in zip(loops.values(), ball.COLOURS):
+    for (theta, loop), colour in zip(loops.items(), ball.COLOURS):
         every = slice(None, None, max(1, loop["force"].size // 25))
-        axes.plot(loop["displacement"] * MICRO, loop["force"], color=colour)
+        axes.plot(loop["displacement"] * MICRO, loop["force"], color=colour, label=f"{theta:g}")
         axes.plot(loop["displacement"][every] * MICRO, loop["exact"][every], "o", ms=3.5, mfc="none", mec=INK, mew=0.7)
-    axes.plot([], [], color=INK, label="FMU")
     axes.plot([], [], "o", ms=3.5, mfc="none", mec=INK, mew=0.7, label="closed form")
     axes.set(
-        title="Stick and slip: steel ball, 10 mm, 100 N", xlabel="displacement (µm)", ylabel="tangential force (N)"
+        title="Steel ball, R = 10 mm, μ = 0.6, 100 N: FMU", xlabel="displacement (µm)", ylabel="tangential force (N)"
     )
-    axes.legend(loc="lower right")
+    axes.set_xlim(right=6.4)
+    axes.legend(loc="lower right", title="amplitude / u_max")
 
 
 def draw_tip(shape, pressure, life):
@@ -37,10 +37,10 @@ def draw_tip(shape, pressure, life):
         height = (state["unworn"] + state["worn"]) * MICRO
         shape.plot(radius, np.concatenate([height[::-1], height]), color=colour, label=f"{state['cycles']:,.0f}")
         values = state["pressure"] * GIGA
-        pressure.plot(radius, np.concatenate([values[::-1], values]), color=colour)
+        pressure.plot(radius, np.concatenate([values[::-1], values]), color=colour, label=f"{state['cycles']:,.0f}")
     amplitude = life["regime"].amplitude * MICRO
     shape.set(
-        title=f"Fretting wear of a measured tip, ±{amplitude:g} µm",
+        title=f"Wear of a synthetic worn tip, R = 10 mm, ±{amplitude:g} µm",
         xlabel="radius (µm)",
         ylabel="height (µm)",
         xlim=(-reach, reach),
@@ -49,19 +49,19 @@ def draw_tip(shape, pressure, life):
         0, 1.05 * np.interp(reach, fields[-1]["radius"] * MICRO, (fields[-1]["unworn"] + fields[-1]["worn"]) * MICRO)
     )
     shape.legend(loc="upper center", title="cycles")
-    pressure.set(title="Its contact pressure", xlabel="radius (µm)", ylabel="pressure (GPa)", xlim=(-reach, reach))
+    pressure.legend(loc="lower center", title="cycles", ncols=2)
+    pressure.set(title="Its contact pressure, 100 N, μ = 0.6", xlabel="radius (µm)", ylabel="pressure (GPa)", xlim=(-reach, reach))
     worn_tip.limit_pressure(pressure, fields)
 
 
 def draw_motion(axes, motion, envelope):
     period = (np.arange(envelope.size) + 0.5) / shaken_mass.RIG.frequency
-    axes.fill_between(period, -envelope * MICRO, envelope * MICRO, color=BLUE, alpha=0.25, lw=0)
-    axes.plot(period, envelope * MICRO, color=BLUE)
-    axes.plot(period, -envelope * MICRO, color=BLUE)
-    axes.axhline(0, color=GREY, lw=0.8)
+    axes.plot(period, envelope * MICRO, color=BLUE, label="half of the peak-to-peak displacement")
+    axes.legend(loc="lower right")
     axes.set(
-        title="A shaken mass whose friction joint wears",
+        title="Shaken mass on a wearing joint (ball, R = 10 mm, μ = 0.6)",
         xlabel="time (s)",
         ylabel="amplitude (µm)",
         xlim=(0, motion["time"][-1]),
+        ylim=(0, None),
     )

@@ -87,9 +87,11 @@ def draw(table, loads, amplitudes, path):
     norm = LogNorm(np.percentile(volume, 2), volume.max())
     fields = axes.pcolormesh(amplitudes * MICRO, loads, volume, norm=norm, cmap="viridis", rasterized=True)
     fine = np.geomspace(*LOADS, 100)
-    for line, style in zip(boundaries(fine), ("--", "-")):
+    names = f"stick radius is {STICKS:g} a", "whole contact slips"
+    for line, style, name in zip(boundaries(fine), ("--", "-"), names):
         axes.plot(line * MICRO, fine, color=PALE, lw=4)
-        axes.plot(line * MICRO, fine, color=INK, lw=1.6, ls=style)
+        axes.plot(line * MICRO, fine, color=INK, lw=1.6, ls=style, label=f"{name} (Mindlin)")
+    axes.legend(loc="lower right", frameon=True, facecolor="white", framealpha=0.85)
     middle = np.sqrt(LOADS[0] * LOADS[1])
     stuck, slides = (line[0] * MICRO for line in boundaries([middle]))
     low, high = AMPLITUDES
@@ -98,7 +100,7 @@ def draw(table, loads, amplitudes, path):
         box = dict(facecolor=PALE, edgecolor="none", boxstyle="round,pad=0.3")
         axes.text(*place, name, ha="center", va="center", color=INK, bbox=box)
     axes.set(xscale="log", yscale="log", xlabel="displacement amplitude (µm)", ylabel="normal force (N)")
-    axes.set(xlim=AMPLITUDES, ylim=LOADS, title=f"Steel ball, R = 10 mm: wear after {CYCLES:,.0f} cycles")
+    axes.set(xlim=AMPLITUDES, ylim=LOADS, title=f"Steel ball, R = 10 mm, μ = 0.6: wear after {CYCLES:,.0f} cycles")
     for axis, ticks in ((axes.xaxis, (0.1, 0.2, 0.5, 1, 2, 5)), (axes.yaxis, (10, 20, 50, 100, 200))):
         axis.set_ticks(ticks, labels=[f"{tick:g}" for tick in ticks])
     axes.grid(False)

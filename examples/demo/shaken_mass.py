@@ -155,8 +155,9 @@ def draw(motion, envelope, steps, path):
     period = (np.arange(envelope.size) + 0.5) / RIG.frequency
 
     amplitude_axes.fill_between(period, -envelope * MICRO, envelope * MICRO, color=BLUE, alpha=0.18, lw=0)
-    amplitude_axes.plot(time, motion["displacement"] * MICRO, color=BLUE, lw=0.25)
-    amplitude_axes.plot(period, envelope * MICRO, color=BLUE)
+    amplitude_axes.plot(time, motion["displacement"] * MICRO, color=BLUE, lw=0.25, label="displacement (thin)")
+    amplitude_axes.plot(period, envelope * MICRO, color=BLUE, label="amplitude (half of peak to peak)")
+    amplitude_axes.legend(loc="upper left")
     amplitude_axes.set(
         title=f"The unit shakes more as its joint wears ({RIG.frequency:g} Hz)",
         xlabel="time (s)",
@@ -178,7 +179,8 @@ def draw(motion, envelope, steps, path):
     loop_axes.set_xlim(right=1.5 * loop_axes.get_xlim()[1])
     loop_axes.legend(loc="center right", title="after")
 
-    wear_axes.plot(time, motion["wear_volume"] * 1e15, color=RED)
+    wear_axes.plot(time, motion["wear_volume"] * 1e15, color=RED, label="wear_volume")
+    wear_axes.legend(loc="upper left")
     wear_axes.set(
         title=f"Wear, {ACCELERATION_OF_WEAR:g} × faster than steel's",
         xlabel="time (s)",
@@ -200,7 +202,7 @@ def draw(motion, envelope, steps, path):
     )
     force_axes.legend(loc="lower left")
     fig.suptitle(
-        "A 20 kg unit on its mount, located by a clamped steel ball", x=0.01, ha="left", fontsize=14, color=INK
+        f"A {RIG.mass:g} kg unit on its mount, located by a clamped steel ball (R = 10 mm, μ = {JOINT.friction:g})", x=0.01, ha="left", fontsize=14, color=INK
     )
     return save_picture(fig, path)
 

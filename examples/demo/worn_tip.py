@@ -1,4 +1,4 @@
-"""Case (b): a ball with a measured-style tip (profile file), worn over thousands of cycles.
+"""Case (b): a ball with a synthetic worn tip (profile file), worn over thousands of cycles.
 
 Two amplitudes under the same load: one in partial slip, where a ring wears around a centre that sticks, and one in
 gross slip, where the whole contact wears. The FMU computes whole cycles at a time (loading = cyclic); some of the
@@ -39,7 +39,7 @@ REGIMES = (
 
 def run(fmu, out, quick):
     """Runs the case, writes its files into the folder `out`."""
-    outcome = Outcome("(b) measured tip: wear over thousands of cycles")
+    outcome = Outcome("(b) synthetic worn tip: wear over thousands of cycles")
     lives = []
     for regime in REGIMES:
         life = wear_out(fmu, regime, 5 if quick else 25)
@@ -182,28 +182,30 @@ def draw(lives, path):
         shape.plot(r * MICRO, unworn_height(r) * MICRO, color=GREY, lw=1, ls="--", label="unworn")
         for state, colour in zip(fields, shades(len(fields))):
             radius = state["radius"] * MICRO
-            label = f"{state['cycles']:,.0f}"
-            shape.plot(radius, (state["unworn"] + state["worn"]) * MICRO, color=colour)
+            label = f"{state['cycles']:,.0f} cycles"
+            shape.plot(radius, (state["unworn"] + state["worn"]) * MICRO, color=colour, label=label)
             pressure.plot(radius, state["pressure"] * GIGA, color=colour, label=label)
             volume.plot(
                 state["cycles"] / 1e3,
                 np.interp(state["cycles"], life["history"]["cycles"], life["history"]["wear_volume"]) * 1e15,
                 "o",
                 color=colour,
+                label=label,
             )
         shape.set(
-            title=f"{regime.name}: U₀ = {regime.amplitude * MICRO:g} µm, {LOAD:g} N",
+            title=f"{regime.name}: amplitude U₀ = {regime.amplitude * MICRO:g} µm",
             xlabel="radius r (µm)",
             ylabel="height of the tip (µm)",
             xlim=(0, reach),
             ylim=(0, 1.1 * (unworn_height(reach / MICRO) + 0.3 * life["history"]["wear_depth"][-1]) * MICRO),
         )
-        shape.legend(loc="upper left")
+        shape.legend(loc="upper left", fontsize=8.5)
         pressure.set(title="Pressure", xlabel="radius r (µm)", ylabel="contact pressure (GPa)", xlim=(0, reach))
         limit_pressure(pressure, fields)
-        pressure.legend(title="cycles", loc="upper right")
+        pressure.legend(loc="upper right")
         cycles, worn = life["history"]["cycles"], life["history"]["wear_volume"]
-        volume.plot(cycles / 1e3, worn * 1e15, color=INK, lw=1.2, zorder=1)
+        volume.plot(cycles / 1e3, worn * 1e15, color=INK, lw=1.2, zorder=1, label="all steps")
+        volume.legend(loc="lower right")
         volume.set(
             title="Worn volume",
             xlabel="thousand cycles",
@@ -211,6 +213,8 @@ def draw(lives, path):
             xlim=(0, None),
             ylim=(0, None),
         )
+    title = f"Synthetic worn tip of a steel ball (R = 10 mm), μ = {FRICTION:g}, {LOAD:g} N, k/σ₀ = {WEAR_PER_WORK:g} m³/J"
+    fig.suptitle(title, x=0.01, ha="left", fontsize=14)
     return save_picture(fig, path)
 
 

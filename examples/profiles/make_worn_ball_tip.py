@@ -11,14 +11,14 @@ import numpy as np
 RADIUS = 0.01  # m, of the ball
 FLAT = 90e-6  # m, where the blunted tip goes over into the ball
 EDGE = 45e-6  # m, how far that transition is rounded
-LAST = 800e-6  # m, last measured radius
+LAST = 800e-6  # m, last radius of the table
 POINTS = 401
 WAVES = ((260e-6, 28e-9), (150e-6, 9e-9), (95e-6, 3e-9))  # wavelength and amplitude, m
 SEED = 52100
 
 HEADER = """\
-Radial profile of a worn 10 mm ball, mean of all directions, low-pass filtered
-Synthetic data in the style of a stylus measurement, made by make_worn_ball_tip.py
+Synthetic radial profile of a worn 10 mm ball, made by make_worn_ball_tip.py; not measured
+It has the form of a stylus scan, averaged over all directions and low-pass filtered
 column 1: radius r from the axis, m
 column 2: height f above the lowest point, m"""
 

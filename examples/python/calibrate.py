@@ -1,9 +1,9 @@
-"""Friction, rig stiffness and wear coefficient from a measured loop and a measured wear volume.
+"""Friction, rig stiffness and wear coefficient from a friction loop and a wear volume, both synthetic.
 
     python calibrate.py [FrettingContact.fmu]
 
 A test rig measures the displacement of its drive, not that of the contact: `rig_stiffness` takes that apart. The loop in
-measured_loop.csv is made up from Mindlin's formulas with noise (make_measured_loop.py), so that the answer is known: mu = 0.62,
+measured_loop.csv is synthetic: Mindlin's formulas with noise (make_measured_loop.py), so that the answer is known: mu = 0.62,
 rig 24 N/um; the volume belongs to k/sigma0 = 5e-14 m3/J.
 """
 

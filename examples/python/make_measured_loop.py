@@ -1,4 +1,4 @@
-"""Makes measured_loop.csv: a friction loop as a rig would measure it, by Mindlin's formulas and not by the FMU.
+"""Makes measured_loop.csv, which is synthetic: a friction loop as a rig would measure it, by Mindlin's formulas and not by the FMU.
 
     python make_measured_loop.py
 """
@@ -34,5 +34,5 @@ forces = [contact_at(d, lambda u: force_at_top - 2 * virgin((top - u) / 2))[1] f
 drive = np.concatenate([down, -down])
 noise = NOISE * np.random.default_rng(7).standard_normal(2 * POINTS)
 table = np.column_stack([drive, np.concatenate([forces, np.negative(forces)]) + noise])
-header = "displacement of the drive (m),force (N)"
+header = "synthetic displacement of the drive (m),synthetic force (N)"
 np.savetxt(Path(__file__).with_name("measured_loop.csv"), table, fmt="%.6e", delimiter=",", header=header, comments="")

@@ -38,6 +38,8 @@ struct Row {
     unit: String,
     start: String,
     description: String,
+    /// Number, name and meaning of the values of an enumeration.
+    items: Vec<[String; 3]>,
 }
 
 impl Row {
@@ -58,13 +60,16 @@ impl Row {
             }
             _ => short_number(&text(element, "start")),
         };
+        let items = declared.into_iter().flat_map(|declared| declared.children());
+        let items = items.filter(|node| node.has_tag_name("Item"));
         Some(Self {
             causality: variable.attribute("causality").unwrap_or("local").to_owned(),
             name,
-            unit: unit.unwrap_or_default().to_owned(),
+            unit: unit.unwrap_or_default().replace("m3", "m³"),
             start,
             // The row stands for the whole array.
             description: text(variable, "description").replace("[1]", ""),
+            items: items.map(|item| ["value", "name", "description"].map(|key| text(item, key))).collect(),
         })
     }
 }
@@ -74,9 +79,13 @@ fn table(heading: &str, causality: &str, variables: &[Row]) -> String {
         .iter()
         .filter(|row| row.causality == causality)
         .map(|row| {
-            let cells =
-                [&row.unit, &row.start, &row.description].map(|text| format!("<td>{}</td>", escape(text)));
-            format!("<tr><td><code>{}</code></td>{}</tr>\n", escape(&row.name), cells.concat())
+            let cells = [&row.unit, &row.start].map(|text| format!("<td>{}</td>", escape(text)));
+            let meaning = escape(&row.description) + &values(&row.items);
+            format!(
+                "<tr><td><code>{}</code></td>{}<td>{meaning}</td></tr>\n",
+                escape(&row.name),
+                cells.concat()
+            )
         })
         .collect();
     if rows.is_empty() {
@@ -84,6 +93,19 @@ fn table(heading: &str, causality: &str, variables: &[Row]) -> String {
     }
     let head = "<tr><th>Name</th><th>Unit</th><th>Default</th><th>Meaning</th></tr>";
     format!("<h3>{heading}</h3>\n<table>\n{head}\n{rows}</table>\n")
+}
+
+/// The values of an enumeration as a list; nothing for other types.
+fn values(items: &[[String; 3]]) -> String {
+    if items.is_empty() {
+        return String::new();
+    }
+    let lines = items.iter().map(|item| {
+        let [number, name, meaning] = item.each_ref().map(|text| escape(text));
+        let meaning = if meaning.is_empty() { meaning } else { format!(": {meaning}") };
+        format!("<li>{number} = <code>{name}</code>{meaning}</li>")
+    });
+    format!("<ul class=\"values\">{}</ul>", lines.collect::<String>())
 }
 
 fn array_length(root: Node<'_, '_>, array: &str) -> usize {
@@ -120,7 +142,7 @@ mod tests {
     use super::{page, short_number};
 
     const DESCRIPTION: &str = r#"<fmiModelDescription version="1.2.3">
-<TypeDefinitions><SimpleType name="Shape"><Enumeration><Item name="cone" value="2"/></Enumeration></SimpleType></TypeDefinitions>
+<TypeDefinitions><SimpleType name="Shape"><Enumeration><Item name="cone" value="2" description="f &lt; r"/></Enumeration></SimpleType></TypeDefinitions>
 <ModelVariables>
 <ScalarVariable name="load" causality="input" description="a &lt; b"><Real unit="N" start="1000.0"/></ScalarVariable>
 <ScalarVariable name="shape" causality="parameter"><Enumeration declaredType="Shape" start="2"/></ScalarVariable>
@@ -136,6 +158,8 @@ mod tests {
             "{page}"
         );
         assert!(page.contains("<code>shape</code></td><td></td><td>cone</td>"), "{page}");
+        let values = "<td><ul class=\"values\"><li>2 = <code>cone</code>: f &lt; r</li></ul></td>";
+        assert!(page.contains(values), "{page}");
         assert!(page.contains("1.2.3") && !page.contains("{{"), "{page}");
     }
 

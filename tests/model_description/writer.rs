@@ -11,6 +11,10 @@ use uuid::Uuid;
 
 type Xml = Writer<Vec<u8>>;
 
+/// What a tool shows beside the name.
+const DESCRIPTION: &str = "Friction and wear of a small oscillating contact: from normal force and tangential displacement to \
+                           tangential force, stick and slip, and the worn profile";
+
 /// The whole file. Its GUID is the name-based UUID of what it says with an empty GUID.
 pub(crate) fn model_description() -> String {
     let content = with_guid("");
@@ -26,7 +30,7 @@ fn with_guid(guid: &str) -> String {
             ("fmiVersion", "2.0"),
             ("modelName", MODEL_IDENTIFIER),
             ("guid", guid),
-            ("description", env!("CARGO_PKG_DESCRIPTION")),
+            ("description", DESCRIPTION),
             ("version", env!("CARGO_PKG_VERSION")),
             ("license", env!("CARGO_PKG_LICENSE")),
             ("generationTool", concat!("fretting_contact ", env!("CARGO_PKG_VERSION"))),

@@ -166,7 +166,10 @@ def test_every_variable_is_documented_with_its_unit(archive, fmu):
             continue
         shown = re.search(rf"<td><code>{array}(?:\[1\][^<]*)?</code></td><td>([^<]*)</td>", page)
         assert shown, variable.name
-        assert shown[1] == (variable.unit or ""), variable.name
+        assert shown[1] == (variable.unit or "").replace("m3", "m³"), variable.name
+        if variable.declaredType:
+            for item in variable.declaredType.items:
+                assert f"<li>{item.value} = <code>{item.name}</code>" in page, item.name
     for heading in ("Model", "Limits of validity", "Resolution and tolerance", "Variables", "Licence"):
         assert f"<h2>{heading}</h2>" in page
     links = re.findall(r'href="([^":]+)"', page)

@@ -50,20 +50,20 @@ const framed = (height, description, spec) => ({
 });
 
 function loopsPicture(loops) {
-  const strokes = [...new Set(loops.lines.map((row) => row.theta))];
-  const stroke = {
+  const amplitudes = [...new Set(loops.lines.map((row) => row.theta))];
+  const amplitude = {
     field: "theta",
     type: "nominal",
-    title: "stroke, in u_max",
-    scale: { domain: strokes, range: COLOURS },
+    title: "amplitude U₀ / u_max",
+    scale: { domain: amplitudes, range: COLOURS },
     legend: { symbolType: "stroke", symbolSize: 300 },
   };
   const picked = (yes, no) => ({ condition: { param: "picked", value: yes }, value: no });
   const axes = (force) => ({ x: quantity("u", "displacement (µm)"), y: quantity(force, "tangential force (N)") });
   return framed(
     380,
-    "Friction loops, tangential force against displacement, for five strokes between a quarter and one and a half times the displacement " +
-      "at which all slides. Small strokes give narrow loops, the largest one is cut off at plus and minus 60 newtons. Circles of the closed form lie on the lines.",
+    "Friction loops, tangential force against displacement, for five amplitudes between a quarter and one and a half times the displacement " +
+      "at which all slides. Small amplitudes give narrow loops, the largest one is cut off at plus and minus 60 newtons. Circles of the closed form lie on the lines.",
     {
       layer: [
         {
@@ -75,7 +75,7 @@ function loopsPicture(loops) {
           data: { values: loops.lines },
           params: [{ name: "picked", select: { type: "point", fields: ["theta"] }, bind: "legend" }],
           mark: { type: "line", strokeWidth: 2.2 },
-          encoding: { ...axes("t"), color: stroke, order: { field: "n" }, opacity: picked(1, 0.12) },
+          encoding: { ...axes("t"), color: amplitude, order: { field: "n" }, opacity: picked(1, 0.12) },
         },
         {
           data: { values: loops.points },
@@ -83,7 +83,7 @@ function loopsPicture(loops) {
           encoding: {
             ...axes("e"),
             opacity: picked(0.9, 0.05),
-            tooltip: [shown("theta", "stroke, in u_max"), shown("u", "U (µm)"), shown("e", "T (N)")],
+            tooltip: [shown("theta", "amplitude U₀ / u_max"), shown("u", "U (µm)"), shown("e", "T (N)")],
           },
         },
       ],
@@ -121,7 +121,7 @@ function profilePicture(life) {
   const unworn = life.unworn.flatMap((row) => [{ r: -row.r, f: row.f }, row]).sort((a, b) => a.r - b.r);
   return framed(
     260,
-    `Section of the tip with a stroke of ${life.amplitude} micrometres: height against radius, the unworn outline and what has worn away by the chosen cycle.`,
+    `Section of the tip with an amplitude of ${life.amplitude} micrometres: height against radius, the unworn outline and what has worn away by the chosen cycle.`,
     {
       ...filmed(life),
       layer: [
@@ -154,7 +154,7 @@ function profilePicture(life) {
 function pressurePicture(life) {
   const x = quantity("r", "radius (µm)", within(-life.reach, life.reach));
   const y = quantity("p", "pressure (GPa)", within(0, life.top));
-  return framed(230, `Contact pressure against radius at the chosen cycle, stroke of ${life.amplitude} micrometres.`, {
+  return framed(230, `Contact pressure against radius at the chosen cycle, amplitude of ${life.amplitude} micrometres.`, {
     ...filmed(life),
     layer: [
       STICKS,
@@ -181,7 +181,7 @@ function volumePicture(life) {
   const values = life.frames.map(({ cycles, volume }) => ({ cycles, volume }));
   return framed(
     230,
-    `Worn volume against cycles with a stroke of ${life.amplitude} micrometres, and a dot at the chosen cycle.`,
+    `Worn volume against cycles with an amplitude of ${life.amplitude} micrometres, and a dot at the chosen cycle.`,
     {
       ...filmed(life),
       layer: [
