@@ -149,6 +149,7 @@ def draw(loops, swings, tractions, steps, path):
         loop_axes.axhline(sign * SPHERE.limit, color=GREY, lw=1, ls="--")
     loop_axes.annotate("μF", (-3.7, SPHERE.limit), (0, -13), textcoords="offset points", color=GREY)
     loop_axes.set(title="Constant load, 100 N", xlabel="displacement U (µm)", ylabel="tangential force T (N)")
+    loop_axes.set_xlim(right=6.3)
     loop_axes.legend(loc="lower right", bbox_to_anchor=(1, 0.06), title="amplitude U₀ = θ u_max")
     draw_tractions(traction_axes, tractions)
 
@@ -168,10 +169,10 @@ def draw(loops, swings, tractions, steps, path):
     )
     swing_axes.plot([], [], color=GREY, lw=0.8, label="first cycles (thin)")
     swing_axes.legend(loc="upper left")
-    share_axes.legend(loc="lower right", fontsize=8.5)
+    share_axes.legend(loc="upper right", fontsize=8.5)
     for sign in (-1, 1):
         share_axes.axhline(sign, color=GREY, lw=1, ls="--")
-    share_axes.set(title="Share of the friction limit in use", xlabel="cycles", ylabel="T / (μ F_N)")
+    share_axes.set(title="Share of the friction limit in use", xlabel="cycles", ylabel="T / (μ F_N)", ylim=(-1.1, 1.8))
     fig.suptitle("Steel ball (R = 10 mm) on a steel flat, μ = 0.6", x=0.01, ha="left", fontsize=14)
     return save_picture(fig, path)
 

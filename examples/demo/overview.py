@@ -40,7 +40,7 @@ def draw_tip(shape, pressure, life):
         pressure.plot(radius, np.concatenate([values[::-1], values]), color=colour, label=f"{state['cycles']:,.0f}")
     amplitude = life["regime"].amplitude * MICRO
     shape.set(
-        title=f"Wear of a synthetic worn tip, R = 10 mm, ±{amplitude:g} µm",
+        title=f"Synthetic worn tip, R = 10 mm, ±{amplitude:g} µm",
         xlabel="radius (µm)",
         ylabel="height (µm)",
         xlim=(-reach, reach),
@@ -59,7 +59,7 @@ def draw_motion(axes, motion, envelope):
     axes.plot(period, envelope * MICRO, color=BLUE, label="half of the peak-to-peak displacement")
     axes.legend(loc="lower right")
     axes.set(
-        title="Shaken mass on a wearing joint (ball, R = 10 mm, μ = 0.6)",
+        title="Shaken mass, wearing ball joint (μ = 0.6)",
         xlabel="time (s)",
         ylabel="amplitude (µm)",
         xlim=(0, motion["time"][-1]),

@@ -118,6 +118,19 @@ def test_calibrate(fmu_path):
     assert first(text, "k/sigma0") == pytest.approx(5e-14, rel=0.03)
 
 
+def test_noisy_displacement(fmu_path):
+    """The figures of docs/noisy_signals.md."""
+    text = run_python("noisy_displacement.py", fmu_path)
+    page = (ROOT / "docs" / "noisy_signals.md").read_text(encoding="utf-8").replace("−", "-")
+    rows = {"as measured": "| as measured", "low-pass": "| low-pass filter", "dead band of twice that": "| dead band"}
+    for title, row in rows.items():
+        cells = next(line for line in page.splitlines() if line.startswith(row)).split("|")[-3:-1]
+        for noise, cell in zip((20, 50), cells):
+            found = numbers(text, f"{noise} nm rms, {title}")[0]
+            assert [float(number) for number in re.findall(r"[-+][\d.]+", cell)] == found
+    assert abs(first(text, "no noise, low-pass")) < 0.05
+
+
 def test_the_measured_loop_is_made_as_it_says(tmp_path):
     script = tmp_path / "make_measured_loop.py"
     shutil.copy(EXAMPLES / "python" / script.name, script)
