@@ -7,12 +7,13 @@ use std::fmt::Write;
 const HEAD: &str = "\
 # Which variables and enumerations are there?
 
-Written from the variable table in `src/fmi2/variables/table.rs`; do not edit. After a change of the table write it with
-`BLESS=1 cargo test --test model_description`.
+Written from the variable table in `src/fmi2/variables/table.rs`; do not edit. After a change of the
+table write it with `BLESS=1 cargo test --test model_description`.
 
-All quantities are in SI units. Value references are in [modelDescription.xml](../modelDescription.xml). Parameters are set
-before initialization; those marked *tunable* may be changed between two steps. Where a tool sets an enumeration
-by its number, take the number from [the enumerations](#enumerations).
+All quantities are in SI units. Value references are in
+[modelDescription.xml](../modelDescription.xml). Parameters are set before initialization; those
+marked *tunable* may be changed between two steps. Where a tool sets an enumeration by its number,
+take the number from [the enumerations](variables.md#enumerations).
 ";
 
 const SECTIONS: [(&str, &str); 4] =
@@ -69,7 +70,7 @@ fn kind(variable: &Variable) -> String {
     match &variable.data_type {
         DataType::Real { unit, .. } => unit.map_or("", |unit| unit.name).replace("m3", "m³"),
         DataType::Enumeration(enumeration) => {
-            format!("[{0}](#{1})", enumeration.name, enumeration.name.to_lowercase())
+            format!("[{0}](variables.md#{1})", enumeration.name, enumeration.name.to_lowercase())
         }
         other => other.name().to_owned(),
     }
