@@ -70,4 +70,6 @@ if __name__ == "__main__":
         name = f"{noise * 1e9:.0f} nm rms, "
         report(name + "as measured", [worn_volume(u) for u in noisy], clean)
         report(name + "low-pass", [worn_volume(low_pass(u)) for u in noisy], clean)
-        report(name + "dead band of twice that", [worn_volume(dead_band(u, 2 * noise)) for u in noisy], clean)
+        for width in (1, 2, 3):
+            volumes = [worn_volume(dead_band(u, width * noise)) for u in noisy]
+            report(name + f"dead band {width} x rms", volumes, clean)

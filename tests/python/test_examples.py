@@ -122,7 +122,8 @@ def test_noisy_displacement(fmu_path):
     """The figures of docs/noisy_signals.md."""
     text = run_python("noisy_displacement.py", fmu_path)
     page = (ROOT / "docs" / "noisy_signals.md").read_text(encoding="utf-8").replace("−", "-")
-    rows = {"as measured": "| as measured", "low-pass": "| low-pass filter", "dead band of twice that": "| dead band"}
+    rows = {"as measured": "| as measured", "low-pass": "| low-pass filter"}
+    rows |= {f"dead band {width} x rms": f"| dead band of {width} times" for width in (1, 2, 3)}
     for title, row in rows.items():
         cells = next(line for line in page.splitlines() if line.startswith(row)).split("|")[-3:-1]
         for noise, cell in zip((20, 50), cells):
