@@ -81,7 +81,7 @@ def error_against_time(folder):
         axes.set_visible(False)
     for axes, (title, series) in zip(panels.flat, problems.items()):
         draw_points(axes, title, series, truths[title])
-    figure.suptitle("Steel on steel, 100 N, μ = 0.6; ball: R = 10 mm; c/a0: stick radius over contact radius at the start", fontsize=10)
+    figure.suptitle("Steel on steel, μ = 0.6; ball and parabola: R = 10 mm; c/a0: stick radius over contact radius at the start", fontsize=10)
     save(figure, folder / "error_against_time")
 
 
