@@ -6,28 +6,25 @@ mod table;
 use super::enumerations::Enumeration;
 use super::settings::{Inputs, Settings};
 use crate::engine::{FrettingContact, Gradient, SlipState};
-use std::borrow::Cow;
 use std::ffi::CString;
 use std::fmt;
 use std::ops::{Bound, RangeBounds, RangeInclusive};
-use std::sync::LazyLock;
 
 /// Number of radii at which the fields are given.
 pub const PROBES: usize = 64;
 
 /// All variables in the order of their value references.
 pub fn variables() -> &'static [Variable] {
-    static TABLE: LazyLock<Vec<Variable>> = LazyLock::new(table::rows);
-    &TABLE
+    &table::TABLE
 }
 
 /// One row of the table.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Variable {
     /// Name in the structured naming convention.
-    pub name: Cow<'static, str>,
+    pub name: &'static str,
     /// Meaning, for people.
-    pub description: Cow<'static, str>,
+    pub description: &'static str,
     /// Type with unit and range.
     pub data_type: DataType,
     /// Where the value lives.
@@ -39,7 +36,7 @@ pub struct Variable {
 }
 
 /// Type of a variable and what belongs to it.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DataType {
     /// fmi2Real.
     Real {
@@ -116,16 +113,15 @@ impl Range {
         (value.is_finite() || self.is_open_ended()) && (self.low, self.high).contains(&value)
     }
 
+    const fn of(range: &RangeInclusive<f64>) -> Self {
+        Self { low: Bound::Included(*range.start()), high: Bound::Included(*range.end()) }
+    }
+
     fn is_open_ended(&self) -> bool {
         self.high == Bound::Included(f64::INFINITY)
     }
 }
 
-impl From<RangeInclusive<f64>> for Range {
-    fn from(range: RangeInclusive<f64>) -> Self {
-        Self { low: Bound::Included(*range.start()), high: Bound::Included(*range.end()) }
-    }
-}
 
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

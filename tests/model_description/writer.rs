@@ -109,9 +109,9 @@ fn categories(xml: &mut Xml) -> io::Result<()> {
 fn variable(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
     let reference = (index(&variable.name) - 1).to_string();
     let mut attributes = vec![
-        ("name", variable.name.as_ref()),
+        ("name", variable.name),
         ("valueReference", &reference),
-        ("description", variable.description.as_ref()),
+        ("description", variable.description),
         ("causality", variable.causality()),
         ("variability", variable.variability()),
     ];
