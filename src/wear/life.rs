@@ -1,7 +1,7 @@
 //! The life of a contact under a steady motion: many cycles at constant load, under error control.
 
 use super::Constants;
-use super::laying::over;
+use super::laying::{ends_at_rim, over};
 use super::mesh::UnitMesh;
 use super::patch::{Front, Motion, Patch, Rate, State, lost};
 use super::rosenbrock;
@@ -138,6 +138,9 @@ pub(crate) fn live(
                     step = length * factor.min(0.8);
                 }
             }
+        }
+        if patch.is_at_end_of_body(&rate) {
+            ends_at_rim(&life.surface, motion, constants)?;
         }
         life.next_step = step;
         life.mesh = Some(patch.mesh.clone());
