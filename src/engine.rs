@@ -32,7 +32,7 @@ use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
 use crate::wear::{Constants, Pending, Segment, Sliding, TransformCache, UnitMesh};
 use serde::{Deserialize, Serialize};
-use std::cell::OnceCell;
+use std::cell::{Cell, OnceCell};
 use std::sync::Arc;
 
 /// What the contact does at the moment.
@@ -98,6 +98,8 @@ pub struct FrettingContact {
     counters: Counters,
     /// The worn profile up to this instant, made when read.
     view: OnceCell<Nodes>,
+    /// Largest wear depth that has been read, m.
+    deepest_read: Cell<f64>,
 }
 
 /// What wear needs besides the surface.
@@ -157,6 +159,7 @@ impl FrettingContact {
             wear,
             counters: Counters::default(),
             view: OnceCell::new(),
+            deepest_read: Cell::new(0.0),
         })
     }
 
@@ -192,9 +195,7 @@ impl FrettingContact {
             // what a former start has touched is none of this one's
             this.start_segment();
             this.walk(contact.control, displacement, 1)
-        })?;
-        self.counters.steps += 1;
-        Ok(())
+        })
     }
 
     /// 2E*, the ratio of force to load integral, Pa.

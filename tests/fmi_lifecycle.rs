@@ -269,7 +269,7 @@ fn the_end_of_a_run_tells_its_work_as_an_event() {
         engine.advance_to(100.0, displacement).unwrap();
     }
     let counters = engine.counters();
-    assert!(counters.steps == 5 && counters.profile_updates > 0 && counters.descent_transforms > 0);
+    assert!(counters.steps == 4 && counters.profile_updates > 0 && counters.descent_transforms > 0);
     assert!(counters.factorisations > 0 && counters.spring_walks > 0);
     for categories in [&[][..], &[c"logEvents"], &[c"logAll"]] {
         let messages = messages_at_the_end(true, categories);
