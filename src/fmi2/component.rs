@@ -2,7 +2,7 @@
 
 use super::lifecycle::Call;
 use super::logger::Logger;
-use super::model::Model;
+use super::model::{Attempt, Model};
 use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::saved::{Saved, SavedStates};
@@ -26,7 +26,15 @@ pub(super) struct Component {
     /// Worst status of the call that is being carried out, apart from its result.
     worst: Status,
     last_step: Outcome,
+    /// The last step, where it has been discarded.
+    discarded: Option<Box<Discarded>>,
     saved: SavedStates,
+}
+
+/// A step that the model could not do, and why.
+struct Discarded {
+    attempt: Attempt,
+    reason: String,
 }
 
 impl Component {
@@ -39,6 +47,7 @@ impl Component {
             failure: None,
             worst: Status::Ok,
             last_step: Outcome::Done,
+            discarded: None,
             saved: SavedStates::default(),
         }
     }
@@ -175,13 +184,37 @@ impl Component {
     }
 
     pub(super) fn do_step(&mut self, point: f64, length: f64) -> Checked {
-        let result = self.step(point, length);
+        let result = if self.discarded.is_some() {
+            self.step_after_a_discard(point, length)
+        } else {
+            self.step(point, length)
+        };
         self.last_step = match &result {
             Ok(()) => Outcome::Done,
             Err(refusal) if refusal.status() == Status::Discard => Outcome::Discarded,
             Err(_) => Outcome::Refused,
         };
+        if let Err(refusal) = &result
+            && self.last_step == Outcome::Discarded
+        {
+            let attempt = self.model.attempt(point, length);
+            self.discarded = Some(Box::new(Discarded { attempt, reason: refusal.to_string() }));
+        }
         result
+    }
+
+    /// A step that is asked for again, with all as it was when it was discarded, would be discarded for ever: some masters repeat it
+    /// without end.
+    #[cold]
+    fn step_after_a_discard(&mut self, point: f64, length: f64) -> Checked {
+        if let Some(discarded) = &self.discarded
+            && discarded.attempt == self.model.attempt(point, length)
+        {
+            return Err(Refusal::Repeated(discarded.reason.clone()).into());
+        }
+        self.step(point, length)?;
+        self.discarded = None;
+        Ok(())
     }
 
     fn step(&mut self, point: f64, length: f64) -> Checked {
@@ -214,6 +247,7 @@ impl Component {
         self.state = State::Instantiated;
         self.failure = None;
         self.last_step = Outcome::Done;
+        self.discarded = None;
         Ok(())
     }
 
@@ -224,12 +258,19 @@ impl Component {
 
     pub(super) fn restore(&mut self, state: fmi2FMUstate) -> Checked {
         let saved = self.saved.get(state)?;
+        let experiment = self.model.staged().clock;
         if self.failure.is_some() {
             self.model = saved.model.revive()?;
         } else {
             self.model.restore(&saved.model)?;
         }
         (self.state, self.last_step, self.failure) = (saved.state, saved.last_step, None);
+        self.discarded = None;
+        // a run that has begun goes on to the stop time of this instance's experiment
+        if self.state != State::Instantiated {
+            let staged = self.model.staged();
+            staged.clock = staged.clock.in_experiment_of(&experiment);
+        }
         Ok(())
     }
 

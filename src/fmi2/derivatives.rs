@@ -93,7 +93,8 @@ impl Component {
         Ok(())
     }
 
-    /// fmi2GetRealOutputDerivatives: how outputs change at the end of the last step, along which the inputs moved evenly.
+    /// fmi2GetRealOutputDerivatives: how outputs change at the end of the last step, along which the inputs moved evenly. Derivatives
+    /// of an order above maxOutputDerivativeOrder are 0, as in the standard's example.
     pub(super) fn output_derivatives(
         &mut self,
         references: &[u32],
@@ -105,7 +106,7 @@ impl Component {
             |variable: &Variable| Refusal::Text { name: variable.name.to_string(), problem: requirement };
         let outputs = outputs(references, refuse)?;
         for (&reference, &order) in references.iter().zip(orders) {
-            if order != 1 {
+            if order < 1 {
                 let name = Table::get().find(reference, Asked::Real)?.name.to_string();
                 return Err(Refusal::OutputDerivativeOrder { name, order }.into());
             }
@@ -114,8 +115,9 @@ impl Component {
         let (frequency, amplitude) = self.model.staged().last_step.cycles();
         let change = self.change(&rates);
         if let (Some(contact), _) = self.model.parts() {
-            for (output, value) in outputs.iter().zip(values) {
+            for ((output, order), value) in outputs.iter().zip(orders).zip(values) {
                 value.write(match output.per_cycle {
+                    _ if *order > 1 => 0.0,
                     Some(per_cycle) if change.loading == Loading::Cyclic => {
                         if frequency > 0.0 {
                             frequency * per_cycle(contact, amplitude)

@@ -56,6 +56,17 @@ pub(super) struct Model {
     contact: Option<FrettingContact>,
 }
 
+/// A step that is asked for, with all that decides whether the contact can do it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Attempt {
+    point: f64,
+    length: f64,
+    inputs: Inputs,
+    slopes: Option<Inputs>,
+    friction_coefficient: f64,
+    wear_coefficient: f64,
+}
+
 /// A copy of a model.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct SavedModel {
@@ -138,6 +149,13 @@ impl Model {
         self.staged.initialized = true;
         self.staged.last_step.to = self.staged.inputs;
         self.contact(resources)
+    }
+
+    /// A step of `length`, s, from `point`, s, as it would be done now.
+    pub(super) fn attempt(&self, point: f64, length: f64) -> Attempt {
+        let Staged { settings, inputs, slopes, .. } = &self.staged;
+        let Settings { friction_coefficient, wear_coefficient, .. } = *settings;
+        Attempt { point, length, inputs: *inputs, slopes: *slopes, friction_coefficient, wear_coefficient }
     }
 
     /// One step of `length`, s, at whose end the clock is `end`.
