@@ -116,7 +116,8 @@ impl FrettingContact {
     /// Deepest worn point, m. It never falls between reads, as wear never heals: updates of the profile move its deepest point by a
     /// few parts in 10⁶ both ways, so that the largest value read so far is part of the state (a saved state brings it back).
     pub fn wear_depth(&self) -> f64 {
-        let deepest = |nodes: &Nodes| nodes.depth().iter().fold(self.deepest_read.get(), |most, w| most.max(*w));
+        let deepest =
+            |nodes: &Nodes| nodes.depth().iter().fold(self.deepest_read.get(), |most, w| most.max(*w));
         let depth = self.view().map_or(0.0, deepest);
         self.deepest_read.set(depth);
         depth

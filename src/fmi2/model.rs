@@ -121,21 +121,22 @@ impl Model {
     fn start(&mut self, resources: &Resources) -> Checked {
         let Self { staged: Staged { settings, inputs, started, .. }, contact } = self;
         // Dropped where it cannot start, so that a profile file that has been corrected is read again.
-        let mut built = match contact.take() {
+        let built = match contact.take() {
             Some(contact) => contact,
-            None => FrettingContact::new(settings.parameters(resources)?)
-                .map_err(|problem| engine("parameters", problem))?,
+            None => build(settings, resources)?,
         };
-        let displacement = match settings.loading() {
-            Loading::Transient => inputs.place(),
-            Loading::Cyclic => [0.0; 2],
-        };
-        built
-            .start_at_planar(inputs.normal(settings.normal_control()), displacement)
-            .map_err(|problem| engine(&format!("start with {}", inputs.describe(settings)), problem))?;
-        *contact = Some(built);
+        *contact = Some(press(built, settings, inputs)?);
         *started = true;
         Ok(())
+    }
+
+    /// The contact as it would begin now with other settings.
+    pub(super) fn beginning_with(
+        &self,
+        settings: &Settings,
+        resources: &Resources,
+    ) -> Checked<FrettingContact> {
+        press(build(settings, resources)?, settings, &self.staged.inputs)
     }
 
     /// The contact as far as it has been built, and what has been set.
@@ -264,6 +265,23 @@ impl SavedModel {
             .and_then(|mut contact| contact.restore(snapshot))
             .map_err(|problem| engine("serialised state", problem).into())
     }
+}
+
+fn build(settings: &Settings, resources: &Resources) -> Checked<FrettingContact> {
+    let contact = FrettingContact::new(settings.parameters(resources)?);
+    Ok(contact.map_err(|problem| engine("parameters", problem))?)
+}
+
+/// A contact brought to its initial state.
+fn press(mut contact: FrettingContact, settings: &Settings, inputs: &Inputs) -> Checked<FrettingContact> {
+    let displacement = match settings.loading() {
+        Loading::Transient => inputs.place(),
+        Loading::Cyclic => [0.0; 2],
+    };
+    contact
+        .start_at_planar(inputs.normal(settings.normal_control()), displacement)
+        .map_err(|problem| engine(&format!("start with {}", inputs.describe(settings)), problem))?;
+    Ok(contact)
 }
 
 fn engine(context: &str, problem: Error) -> Refusal {

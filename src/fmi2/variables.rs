@@ -122,7 +122,6 @@ impl Range {
     }
 }
 
-
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(if self.is_open_ended() { "give a number" } else { "give a finite number" })?;

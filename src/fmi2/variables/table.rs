@@ -70,7 +70,12 @@ pub(super) static TABLE: [Variable; COUNT] = {
         &outputs(),
         &parameters(),
         &at_every_probe!("radius_probe", "m", |_, r| r, "Radius of the probe"),
-        &at_every_probe!("worn_depth", "m", FrettingContact::worn_depth_at, "Depth of the wear at radius_probe"),
+        &at_every_probe!(
+            "worn_depth",
+            "m",
+            FrettingContact::worn_depth_at,
+            "Depth of the wear at radius_probe"
+        ),
         &at_every_probe!("pressure", "Pa", FrettingContact::pressure_at, "Contact pressure at radius_probe"),
         &at_every_probe!(
             "shear_traction",
@@ -308,14 +313,7 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
 }
 
 const fn variable(name: &'static str, data_type: DataType, access: Access) -> Variable {
-    Variable {
-        name,
-        description: "",
-        data_type,
-        access,
-        initial_dependencies: &[],
-        independent_of: &[],
-    }
+    Variable { name, description: "", data_type, access, initial_dependencies: &[], independent_of: &[] }
 }
 
 impl Variable {
@@ -362,12 +360,22 @@ const fn slip(
     }
 }
 
-const fn real(name: &'static str, unit: &str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
+const fn real(
+    name: &'static str,
+    unit: &str,
+    range: Range,
+    field: fn(&mut Settings) -> &mut f64,
+) -> Variable {
     let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: None, range };
     variable(name, data_type, Access::Parameter(field))
 }
 
-const fn tunable(name: &'static str, unit: &str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
+const fn tunable(
+    name: &'static str,
+    unit: &str,
+    range: Range,
+    field: fn(&mut Settings) -> &mut f64,
+) -> Variable {
     Variable { access: Access::Tunable(field), ..real(name, unit, range, field) }
 }
 
@@ -379,7 +387,11 @@ const fn integer(name: &'static str, min: i32, max: i32, field: fn(&mut Settings
     variable(name, DataType::Integer { min, max }, Access::Number(field))
 }
 
-const fn choice(name: &'static str, items: &'static Enumeration, field: fn(&mut Settings) -> &mut i32) -> Variable {
+const fn choice(
+    name: &'static str,
+    items: &'static Enumeration,
+    field: fn(&mut Settings) -> &mut i32,
+) -> Variable {
     variable(name, DataType::Enumeration(items), Access::Number(field))
 }
 
