@@ -173,10 +173,15 @@ impl Surface {
         Ok(contact)
     }
 
+    /// Whether a contact reaches to where the unworn image falls.
+    pub(crate) fn may_be_parted(&self, contact_radius: f64) -> bool {
+        matches!(&*self.profile, Profile::Table(table) if contact_radius > table.monotone_up_to())
+    }
+
     /// Refuses a contact that the fall of a table's image would part.
-    fn check_one_disc(&self, contact_radius: f64) -> Result<(), Error> {
+    pub(crate) fn check_one_disc(&self, contact_radius: f64) -> Result<(), Error> {
         if let Profile::Table(table) = &*self.profile
-            && contact_radius > table.monotone_up_to()
+            && self.may_be_parted(contact_radius)
             && self.falls_behind(table, contact_radius)
         {
             return Err(Error::NonMonotoneImage { radius: table.monotone_up_to(), contact_radius });

@@ -128,6 +128,12 @@ pub(crate) fn live(
                     (state, rate) = (trial.state, trial.rate);
                     volume += trial.volume;
                     fresh = false;
+                    let edge = state.area.sqrt();
+                    if life.surface.may_be_parted(edge) {
+                        let mut worn = life.surface.clone();
+                        worn.set_worn(Some(left_behind(&patch, &state, &rate, fineness.tolerance)));
+                        worn.check_one_disc(edge)?;
+                    }
                     counters.profile_updates += 1;
                     left -= length;
                     // a step cut short says nothing about a longer one, unless it was all but too long
