@@ -7,8 +7,11 @@ use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::saved::{Saved, SavedStates};
 use super::serialized;
+use super::settings::{Inputs, Settings};
 use super::status::{Outcome, State, Status};
+use super::warnings::Warnings;
 use super::{GUID, MODEL_IDENTIFIER};
+use crate::engine::FrettingContact;
 use core::ffi::CStr;
 use fmi_sys::fmi2::{fmi2FMUstate, fmi2Type, fmi2Type_fmi2CoSimulation};
 
@@ -28,6 +31,7 @@ pub(super) struct Component {
     last_step: Outcome,
     /// The last step, where it has been discarded.
     discarded: Option<Box<Discarded>>,
+    warnings: Warnings,
     saved: SavedStates,
 }
 
@@ -48,6 +52,7 @@ impl Component {
             worst: Status::Ok,
             last_step: Outcome::Done,
             discarded: None,
+            warnings: Warnings::default(),
             saved: SavedStates::default(),
         }
     }
@@ -180,7 +185,19 @@ impl Component {
                 100.0 * defect
             ));
         }
+        self.warn_of_mistakes(Warnings::at_start);
         Ok(())
+    }
+
+    /// Sends the messages of likely mistakes, if there are any; the status of the call stays what it is.
+    fn warn_of_mistakes(
+        &mut self,
+        find: fn(&mut Warnings, &FrettingContact, &Settings, &Inputs) -> Vec<String>,
+    ) {
+        let (Some(contact), staged) = self.model.parts() else { return };
+        for message in find(&mut self.warnings, contact, &staged.settings, &staged.inputs) {
+            self.logger.log(Status::Warning, &message);
+        }
     }
 
     pub(super) fn do_step(&mut self, point: f64, length: f64) -> Checked {
@@ -220,7 +237,9 @@ impl Component {
     fn step(&mut self, point: f64, length: f64) -> Checked {
         let end = self.model.staged().clock.after(point, length)?;
         self.check_targets(length)?;
-        self.model.step(end, length)
+        self.model.step(end, length)?;
+        self.warn_of_mistakes(Warnings::after_step);
+        Ok(())
     }
 
     /// fmi2DoStepStatus.
@@ -234,6 +253,7 @@ impl Component {
 
     pub(super) fn terminate(&mut self) -> Checked {
         self.state = State::Terminated;
+        self.warn_of_mistakes(Warnings::at_end);
         if let (Some(contact), _) = self.model.parts() {
             let counters = contact.counters().to_string();
             self.event(&format!("terminated after this work: {counters}"));
@@ -270,6 +290,9 @@ impl Component {
         if self.state != State::Instantiated {
             let staged = self.model.staged();
             staged.clock = staged.clock.in_experiment_of(&experiment);
+        }
+        if let (Some(contact), staged) = self.model.parts() {
+            self.warnings.resume(contact, &staged.inputs);
         }
         Ok(())
     }

@@ -11,6 +11,7 @@
 //! | `derivatives` | of outputs: with respect to inputs and to time |
 //! | `component`, `values`, `model`, `clock`, `saved`, `serialized` | one instance: access by value reference, the contact, its time, its saved states, in memory and as bytes |
 //! | `status`, `refusal` | what a call returns, and every reason to refuse one, with its numbers |
+//! | `warnings` | likely mistakes, told once |
 //!
 //! # What the standard leaves to the FMU, and how it is settled here
 //!
@@ -29,8 +30,9 @@
 //!   point at which they are set: they serve one step, after which the input stands where that step ended, so that
 //!   a step with nothing set anew stays there. A step of length zero takes the new inputs without moving time.
 //! - **Derivatives of outputs** are those of the law in the present sliding direction, one-sided where it has a kink (see
-//!   [`crate::engine::Gradient`]), at the profile as it is. Those with respect to time hold at the end of the last step, for
-//!   inputs that go on as they moved along it.
+//!   [`crate::engine::Gradient`]), at the profile as it is: tangents at the end of the last step, not averages along it. Those with respect
+//!   to time hold there, too, for inputs that go on as they moved; of order 2 and more they are 0. In initialization mode there are
+//!   directional derivatives with respect to parameters, too.
 //! - **Tunable parameters.** friction_coefficient and wear_coefficient may be changed between steps, but not switched on or
 //!   off. The next step begins with the new ones; springs that are then beyond their bound slip back to it.
 //! - **Cyclic loading.** A step makes `h` times the mean frequency cycles; the other inputs count at its end.
@@ -54,6 +56,7 @@ mod settings;
 mod status;
 mod values;
 pub mod variables;
+mod warnings;
 
 pub use logger::CATEGORIES;
 
