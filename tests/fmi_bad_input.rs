@@ -314,7 +314,7 @@ fn profile_files_that_cannot_be_read() {
 fn a_step_that_the_model_cannot_do_changes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("tip.txt");
-    std::fs::write(&file, "0 0\n1e-4 5e-7\n2e-4 2e-6\n").unwrap();
+    std::fs::write(&file, "0 0\n5e-5 1.25e-7\n1e-4 5e-7\n1.5e-4 1.125e-6\n2e-4 2e-6\n").unwrap();
     let fmu = Fmu::started(|fmu| {
         fmu.set_integer("profile", 7);
         fmu.set_string("profile_file", &c_path(&file));

@@ -315,7 +315,8 @@ fn initial_outputs_have_derivatives_with_respect_to_parameters() {
     fmu.refused(status, &["radius is refused as a known", "initialization mode"]);
 }
 
-/// They are tangents at the end of the step: after a large increment of load dT/dU of the end differs from the mean along the step.
+/// They are tangents at the end of the step: of a step to 0.5 µm, a fifth of full slip, dT/dU is 5.6 % below the mean of the step. The
+/// guide has these numbers.
 #[test]
 fn directional_derivatives_are_tangents_at_the_end_of_the_step() {
     let fmu = started(1, 1, 0.0);
@@ -323,10 +324,12 @@ fn directional_derivatives_are_tangents_at_the_end_of_the_step() {
         fmu.step_with(&[("tangential_displacement", to)], fmu.last_successful_time(), 1.0);
         fmu.real("tangential_force")
     };
-    let (before, after) = (step(0.2e-6), step(0.45e-6));
+    let force = step(0.5e-6);
     let (tangent, _) = fmu.directional(&["tangential_force"], &[("tangential_displacement", 1.0)]);
-    let next = step(0.45e-6 + 1e-12);
-    assert!(((next - after) / 1e-12 / tangent[0] - 1.0).abs() < 1e-3);
-    let secant = (after - before) / 0.25e-6;
-    assert!(tangent[0] < 0.98 * secant, "{} {secant}", tangent[0]);
+    let next = step(0.5e-6 + 1e-12);
+    assert!(((next - force) / 1e-12 / tangent[0] - 1.0).abs() < 1e-3);
+    let mean = force / 0.5e-6;
+    // physics.md: 2G*a (1 - θ)^(1/2) and μF [1 - (1 - θ)^(3/2)]/U at θ = 0.5/2.53755
+    assert!((tangent[0] - 31.781e6).abs() < 1e4 && (mean - 33.66e6).abs() < 1e4, "{} {mean}", tangent[0]);
+    assert!((tangent[0] / mean - 0.944).abs() < 1e-3, "{}", tangent[0] / mean);
 }

@@ -238,7 +238,10 @@ impl Component {
         let end = self.model.staged().clock.after(point, length)?;
         self.check_targets(length)?;
         self.model.step(end, length)?;
-        self.warn_of_mistakes(Warnings::after_step);
+        let (contact, staged) = self.model.parts();
+        if contact.is_some_and(|contact| self.warnings.has_to_look(contact, &staged.inputs)) {
+            self.warn_of_mistakes(Warnings::after_step);
+        }
         Ok(())
     }
 
@@ -292,7 +295,7 @@ impl Component {
             staged.clock = staged.clock.in_experiment_of(&experiment);
         }
         if let (Some(contact), staged) = self.model.parts() {
-            self.warnings.resume(contact, &staged.inputs);
+            self.warnings.resume(contact, &staged.settings, &staged.inputs);
         }
         Ok(())
     }

@@ -9,6 +9,9 @@ use crate::engine::FrettingContact;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
 
+/// Displacements of full slip that a step seldom moves.
+const FAR: f64 = 100.0;
+
 /// When a row is looked at.
 #[derive(Clone, Copy, PartialEq)]
 enum Moment {
@@ -82,10 +85,10 @@ const TABLE: [Row; 9] = [
     (Moment::Step, |scene| {
         let (moved, full_slip) = (scene.run.moved, scene.full_slip());
         let transient = scene.settings.loading() == Loading::Transient;
-        (moved > 100.0 * full_slip && full_slip > 0.0 && transient && scene.contact.contact_radius() > 0.0).then(
+        (moved > FAR * full_slip && full_slip > 0.0 && transient && scene.contact.contact_radius() > 0.0).then(
             || {
                 format!(
-                    "a step has moved the contact by {moved:.3e} m, more than 100 times the displacement of full slip, {full_slip:.3e} m: \
+                    "a step has moved the contact by {moved:.3e} m, more than {FAR} times the displacement of full slip, {full_slip:.3e} m: \
                      check the unit of tangential_displacement, which is m, or take shorter steps"
                 )
             },
@@ -181,8 +184,13 @@ struct Run {
     place: [f64; 2],
     /// Way of the contact in the last step, m.
     moved: f64,
+    /// Way beyond which a step is looked at, over the indentation depth.
+    far: f64,
+    /// The inputs that the loading does not use, when they were last looked at.
+    idle: [f64; 2],
     /// E*/G*.
     modulus_ratio: f64,
+    loading: Loading,
     touched: bool,
     has_moved: bool,
     /// Largest force (N) or indentation depth (m) while the bodies have not touched.
@@ -202,7 +210,10 @@ impl Default for Warnings {
             start: [0.0; 2],
             place: [f64::NAN; 2],
             moved: 0.0,
+            far: 0.0,
+            idle: [0.0; 2],
             modulus_ratio: 0.0,
+            loading: Loading::Transient,
             touched: false,
             has_moved: false,
             largest_normal: f64::NEG_INFINITY,
@@ -212,16 +223,22 @@ impl Default for Warnings {
 }
 
 impl Warnings {
-    fn begin(&mut self, contact: &FrettingContact, inputs: &Inputs) {
+    fn begin(&mut self, contact: &FrettingContact, settings: &Settings, inputs: &Inputs) {
         let materials = &contact.parameters().materials;
         let modulus_ratio = materials.normal_modulus() / materials.tangential_modulus();
-        self.run = Run { start: inputs.place(), modulus_ratio, ..Self::default().run };
+        let (loading, start) = (settings.loading(), inputs.place());
+        let far = match loading {
+            Loading::Transient => FAR * settings.friction_coefficient * modulus_ratio,
+            Loading::Cyclic => f64::INFINITY,
+        };
+        let place = [contact.displacement(), contact.displacement_y()];
+        self.run = Run { start, place, loading, modulus_ratio, far, ..Self::default().run };
     }
 
     /// A saved state has been taken, in the run that it belongs to or as the beginning of one.
-    pub(super) fn resume(&mut self, contact: &FrettingContact, inputs: &Inputs) {
+    pub(super) fn resume(&mut self, contact: &FrettingContact, settings: &Settings, inputs: &Inputs) {
         if self.run.modulus_ratio == 0.0 {
-            self.begin(contact, inputs);
+            self.begin(contact, settings, inputs);
         }
         self.run.place = [f64::NAN; 2];
         self.run.touched |= contact.contact_radius() > 0.0;
@@ -234,31 +251,43 @@ impl Warnings {
         settings: &Settings,
         inputs: &Inputs,
     ) -> Vec<String> {
-        self.begin(contact, inputs);
+        self.begin(contact, settings, inputs);
         let messages = self.due(rows_of(Moment::Start), contact, settings, inputs);
         messages.into_iter().chain(self.after_step(contact, settings, inputs)).collect()
     }
 
-    /// The messages of a step.
+    /// Whether a step may be one with messages: a few comparisons, which is all that a sensible run pays.
     #[inline]
+    pub(super) fn has_to_look(&mut self, contact: &FrettingContact, inputs: &Inputs) -> bool {
+        let run = &mut self.run;
+        let [x, y] = [contact.displacement(), contact.displacement_y()];
+        let [x0, y0] = std::mem::replace(&mut run.place, [x, y]);
+        run.moved = (x - x0).abs() + (y - y0).abs();
+        let idle = match run.loading {
+            Loading::Transient => [inputs.displacement_amplitude, 0.0],
+            Loading::Cyclic => inputs.place(),
+        };
+        let changed = idle != run.idle;
+        run.idle = idle;
+        !run.touched | changed | (run.moved > run.far * contact.indentation_depth())
+    }
+
+    /// The messages of a step that has to be looked at.
+    #[cold]
     pub(super) fn after_step(
         &mut self,
         contact: &FrettingContact,
         settings: &Settings,
         inputs: &Inputs,
     ) -> Vec<String> {
-        let [x, y] = [contact.displacement(), contact.displacement_y()];
-        let [x0, y0] = std::mem::replace(&mut self.run.place, [x, y]);
-        self.run.moved = (x - x0).abs() + (y - y0).abs();
         let mut rows = rows_of(Moment::Step);
         if !self.run.touched {
             rows |= self.before_contact(contact, settings, inputs);
         }
-        if self.unsent & rows == 0 { Vec::new() } else { self.due(rows, contact, settings, inputs) }
+        self.due(rows, contact, settings, inputs)
     }
 
     /// The rows of the first contact, where it is now.
-    #[cold]
     fn before_contact(&mut self, contact: &FrettingContact, settings: &Settings, inputs: &Inputs) -> u16 {
         let run = &mut self.run;
         if contact.contact_radius() > 0.0 {
