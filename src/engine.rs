@@ -32,7 +32,7 @@ use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
 use crate::wear::{Constants, Pending, Segment, Sliding, TransformCache, UnitMesh};
 use serde::{Deserialize, Serialize};
-use std::cell::{Cell, OnceCell};
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 /// What the contact does at the moment.
@@ -98,8 +98,6 @@ pub struct FrettingContact {
     counters: Counters,
     /// The worn profile up to this instant, made when read.
     view: OnceCell<Nodes>,
-    /// Largest wear depth that has been read, m.
-    deepest_read: Cell<f64>,
 }
 
 /// What wear needs besides the surface.
@@ -159,7 +157,6 @@ impl FrettingContact {
             wear,
             counters: Counters::default(),
             view: OnceCell::new(),
-            deepest_read: Cell::new(0.0),
         })
     }
 

@@ -113,14 +113,9 @@ impl FrettingContact {
         self.view().map_or(0.0, |nodes| nodes.depth_at(r))
     }
 
-    /// Deepest worn point, m. It never falls between reads, as wear never heals: updates of the profile move its deepest point by a
-    /// few parts in 10⁶ both ways, so that the largest value read so far is part of the state (a saved state brings it back).
+    /// Deepest worn point, m. Where updates of the profile have moved it, it may be a few parts in 10⁶ less than before.
     pub fn wear_depth(&self) -> f64 {
-        let deepest =
-            |nodes: &Nodes| nodes.depth().iter().fold(self.deepest_read.get(), |most, w| most.max(*w));
-        let depth = self.view().map_or(0.0, deepest);
-        self.deepest_read.set(depth);
-        depth
+        self.view().map_or(0.0, |nodes| nodes.depth().iter().fold(0.0, |most, w| most.max(*w)))
     }
 
     /// Volume ∫ 2πr w dr of the worn profile, m³: the same as [`Self::wear_volume`] by another route, the transforms.

@@ -31,8 +31,6 @@ pub struct Snapshot {
     nodes: Option<Nodes>,
     wear: Option<WearSnapshot>,
     counters: Counters,
-    #[serde(default)]
-    deepest_read: f64,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -75,7 +73,6 @@ impl FrettingContact {
             nodes: self.surface.worn().cloned(),
             wear,
             counters: self.counters,
-            deepest_read: self.deepest_read.get(),
         }
     }
 
@@ -114,7 +111,6 @@ impl FrettingContact {
         self.former = snapshot.former;
         self.reach = snapshot.reach;
         self.counters = snapshot.counters;
-        self.deepest_read.set(snapshot.deepest_read);
         self.wear = snapshot.wear.as_ref().map(|saved| {
             let segment = Segment {
                 unslipped: saved.segment_springs.clone(),

@@ -20,6 +20,9 @@ pub(super) struct Staged {
     pub(super) slopes: Option<Inputs>,
     pub(super) clock: Clock,
     pub(super) last_step: LastStep,
+    /// Largest wear depth that has been read, m. What the engine gives may fall in its sixth digit where the profile is updated, but
+    /// wear never heals.
+    pub(super) deepest_read: f64,
     /// Whether the contact still has to take over tunable parameters.
     retune: bool,
     /// Whether the contact has been brought to its initial state with the present inputs.
@@ -244,8 +247,9 @@ impl SavedModel {
         }
         let slopes = staged.slopes.as_ref().is_none_or(Inputs::is_finite);
         let length = staged.last_step.length;
-        if !(slopes && staged.clock.is_sound() && length >= 0.0 && length.is_finite()) {
-            return refuse("its time or its derivatives are out of range");
+        let lengths = [length, staged.deepest_read].iter().all(|value| (0.0..f64::INFINITY).contains(value));
+        if !(slopes && staged.clock.is_sound() && lengths) {
+            return refuse("its time, its derivatives or its wear depth are out of range");
         }
         if staged.initialized != initialized || (initialized && !staged.started) {
             return refuse("its progress contradicts its state");

@@ -169,6 +169,8 @@ pub(super) struct Output {
     /// Which direction's displacement it is, x or y, at which the contact is pressed on at the start in transient loading; nothing else
     /// follows that.
     pub(super) starts_anywhere: Option<Direction>,
+    /// Whether it is the wear depth, of which the largest value read so far is given.
+    pub(super) never_falls: bool,
 }
 
 /// A tangential direction.

@@ -77,7 +77,6 @@ impl Snapshot {
         let resolution = target.parameters.resolution;
         let most = MOST_KNOTS * resolution;
         let numbers = amount(self.reach)
-            && amount(self.deepest_read)
             && self.displacement.is_finite()
             && self.displacement_y.is_finite()
             && is_sign(self.direction)

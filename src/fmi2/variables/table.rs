@@ -135,7 +135,7 @@ const fn outputs() -> [Variable; 12] {
     type C = FrettingContact;
     let (volume, depth, work) = (
         grows(C::wear_volume, C::wear_volume_gradient, C::wear_volume_per_cycle),
-        grows(C::wear_depth, C::wear_depth_gradient, C::wear_depth_per_cycle),
+        Output { never_falls: true, ..grows(C::wear_depth, C::wear_depth_gradient, C::wear_depth_per_cycle) },
         grows(C::dissipated_energy, C::dissipated_energy_gradient, C::work_per_cycle),
     );
     let force = follows(C::tangential_force, C::tangential_force_gradient);
@@ -176,7 +176,7 @@ const fn outputs() -> [Variable; 12] {
 
 /// An output that follows the inputs.
 const fn follows(read: fn(&FrettingContact) -> f64, gradient: fn(&FrettingContact) -> Gradient) -> Output {
-    Output { read, gradient, per_cycle: None, starts_anywhere: None }
+    Output { read, gradient, per_cycle: None, starts_anywhere: None, never_falls: false }
 }
 
 /// An output that also grows with the cycles of cyclic loading.
@@ -246,6 +246,7 @@ const fn rig() -> [Variable; 2] {
         gradient: FrettingContact::displacement_gradient,
         per_cycle: None,
         starts_anywhere: Some(Direction::X),
+        never_falls: false,
     };
     [
         real("rig_stiffness", "N/m", stiffness, |s| &mut s.rig_stiffness).about(
@@ -264,12 +265,14 @@ const fn second_direction() -> [Variable; 3] {
         gradient: FrettingContact::tangential_force_y_gradient,
         per_cycle: None,
         starts_anywhere: None,
+        never_falls: false,
     };
     let own = Output {
         read: FrettingContact::displacement_y,
         gradient: FrettingContact::displacement_y_gradient,
         per_cycle: None,
         starts_anywhere: Some(Direction::Y),
+        never_falls: false,
     };
     [
         input("tangential_displacement_y", "m", 1e-6, Range::FINITE, |i| &mut i.tangential_displacement_y).about(
