@@ -15,13 +15,13 @@ use std::path::Path;
 fn inputs_that_are_not_finite() {
     let fmu = Fmu::started(|_| {});
     for input in variables().iter().filter(|v| v.causality() == "input") {
-        let before = fmu.real(&input.name);
+        let before = fmu.real(input.name);
         for (value, text) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")] {
             fmu.refused(
-                fmu.set_real(&input.name, value),
+                fmu.set_real(input.name, value),
                 &["fmi2SetReal", &format!("{} = {text}", input.name)],
             );
-            assert_eq!(fmu.real(&input.name), before);
+            assert_eq!(fmu.real(input.name), before);
         }
     }
     assert_eq!(fmu.do_step(0.0, 0.1), OK);

@@ -12,7 +12,7 @@ fn outputs() -> Vec<&'static str> {
     let real = |v: &&fretting_contact::fmi2::variables::Variable| {
         v.causality() == "output" && v.data_type.name() == "Real"
     };
-    variables().iter().filter(real).map(|v| v.name.as_ref()).collect()
+    variables().iter().filter(real).map(|v| v.name).collect()
 }
 
 fn values(fmu: &Fmu) -> Vec<f64> {
@@ -196,8 +196,7 @@ fn cycles_wear_at_a_rate() {
 /// rig, in the plane or both or, through wear, in time.
 #[test]
 fn every_declared_dependency_is_one() {
-    let inputs: Vec<_> =
-        variables().iter().filter(|v| v.causality() == "input").map(|v| v.name.as_ref()).collect();
+    let inputs: Vec<_> = variables().iter().filter(|v| v.causality() == "input").map(|v| v.name).collect();
     let mut missing: Vec<(&str, &str)> =
         inputs.iter().flat_map(|input| outputs().into_iter().map(move |output| (*input, output))).collect();
     let independent = |(input, output): &(&str, &str)| {

@@ -43,7 +43,7 @@ fn run(fmu: &Fmu, random: &mut StdRng, start: f64) -> Vec<u64> {
 fn readings(fmu: &Fmu) -> Vec<u64> {
     let outputs = variables().iter().filter(|v| v.causality() == "output" && v.data_type.name() == "Real");
     let fields = ["worn_depth[12]", "worn_depth[40]", "pressure[30]", "shear_traction[50]", "image[45]"];
-    outputs.map(|v| v.name.as_ref()).chain(fields).map(|name| fmu.real(name).to_bits()).collect()
+    outputs.map(|v| v.name).chain(fields).map(|name| fmu.real(name).to_bits()).collect()
 }
 
 /// A state as bytes, the seed of what follows, and what can be read after that.

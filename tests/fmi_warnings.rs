@@ -66,7 +66,7 @@ fn sensible_scenes_hear_nothing() {
         &[(AMPLITUDE, 0.0), ("normal_force", -1.0)][..],
         &[(X, 1e-4)],
         &[("normal_force", 100.0)],
-        &STROKES[0],
+        STROKES[0],
     ];
     assert_eq!(run(real("normal_force", 0.0), &gap), [""; 0]);
     let content: String =

@@ -357,7 +357,7 @@ impl Model {
     }
 
     /// As it is in a serialised state, which has no stop time.
-    pub(crate) fn from_bytes(self) -> Self {
+    pub(crate) fn serialized(self) -> Self {
         Self { stop: None, ..self }
     }
 
