@@ -46,7 +46,8 @@ pub enum Error {
         /// Contact radius that the load asks for, m.
         contact_radius: f64,
     },
-    /// The load, on the profile as it has worn by then, needs a contact larger than the tabulated profile.
+    /// The load, on the profile as it has worn by then, needs a contact larger than the tabulated
+    /// profile.
     #[error(
         "{quantity} = {value:.6e} needs a contact radius beyond the last point of the profile table, \
          r = {radius:.6e} m: extend the table, lower the load or let it wear less"

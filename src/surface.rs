@@ -174,14 +174,14 @@ impl Surface {
     }
 
     /// Whether a contact reaches to where the unworn image falls.
-    pub(crate) fn may_be_parted(&self, contact_radius: f64) -> bool {
+    pub(crate) fn reaches_falling_image(&self, contact_radius: f64) -> bool {
         matches!(&*self.profile, Profile::Table(table) if contact_radius > table.monotone_up_to())
     }
 
-    /// Refuses a contact that the fall of a table's image would part.
+    /// Refuses a contact that would not be one disc.
     pub(crate) fn check_one_disc(&self, contact_radius: f64) -> Result<(), Error> {
         if let Profile::Table(table) = &*self.profile
-            && self.may_be_parted(contact_radius)
+            && self.reaches_falling_image(contact_radius)
             && self.falls_behind(table, contact_radius)
         {
             return Err(Error::NonMonotoneImage { radius: table.monotone_up_to(), contact_radius });

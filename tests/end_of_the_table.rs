@@ -1,5 +1,5 @@
-//! A contact that grows by wear to the last point of its profile table: nothing is known beyond it, so that the call is refused with
-//! the radius, and nothing has changed, in cycles as in strokes.
+//! A contact that grows by wear to the last point of its profile table: nothing is known beyond it,
+//! so that the call is refused with the radius, and nothing has changed, in cycles as in strokes.
 
 #[cfg(feature = "fmi2")]
 mod host;
@@ -31,7 +31,8 @@ fn whole() -> Profile {
     Profile::Parabola { radius: 0.01 }
 }
 
-/// Scenes that wear their contact beyond the table: control, stiffness of the rig, amplitude, cycles.
+/// Scenes that wear their contact beyond the table: control, stiffness of the rig, amplitude,
+/// cycles.
 const SCENES: [(NormalControl, f64, f64, f64); 5] = [
     (NormalControl::Force, f64::INFINITY, 5e-6, 1e5),
     (NormalControl::Force, f64::INFINITY, 2.5e-6, 1e7),
@@ -83,7 +84,8 @@ fn cycles_that_wear_the_contact_beyond_the_table_are_refused() {
     }
 }
 
-/// Calls of a few cycles each come to the end of the table as one call does, with nothing wrong before.
+/// Calls of a few cycles each come to the end of the table as one call does, with nothing wrong
+/// before.
 #[test]
 fn calls_of_any_length_stop_before_the_end() {
     for (control, rig, amplitude, cycles) in SCENES {
@@ -131,7 +133,7 @@ fn strokes_that_wear_the_contact_beyond_the_table_are_refused() {
     panic!("never refused: a = {}", contact.contact_radius());
 }
 
-/// A hollow that only the worn contact comes to parts it, in cycles as in strokes.
+/// A contact that reaches a hollow only when it has worn, in cycles and in strokes.
 #[test]
 fn a_contact_that_grows_into_a_hollow_is_refused() {
     let hollow = |r: f64| if r > 2.45e-4 && r < 2.65e-4 { r * r / 0.02 - 3e-7 } else { r * r / 0.02 };

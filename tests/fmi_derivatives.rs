@@ -240,7 +240,8 @@ fn every_declared_dependency_is_one() {
     assert_eq!(missing, []);
 }
 
-/// Of an order that the FMU does not have the derivative is 0, as in the standard's example; an order of 0 is none.
+/// Of an order that the FMU does not have the derivative is 0, as in the standard's example; an
+/// order of 0 is none.
 #[test]
 fn output_derivatives_of_second_order_are_zero() {
     for loading in [1, 2] {
@@ -260,7 +261,8 @@ fn output_derivatives_of_second_order_are_zero() {
     }
 }
 
-/// InitialUnknowns declares that outputs depend on parameters: Hertz's formulas, d ln a = (d ln F + d ln R - d ln E*)/3 and the like.
+/// InitialUnknowns declares that outputs depend on parameters: Hertz's formulas, d ln a = (d ln F +
+/// d ln R - d ln E*)/3 and the like.
 #[test]
 fn initial_outputs_have_derivatives_with_respect_to_parameters() {
     let fmu = Fmu::new();
@@ -290,7 +292,8 @@ fn initial_outputs_have_derivatives_with_respect_to_parameters() {
     let seeds = [("radius", 0.01), ("normal_force", 100.0)];
     let (sum, _) = fmu.directional(&["indentation_depth"], &seeds);
     assert!((sum[0] / (fmu.real("indentation_depth") / 3.0) - 1.0).abs() < 1e-6);
-    // at the ends of a range differences are one-sided; friction is switched on and off, which is no derivative
+    // at the ends of a range differences are one-sided; friction is switched on and off, which is
+    // no derivative
     for (name, value, slopes) in [
         // a ~ (1 - nu1^2 + 1 - nu2^2)^(1/3)
         ("poisson_ratio_1", 0.0, true),
@@ -314,8 +317,8 @@ fn initial_outputs_have_derivatives_with_respect_to_parameters() {
     fmu.refused(status, &["radius is refused as a known", "initialization mode"]);
 }
 
-/// They are tangents at the end of the step: of a step to 0.5 µm, a fifth of full slip, dT/dU is 5.6 % below the mean of the step. The
-/// guide has these numbers.
+/// They are tangents at the end of the step: of a step to 0.5 µm, a fifth of full slip, dT/dU is
+/// 5.6 % below the mean of the step. The guide has these numbers.
 #[test]
 fn directional_derivatives_are_tangents_at_the_end_of_the_step() {
     let fmu = started(1, 1, 0.0);

@@ -299,7 +299,8 @@ fn the_end_of_a_run_counts_the_steps_that_were_asked_for() {
     assert!(messages[0].contains(" work: 200 steps, "), "{messages:?}");
 }
 
-/// A single hash in a message begins a value reference that the importer replaces; the standard has it doubled.
+/// A single hash in a message begins a value reference that the importer replaces; the standard has
+/// it doubled.
 #[test]
 fn hashes_in_messages_are_doubled() {
     let fmu = Fmu::new();

@@ -136,8 +136,8 @@ fn a_state_of_any_part_of_a_life_can_be_serialised() {
     }
 }
 
-/// A run that has come to its stop time goes on in an instance with a later one, or with none; the stop time that holds is that of the
-/// instance.
+/// A run that has come to its stop time goes on in an instance with a later one, or with none; the
+/// stop time that holds is that of the instance.
 #[test]
 fn a_finished_run_goes_on_to_a_later_stop_time() {
     let ready = |stop: Option<f64>| {

@@ -1,5 +1,5 @@
-//! Likely mistakes: each is told once per instance, with its number, by a warning to the logger; the calls succeed. Sensible scenes
-//! hear none.
+//! Likely mistakes: each is logged once per instance, as a warning with its number; the calls
+//! succeed. Sensible scenes cause none.
 #![cfg(feature = "fmi2")]
 
 mod host;
@@ -46,7 +46,7 @@ fn table(content: &str) -> (tempfile::NamedTempFile, impl Fn(&Fmu)) {
 const STROKES: [&[(&str, f64)]; 4] = [&[(X, 2e-6)], &[(X, -2e-6)], &[(X, 4e-6)], &[(X, -4e-6)]];
 
 #[test]
-fn sensible_scenes_hear_nothing() {
+fn sensible_scenes_cause_no_warning() {
     assert_eq!(run(|_| {}, &STROKES), [""; 0]);
     // every profile with its start values
     for profile in 1..=6 {

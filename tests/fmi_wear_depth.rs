@@ -8,7 +8,8 @@ use host::{Fmu, OK};
 use rand::rngs::StdRng;
 use rand::{RngExt, SeedableRng};
 
-/// Runs of strokes of all lengths with a load that varies, and wear that brings the profile up to date many times.
+/// Runs of strokes of all lengths with a load that varies, and wear that brings the profile up to
+/// date many times.
 #[test]
 fn the_depth_never_falls_between_reads() {
     for seed in 0..8 {
@@ -68,7 +69,7 @@ fn a_saved_state_brings_the_depth_back() {
     assert_eq!((fmu.real("wear_depth"), other.real("wear_depth")), (depth, depth));
 }
 
-/// Whoever does not read it does not pay for it.
+/// The depth costs nothing where it is not read.
 #[test]
 fn the_depth_is_computed_only_where_it_is_read() {
     let run = |reads: bool| {
@@ -83,5 +84,5 @@ fn the_depth_is_computed_only_where_it_is_read() {
         }
         (*contact.counters(), contact.wear_volume())
     };
-    assert_eq!(run(true), run(false), "what is read is worked out on a copy, and changes nothing else");
+    assert_eq!(run(true), run(false), "a read changes no counter and no result");
 }

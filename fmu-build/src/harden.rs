@@ -1,5 +1,6 @@
-//! The C master of the tests under valgrind and under AddressSanitizer: 10,000 instances in 8 threads, every function,
-//! instances made and freed one after the other, and the library loaded and unloaded. Any access out of bounds and any leak is an error.
+//! The C master of the tests under valgrind and under AddressSanitizer: 10,000 instances in 8
+//! threads, every function, instances made and freed one after the other, and the library loaded
+//! and unloaded. Any access out of bounds and any leak is an error.
 
 use crate::libclang::Environment;
 use crate::process::{self, run_lines, run_quietly};

@@ -7,15 +7,17 @@ use serde::{Deserialize, Serialize};
 /// far: masters add up step sizes, and their sums differ in the last digits, also where they come back to 0.
 const SAME: f64 = 1e-9;
 
-/// Or by less than this, relative to the step: some masters round their clock to nanoseconds or to single precision. 16,000 equal steps
-/// of a clock in single precision stay within it; a step that is repeated or left out is far from it.
+/// Or by less than this, relative to the step: some masters round their clock to nanoseconds or to
+/// single precision. 16,000 equal steps of a clock in single precision stay within it; a step that
+/// is repeated or left out is far from it.
 const SAME_OF_STEP: f64 = 1e-3;
 
 /// Where an instance stands in time, s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Clock {
     time: f64,
-    /// That of this instance's experiment. A saved state has none: what it starts may end at another time.
+    /// That of this instance's experiment. A saved state has none: what it starts may end at
+    /// another time.
     #[serde(skip)]
     stop: Option<f64>,
     /// The longest step so far.

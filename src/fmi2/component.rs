@@ -189,7 +189,8 @@ impl Component {
         Ok(())
     }
 
-    /// Sends the messages of likely mistakes, if there are any; the status of the call stays what it is.
+    /// Sends the messages of likely mistakes, if there are any; the status of the call stays what
+    /// it is.
     fn warn_of_mistakes(
         &mut self,
         find: fn(&mut Warnings, &FrettingContact, &Settings, &Inputs) -> Vec<String>,
@@ -220,8 +221,8 @@ impl Component {
         result
     }
 
-    /// A step that is asked for again, with all as it was when it was discarded, would be discarded for ever: some masters repeat it
-    /// without end.
+    /// A step that is asked for again, with all as it was when it was discarded, would be discarded
+    /// again: some masters repeat it without end.
     #[cold]
     fn step_after_a_discard(&mut self, point: f64, length: f64) -> Checked {
         if let Some(discarded) = &self.discarded

@@ -3,8 +3,9 @@
 //! Those of the engine ([`crate::engine::FrettingContact::tangential_force_gradient`] and its like) in the present sliding
 //! direction, with the profile as it is. In cyclic loading the displacement is the amplitude, and what accumulates does not
 //! follow the inputs but grows with the cycles. Before the end of the initialization the contact is pressed anew wherever it
-//! stands, so that nothing depends on the displacement but the displacement of the contact itself. Until then there are derivatives
-//! with respect to parameters, too, since InitialUnknowns declares that outputs depend on them.
+//! stands, so that nothing depends on the displacement but the displacement of the contact itself.
+//! Until then there are derivatives with respect to parameters, too, since InitialUnknowns declares
+//! that outputs depend on them.
 
 use super::component::Component;
 use super::enumerations::Loading;
@@ -15,7 +16,8 @@ use super::variables::{Access, DataType, Direction, Output, Variable};
 use crate::engine::FrettingContact;
 use core::mem::MaybeUninit;
 
-/// Relative difference of a parameter for derivatives with respect to it: rounding and curvature then count alike.
+/// Relative difference of a parameter for derivatives with respect to it: rounding and curvature
+/// then count alike.
 const DIFFERENCE: f64 = 6e-6;
 
 /// How the inputs change, per unit of whatever they change with.
@@ -105,8 +107,9 @@ impl Component {
         Ok(())
     }
 
-    /// Derivatives of the initial values of outputs with respect to a parameter, by differences of two contacts that are built with
-    /// others, central ones but at the ends of its range. What friction and wear switch on or off is no derivative.
+    /// Derivatives of the initial values of outputs with respect to a parameter, by differences of
+    /// two contacts that are built with others, central ones but at the ends of its range. What
+    /// friction and wear switch on or off is no derivative.
     fn parameter_slopes(&mut self, variable: &Variable, outputs: &[Output]) -> Checked<Vec<f64>> {
         let settings = &self.model.staged().settings.clone();
         let (Access::Parameter(field) | Access::Tunable(field)) = variable.access else {
@@ -133,8 +136,9 @@ impl Component {
         Ok(outputs.iter().map(slope).collect())
     }
 
-    /// fmi2GetRealOutputDerivatives: how outputs change at the end of the last step, along which the inputs moved evenly. Derivatives
-    /// of an order above maxOutputDerivativeOrder are 0, as in the standard's example.
+    /// fmi2GetRealOutputDerivatives: how outputs change at the end of the last step, along which
+    /// the inputs moved evenly. Derivatives of an order above maxOutputDerivativeOrder are 0, as in
+    /// the standard's example.
     pub(super) fn output_derivatives(
         &mut self,
         references: &[u32],

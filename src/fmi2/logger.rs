@@ -63,7 +63,8 @@ impl Logger {
             return;
         }
         // The text is an argument of "%s", never the format: it may contain per cent signs.
-        // A hash is doubled, since a single one begins a value reference that the importer replaces.
+        // A hash is doubled, since a single one begins a value reference that the importer
+        // replaces.
         let text = text.replace('\0', "\u{fffd}").replace('#', "##");
         let text = CString::new(text).unwrap_or_default();
         let category = CATEGORIES[category(status)].0;

@@ -20,8 +20,8 @@ pub(super) struct Staged {
     pub(super) slopes: Option<Inputs>,
     pub(super) clock: Clock,
     pub(super) last_step: LastStep,
-    /// Largest wear depth that has been read, m. What the engine gives may fall in its sixth digit where the profile is updated, but
-    /// wear never heals.
+    /// Largest wear depth that has been read, m. What the engine gives may fall in its sixth digit
+    /// where the profile is updated, but wear never heals.
     pub(super) deepest_read: f64,
     /// Whether the contact still has to take over tunable parameters.
     retune: bool,

@@ -1,7 +1,7 @@
 //! Likely mistakes: values that are allowed and seldom meant, such as a modulus in the wrong unit.
 //!
-//! Each row of [`TABLE`] reaches the logger at most once per instance, with the status fmi2Warning. The function that finds it
-//! still returns fmi2OK, since some masters stop at anything else.
+//! Each row of [`TABLE`] reaches the logger at most once per instance, with the status fmi2Warning.
+//! The function that finds it still returns fmi2OK, since some masters stop at anything else.
 
 use super::enumerations::Loading;
 use super::settings::{Inputs, Settings};
@@ -154,7 +154,8 @@ impl Scene<'_> {
         }
     }
 
-    /// Largest pressure, Pa; the mean one under profiles whose pressure is infinite at an apex or a rim.
+    /// Largest pressure, Pa; the mean one under profiles whose pressure is infinite at an apex or a
+    /// rim.
     fn pressure(&self) -> f64 {
         match &self.contact.parameters().profile {
             Profile::Cone { .. } | Profile::BluntedSphere { .. } | Profile::FlatPunch { .. } => {
@@ -256,7 +257,8 @@ impl Warnings {
         messages.into_iter().chain(self.after_step(contact, settings, inputs)).collect()
     }
 
-    /// Whether a step may be one with messages: a few comparisons, which is all that a sensible run pays.
+    /// Whether a step may be one with messages: a few comparisons, which is all that a sensible run
+    /// pays.
     #[inline]
     pub(super) fn has_to_look(&mut self, contact: &FrettingContact, inputs: &Inputs) -> bool {
         let run = &mut self.run;

@@ -66,7 +66,7 @@ pub(super) fn over(
     let outer = surface.profile().outer_radius();
     let rim = a >= outer * (1.0 - RIM);
     if rim {
-        ends_at_rim(surface, motion, constants)?;
+        check_end_of_body(surface, motion, constants)?;
     }
     let a = if rim { outer } else { a };
     let start =
@@ -127,8 +127,13 @@ pub(super) fn over(
     start(surface.clone(), inside, front, a * a, &zero).map(Some).ok_or_else(|| lost(motion))
 }
 
-/// A contact may grow to the end of a punch, but not to that of a table: what lies beyond its last point is not known.
-pub(super) fn ends_at_rim(surface: &Surface, motion: &Motion, constants: &Constants) -> Result<(), Error> {
+/// A contact may grow to the end of a punch, but not to that of a table: what lies beyond its last
+/// point is not known.
+pub(super) fn check_end_of_body(
+    surface: &Surface,
+    motion: &Motion,
+    constants: &Constants,
+) -> Result<(), Error> {
     let Profile::Table(table) = surface.profile() else { return Ok(()) };
     let (quantity, value) = match motion.control {
         NormalControl::Force => ("normal_force", 2.0 * constants.normal_modulus * motion.value),

@@ -1,7 +1,7 @@
 //! The life of a contact under a steady motion: many cycles at constant load, under error control.
 
 use super::Constants;
-use super::laying::{ends_at_rim, over};
+use super::laying::{check_end_of_body, over};
 use super::mesh::UnitMesh;
 use super::patch::{Front, Motion, Patch, Rate, State, lost};
 use super::rosenbrock;
@@ -129,7 +129,7 @@ pub(crate) fn live(
                     volume += trial.volume;
                     fresh = false;
                     let edge = state.area.sqrt();
-                    if life.surface.may_be_parted(edge) {
+                    if life.surface.reaches_falling_image(edge) {
                         let mut worn = life.surface.clone();
                         worn.set_worn(Some(left_behind(&patch, &state, &rate, fineness.tolerance)));
                         worn.check_one_disc(edge)?;
@@ -146,7 +146,7 @@ pub(crate) fn live(
             }
         }
         if patch.is_at_end_of_body(&rate) {
-            ends_at_rim(&life.surface, motion, constants)?;
+            check_end_of_body(&life.surface, motion, constants)?;
         }
         life.next_step = step;
         life.mesh = Some(patch.mesh.clone());

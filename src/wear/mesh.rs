@@ -110,7 +110,8 @@ fn meshes() -> MutexGuard<'static, Vec<Weak<UnitMesh>>> {
 }
 
 impl Drop for UnitMesh {
-    /// The last user takes its entry off the list: a library that is unloaded leaves nothing behind.
+    /// The last user takes its entry off the list: a library that is unloaded leaves nothing
+    /// behind.
     fn drop(&mut self) {
         let mut meshes = meshes();
         meshes.retain(|mesh| mesh.strong_count() > 0);

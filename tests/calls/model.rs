@@ -120,7 +120,8 @@ pub(crate) struct Model {
 struct Attempt {
     point: f64,
     length: f64,
-    /// Of inputs and parameters: the bits of what the model computes are not known and stay what they are.
+    /// Of inputs and parameters: the bits of what the model computes are not known and stay what
+    /// they are.
     reals: [u64; ROOM],
     slopes: [f64; INPUTS],
 }
@@ -229,7 +230,8 @@ impl Model {
         self.gated(Group::Get, depth)
     }
 
-    /// Whether outputs have derivatives with respect to it: an input or, in initialization mode, a Real parameter.
+    /// Whether outputs have derivatives with respect to it: an input or, in initialization mode, a
+    /// Real parameter.
     pub(crate) fn is_known(&self, reference: u32) -> bool {
         let parameter = |v: &Variable| v.causality() == "parameter" && v.data_type.name() == "Real";
         is_input(reference) || !self.initialized() && variable(reference).is_some_and(parameter)
@@ -361,7 +363,8 @@ impl Model {
         Self { stop: None, ..self }
     }
 
-    /// After fmi2SetFMUstate in an instance that was in another state: its own stop time holds for a run that has begun.
+    /// After fmi2SetFMUstate in an instance that was in another state: its own stop time holds for
+    /// a run that has begun.
     pub(crate) fn restored(&mut self, state: Self) {
         let stop = if state.state == Instantiated { state.stop } else { self.stop };
         *self = Self { stop, discarded: None, ..state };

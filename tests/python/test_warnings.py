@@ -1,4 +1,4 @@
-"""Sensible scenes hear no warning: no example and no demo does."""
+"""No example and no demo causes a warning."""
 
 import subprocess
 import sys
@@ -39,7 +39,7 @@ def warnings(script, *arguments):
     return [line for line in (done.stdout + done.stderr).splitlines() if line.startswith("[WARNING]")]
 
 
-def test_the_runner_hears_warnings(fmu_path, tmp_path):
+def test_the_runner_finds_warnings(fmu_path, tmp_path):
     own = tmp_path / "own.py"
     own.write_text(
         "import sys\nfrom contact_fmu import ContactFmu, FmuFile\n"
@@ -59,11 +59,11 @@ def test_the_runner_hears_warnings(fmu_path, tmp_path):
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_no_example_hears_one(fmu_path, name):
+def test_no_example_causes_one(fmu_path, name):
     assert warnings(PYTHON / name, fmu_path) == []
 
 
-def test_the_demo_hears_none(fmu_path, tmp_path):
+def test_the_demo_causes_none(fmu_path, tmp_path):
     assert warnings(DEMO / "demo.py", "--fmu", fmu_path, "--out", tmp_path, "--quick") == []
 
 

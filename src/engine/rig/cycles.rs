@@ -60,7 +60,8 @@ impl FrettingContact {
             stretch = stretch.min(left);
             let before = self.clone();
             let predicted = self.amplitude_after(value, (drive, amplitude), stretch);
-            // the amplitude grows along a stretch: what leaves the table with that of its start leaves it
+            // the amplitude grows along a stretch: what leaves the table with that of its start
+            // leaves it
             if let Err(beyond @ (Error::BeyondTable { .. } | Error::NonMonotoneImage { .. })) = predicted {
                 return Err(beyond);
             }

@@ -1,4 +1,5 @@
-//! The rows. The table is made by the compiler: a library that is loaded and unloaded many times leaves nothing behind.
+//! The rows. The table is made by the compiler: a library that is loaded and unloaded many times
+//! leaves nothing behind.
 
 use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable};
 use crate::engine::{FrettingContact, Gradient, SlipState};
