@@ -46,10 +46,11 @@ pub enum Error {
         /// Contact radius that the load asks for, m.
         contact_radius: f64,
     },
-    /// The load needs a contact larger than the tabulated profile.
+    /// The load, on the profile as it has worn by then, needs a contact larger than the tabulated
+    /// profile.
     #[error(
         "{quantity} = {value:.6e} needs a contact radius beyond the last point of the profile table, \
-         r = {radius:.6e} m: extend the table or lower the load"
+         r = {radius:.6e} m: extend the table, lower the load or let it wear less"
     )]
     BeyondTable {
         /// The controlled quantity, `normal_force` or `indentation`.

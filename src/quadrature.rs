@@ -4,10 +4,15 @@ use gauss_quad::GaussLegendre;
 use std::num::NonZeroUsize;
 use std::sync::LazyLock;
 
-static RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
-    let degree = NonZeroUsize::new(16).unwrap_or(NonZeroUsize::MIN);
-    GaussLegendre::new(degree).iter().map(|(node, weight)| (*node, *weight)).collect()
-});
+// an array, since a library that is unloaded does not free what its statics have allocated
+static RULE: LazyLock<[(f64, f64); 16]> = LazyLock::new(gauss_legendre);
+
+/// Nodes and weights of the rule with `N` points on [−1, 1].
+pub(crate) fn gauss_legendre<const N: usize>() -> [(f64, f64); N] {
+    let rule = GaussLegendre::new(NonZeroUsize::new(N).unwrap_or(NonZeroUsize::MIN));
+    let mut points = rule.iter().map(|(node, weight)| (*node, *weight));
+    std::array::from_fn(|_| points.next().unwrap_or_default())
+}
 
 /// ∫ from `start` to `end` of `f`, by a 16-point rule on panels no longer than ½: relative error near rounding for
 /// integrands that are analytic within a distance of order 1 of the interval.

@@ -142,6 +142,7 @@ impl Surface {
         if let Some(place) = self.worn.as_ref().and_then(Nodes::mesh)
             && place.contact.control == value
         {
+            self.check_one_disc(place.contact.radius)?;
             return Ok(place.contact);
         }
         let touch = self.image(0.0);
@@ -163,21 +164,29 @@ impl Surface {
             }
             _ => open,
         };
-        if let Profile::Table(table) = &*self.profile
-            && contact.radius > table.monotone_up_to()
-            && self.falls_behind(table, contact.radius)
-        {
-            return Err(Error::NonMonotoneImage {
-                radius: table.monotone_up_to(),
-                contact_radius: contact.radius,
-            });
-        }
+        self.check_one_disc(contact.radius)?;
         if contact.radius < range::LEAST_RADIUS {
             return Ok(open);
         }
         let Contact { depth, radius, load, .. } = contact;
         range::contact(radius, depth, load, load * force_scale)?;
         Ok(contact)
+    }
+
+    /// Whether a contact reaches to where the unworn image falls.
+    pub(crate) fn reaches_falling_image(&self, contact_radius: f64) -> bool {
+        matches!(&*self.profile, Profile::Table(table) if contact_radius > table.monotone_up_to())
+    }
+
+    /// Refuses a contact that would not be one disc.
+    pub(crate) fn check_one_disc(&self, contact_radius: f64) -> Result<(), Error> {
+        if let Profile::Table(table) = &*self.profile
+            && self.reaches_falling_image(contact_radius)
+            && self.falls_behind(table, contact_radius)
+        {
+            return Err(Error::NonMonotoneImage { radius: table.monotone_up_to(), contact_radius });
+        }
+        Ok(())
     }
 
     /// Whether the present image still falls right behind the radius at which the unworn one does: up to the next point of the table,

@@ -15,13 +15,13 @@ use std::path::Path;
 fn inputs_that_are_not_finite() {
     let fmu = Fmu::started(|_| {});
     for input in variables().iter().filter(|v| v.causality() == "input") {
-        let before = fmu.real(&input.name);
+        let before = fmu.real(input.name);
         for (value, text) in [(f64::NAN, "NaN"), (f64::INFINITY, "inf"), (f64::NEG_INFINITY, "-inf")] {
             fmu.refused(
-                fmu.set_real(&input.name, value),
+                fmu.set_real(input.name, value),
                 &["fmi2SetReal", &format!("{} = {text}", input.name)],
             );
-            assert_eq!(fmu.real(&input.name), before);
+            assert_eq!(fmu.real(input.name), before);
         }
     }
     assert_eq!(fmu.do_step(0.0, 0.1), OK);
@@ -192,7 +192,7 @@ fn derivatives_that_are_not_supported() {
     fmu.refused(fmu.set_slope("normal_force", 1, f64::NAN), &["derivative of normal_force = NaN"]);
     fmu.refused(fmu.set_slope("wear_depth", 1, 1.0), &["derivative of wear_depth = 1.0", "not an input"]);
     let output = |name, order| fmu.output_slope(name, order).1;
-    fmu.refused(output("wear_depth", 2), &["fmi2GetRealOutputDerivatives", "wear_depth", "order 2"]);
+    fmu.refused(output("wear_depth", 0), &["fmi2GetRealOutputDerivatives", "wear_depth", "order 0"]);
     fmu.refused(output("wear_depth", 0), &["wear_depth", "order 0"]);
     fmu.refused(output("normal_force", 1), &["normal_force", "only outputs"]);
     fmu.refused(output("pressure[1]", 1), &["pressure[1]", "only outputs"]);
@@ -314,7 +314,7 @@ fn profile_files_that_cannot_be_read() {
 fn a_step_that_the_model_cannot_do_changes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("tip.txt");
-    std::fs::write(&file, "0 0\n1e-4 5e-7\n2e-4 2e-6\n").unwrap();
+    std::fs::write(&file, "0 0\n5e-5 1.25e-7\n1e-4 5e-7\n1.5e-4 1.125e-6\n2e-4 2e-6\n").unwrap();
     let fmu = Fmu::started(|fmu| {
         fmu.set_integer("profile", 7);
         fmu.set_string("profile_file", &c_path(&file));

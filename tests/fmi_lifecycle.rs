@@ -269,7 +269,7 @@ fn the_end_of_a_run_tells_its_work_as_an_event() {
         engine.advance_to(100.0, displacement).unwrap();
     }
     let counters = engine.counters();
-    assert!(counters.steps == 5 && counters.profile_updates > 0 && counters.descent_transforms > 0);
+    assert!(counters.steps == 4 && counters.profile_updates > 0 && counters.descent_transforms > 0);
     assert!(counters.factorisations > 0 && counters.spring_walks > 0);
     for categories in [&[][..], &[c"logEvents"], &[c"logAll"]] {
         let messages = messages_at_the_end(true, categories);
@@ -286,4 +286,31 @@ fn the_end_of_a_run_tells_its_work_as_an_event() {
     ] {
         assert!(counters.to_string().contains(&format!(" {number} ")), "{counters}");
     }
+}
+
+/// "201 steps" stood in the log after 200.
+#[test]
+fn the_end_of_a_run_counts_the_steps_that_were_asked_for() {
+    let fmu = Fmu::started(|_| {});
+    for k in 0..200 {
+        fmu.step_with(&[("tangential_displacement", 1e-6 * f64::from(k).sin())], f64::from(k), 1.0);
+    }
+    let messages = fmu.terminated_aloud();
+    assert!(messages[0].contains(" work: 200 steps, "), "{messages:?}");
+}
+
+/// A single hash in a message begins a value reference that the importer replaces; the standard has
+/// it doubled.
+#[test]
+fn hashes_in_messages_are_doubled() {
+    let fmu = Fmu::new();
+    assert_eq!(
+        (fmu.set_integer("profile", 7), fmu.set_string("profile_file", c"tip #r1# no. 3.txt")),
+        (OK, OK)
+    );
+    assert_eq!((fmu.setup(0.0, None), fmu.enter_initialization()), (OK, OK));
+    assert_eq!(fmu.exit_initialization(), ERROR);
+    let message = fmu.message();
+    assert!(message.contains("profile_file = \"tip ##r1## no. 3.txt\""), "{message}");
+    assert!(!message.replace("##", "").contains('#'), "{message}");
 }

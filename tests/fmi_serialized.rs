@@ -43,7 +43,7 @@ fn run(fmu: &Fmu, random: &mut StdRng, start: f64) -> Vec<u64> {
 fn readings(fmu: &Fmu) -> Vec<u64> {
     let outputs = variables().iter().filter(|v| v.causality() == "output" && v.data_type.name() == "Real");
     let fields = ["worn_depth[12]", "worn_depth[40]", "pressure[30]", "shear_traction[50]", "image[45]"];
-    outputs.map(|v| v.name.as_ref()).chain(fields).map(|name| fmu.real(name).to_bits()).collect()
+    outputs.map(|v| v.name).chain(fields).map(|name| fmu.real(name).to_bits()).collect()
 }
 
 /// A state as bytes, the seed of what follows, and what can be read after that.
@@ -129,11 +129,53 @@ fn a_state_of_any_part_of_a_life_can_be_serialised() {
             assert_eq!(other.exit_initialization(), OK);
         }
         assert_eq!(other.real("radius"), 0.02);
-        let stop = if k == 0 { f64::INFINITY } else { 2.0 };
+        // the stop time was that of the experiment before
         if k == 3 {
-            assert_eq!(other.do_step(1.0, 2.0) == OK, stop > 3.0);
+            assert_eq!(other.do_step(1.0, 2.0), OK);
         }
     }
+}
+
+/// A run that has come to its stop time goes on in an instance with a later one, or with none; the
+/// stop time that holds is that of the instance.
+#[test]
+fn a_finished_run_goes_on_to_a_later_stop_time() {
+    let ready = |stop: Option<f64>| {
+        let fmu = Fmu::new();
+        assert_eq!(
+            (fmu.setup(0.0, stop), fmu.enter_initialization(), fmu.exit_initialization()),
+            (OK, OK, OK)
+        );
+        fmu
+    };
+    let go_on = |fmu: &Fmu| {
+        for (k, displacement) in [-2e-6, 3e-6].into_iter().enumerate() {
+            fmu.step_with(&[("tangential_displacement", displacement)], 1.0 + k as f64, 1.0);
+        }
+        fmu.bits()
+    };
+    let first = ready(Some(1.0));
+    first.step_with(&[("tangential_displacement", 2e-6)], 0.0, 1.0);
+    first.refused(first.do_step(1.0, 1.0), &["stop time 1.0"]);
+    let saved = first.save();
+    let bytes = first.serialized(saved);
+    let whole = ready(None);
+    whole.step_with(&[("tangential_displacement", 2e-6)], 0.0, 1.0);
+    let expected = go_on(&whole);
+    for fmu in [ready(Some(3.0)), ready(None), Fmu::new()] {
+        let (state, status) = fmu.deserialized(&bytes);
+        assert_eq!((status, fmu.restore(state)), (OK, OK), "{:?}", fmu.messages());
+        assert_eq!(go_on(&fmu), expected);
+    }
+    let short = ready(Some(1.5));
+    let (state, _) = short.deserialized(&bytes);
+    assert_eq!(short.restore(state), OK);
+    short.refused(short.do_step(1.0, 1.0), &["stop time 1.5"]);
+    assert_eq!(short.do_step(1.0, 0.5), OK);
+    // in the same instance, after a reset, and after an end in good order
+    assert_eq!((first.terminate(), first.reset()), (OK, OK));
+    assert_eq!((first.setup(0.0, Some(3.0)), first.restore(saved)), (OK, OK));
+    assert_eq!(go_on(&first), expected);
 }
 
 #[test]

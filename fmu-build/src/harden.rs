@@ -1,5 +1,6 @@
-//! The C master of the tests under valgrind and under AddressSanitizer: 10,000 instances in 8 threads, every function, and
-//! instances made and freed one after the other. Any access out of bounds and any leak is an error.
+//! The C master of the tests under valgrind and under AddressSanitizer: 10,000 instances in 8
+//! threads, every function, instances made and freed one after the other, and the library loaded
+//! and unloaded. Any access out of bounds and any leak is an error.
 
 use crate::libclang::Environment;
 use crate::process::{self, run_lines, run_quietly};
@@ -9,8 +10,8 @@ use anyhow::{Context, Result, bail};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What the master does: `many` and `loop` take counts.
-const TASKS: [&[&str]; 3] = [&["abi"], &["loop", "1000"], &["many", "10000", "8"]];
+/// What the master does: `many`, `loop` and `reload` take counts.
+const TASKS: [&[&str]; 4] = [&["abi"], &["loop", "1000"], &["reload", "100"], &["many", "10000", "8"]];
 
 /// A tool to run the master under.
 #[derive(Clone, Copy, PartialEq)]

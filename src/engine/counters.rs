@@ -7,7 +7,7 @@ use std::fmt;
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Counters {
-    /// Calls of `advance_to`, `advance_cycles` and `start_at` that succeeded.
+    /// Calls of `advance_to` and `advance_cycles` that succeeded.
     pub steps: u64,
     /// Straight pieces walked by the springs.
     pub spring_walks: u64,

@@ -113,7 +113,8 @@ impl FrettingContact {
         self.view().map_or(0.0, |nodes| nodes.depth_at(r))
     }
 
-    /// Deepest worn point, m.
+    /// Deepest worn point, m. Where updates of the profile have moved it, it may be a few parts in
+    /// 10⁶ less than before.
     pub fn wear_depth(&self) -> f64 {
         self.view().map_or(0.0, |nodes| nodes.depth().iter().fold(0.0, |most, w| most.max(*w)))
     }

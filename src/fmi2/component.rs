@@ -2,13 +2,16 @@
 
 use super::lifecycle::Call;
 use super::logger::Logger;
-use super::model::Model;
+use super::model::{Attempt, Model};
 use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::saved::{Saved, SavedStates};
 use super::serialized;
+use super::settings::{Inputs, Settings};
 use super::status::{Outcome, State, Status};
+use super::warnings::Warnings;
 use super::{GUID, MODEL_IDENTIFIER};
+use crate::engine::FrettingContact;
 use core::ffi::CStr;
 use fmi_sys::fmi2::{fmi2FMUstate, fmi2Type, fmi2Type_fmi2CoSimulation};
 
@@ -26,7 +29,16 @@ pub(super) struct Component {
     /// Worst status of the call that is being carried out, apart from its result.
     worst: Status,
     last_step: Outcome,
+    /// The last step, where it has been discarded.
+    discarded: Option<Box<Discarded>>,
+    warnings: Warnings,
     saved: SavedStates,
+}
+
+/// A step that the model could not do, and why.
+struct Discarded {
+    attempt: Attempt,
+    reason: String,
 }
 
 impl Component {
@@ -39,6 +51,8 @@ impl Component {
             failure: None,
             worst: Status::Ok,
             last_step: Outcome::Done,
+            discarded: None,
+            warnings: Warnings::default(),
             saved: SavedStates::default(),
         }
     }
@@ -171,23 +185,65 @@ impl Component {
                 100.0 * defect
             ));
         }
+        self.warn_of_mistakes(Warnings::at_start);
         Ok(())
     }
 
+    /// Sends the messages of likely mistakes, if there are any; the status of the call stays what
+    /// it is.
+    fn warn_of_mistakes(
+        &mut self,
+        find: fn(&mut Warnings, &FrettingContact, &Settings, &Inputs) -> Vec<String>,
+    ) {
+        let (Some(contact), staged) = self.model.parts() else { return };
+        for message in find(&mut self.warnings, contact, &staged.settings, &staged.inputs) {
+            self.logger.log(Status::Warning, &message);
+        }
+    }
+
     pub(super) fn do_step(&mut self, point: f64, length: f64) -> Checked {
-        let result = self.step(point, length);
+        let result = if self.discarded.is_some() {
+            self.step_after_a_discard(point, length)
+        } else {
+            self.step(point, length)
+        };
         self.last_step = match &result {
             Ok(()) => Outcome::Done,
             Err(refusal) if refusal.status() == Status::Discard => Outcome::Discarded,
             Err(_) => Outcome::Refused,
         };
+        if let Err(refusal) = &result
+            && self.last_step == Outcome::Discarded
+        {
+            let attempt = self.model.attempt(point, length);
+            self.discarded = Some(Box::new(Discarded { attempt, reason: refusal.to_string() }));
+        }
         result
+    }
+
+    /// A step that is asked for again, with all as it was when it was discarded, would be discarded
+    /// again: some masters repeat it without end.
+    #[cold]
+    fn step_after_a_discard(&mut self, point: f64, length: f64) -> Checked {
+        if let Some(discarded) = &self.discarded
+            && discarded.attempt == self.model.attempt(point, length)
+        {
+            return Err(Refusal::Repeated(discarded.reason.clone()).into());
+        }
+        self.step(point, length)?;
+        self.discarded = None;
+        Ok(())
     }
 
     fn step(&mut self, point: f64, length: f64) -> Checked {
         let end = self.model.staged().clock.after(point, length)?;
         self.check_targets(length)?;
-        self.model.step(end, length)
+        self.model.step(end, length)?;
+        let (contact, staged) = self.model.parts();
+        if contact.is_some_and(|contact| self.warnings.has_to_look(contact, &staged.inputs)) {
+            self.warn_of_mistakes(Warnings::after_step);
+        }
+        Ok(())
     }
 
     /// fmi2DoStepStatus.
@@ -201,6 +257,7 @@ impl Component {
 
     pub(super) fn terminate(&mut self) -> Checked {
         self.state = State::Terminated;
+        self.warn_of_mistakes(Warnings::at_end);
         if let (Some(contact), _) = self.model.parts() {
             let counters = contact.counters().to_string();
             self.event(&format!("terminated after this work: {counters}"));
@@ -214,6 +271,7 @@ impl Component {
         self.state = State::Instantiated;
         self.failure = None;
         self.last_step = Outcome::Done;
+        self.discarded = None;
         Ok(())
     }
 
@@ -224,12 +282,22 @@ impl Component {
 
     pub(super) fn restore(&mut self, state: fmi2FMUstate) -> Checked {
         let saved = self.saved.get(state)?;
+        let experiment = self.model.staged().clock;
         if self.failure.is_some() {
             self.model = saved.model.revive()?;
         } else {
             self.model.restore(&saved.model)?;
         }
         (self.state, self.last_step, self.failure) = (saved.state, saved.last_step, None);
+        self.discarded = None;
+        // a run that has begun goes on to the stop time of this instance's experiment
+        if self.state != State::Instantiated {
+            let staged = self.model.staged();
+            staged.clock = staged.clock.in_experiment_of(&experiment);
+        }
+        if let (Some(contact), staged) = self.model.parts() {
+            self.warnings.resume(contact, &staged.settings, &staged.inputs);
+        }
         Ok(())
     }
 

@@ -4,15 +4,21 @@
 //! direction, with the profile as it is. In cyclic loading the displacement is the amplitude, and what accumulates does not
 //! follow the inputs but grows with the cycles. Before the end of the initialization the contact is pressed anew wherever it
 //! stands, so that nothing depends on the displacement but the displacement of the contact itself.
+//! Until then there are derivatives with respect to parameters, too, since InitialUnknowns declares
+//! that outputs depend on them.
 
 use super::component::Component;
 use super::enumerations::Loading;
 use super::refusal::{Checked, Refusal};
 use super::settings::Inputs;
 use super::values::{Asked, Table};
-use super::variables::{Access, Direction, Output, Variable};
+use super::variables::{Access, DataType, Direction, Output, Variable};
 use crate::engine::FrettingContact;
 use core::mem::MaybeUninit;
+
+/// Relative difference of a parameter for derivatives with respect to it: rounding and curvature
+/// then count alike.
+const DIFFERENCE: f64 = 6e-6;
 
 /// How the inputs change, per unit of whatever they change with.
 struct Change {
@@ -71,29 +77,68 @@ impl Component {
         let refuse = |variable: &Variable| Refusal::Unknown { name: variable.name.to_string() };
         let outputs = outputs(unknowns, refuse)?;
         let mut change = Inputs::ZERO;
+        let mut by_parameters = vec![0.0; outputs.len()];
         for (&reference, &value) in knowns.iter().zip(seed) {
             let variable = Table::get().find(reference, Asked::Real)?;
             let name = || variable.name.to_string();
-            let Access::Input(field) = variable.access else {
-                return Err(Refusal::Known { name: name() }.into());
-            };
             if !value.is_finite() {
                 let requirement = "give a finite number";
                 return Err(Refusal::Derivative { name: name(), value, requirement }.into());
             }
-            *field(&mut change) += value;
+            match variable.access {
+                Access::Input(field) => *field(&mut change) += value,
+                Access::Parameter(_) | Access::Tunable(_) if !self.model.is_initialized() => {
+                    for (sum, slope) in
+                        by_parameters.iter_mut().zip(self.parameter_slopes(variable, &outputs)?)
+                    {
+                        *sum += value * slope;
+                    }
+                }
+                _ => return Err(Refusal::Known { name: name() }.into()),
+            }
         }
         self.model.contact(&self.resources)?;
         let change = self.change(&change);
         if let (Some(contact), _) = self.model.parts() {
-            for (output, result) in outputs.iter().zip(results) {
-                result.write(change.of(output, contact));
+            for ((output, by_parameters), result) in outputs.iter().zip(by_parameters).zip(results) {
+                result.write(by_parameters + change.of(output, contact));
             }
         }
         Ok(())
     }
 
-    /// fmi2GetRealOutputDerivatives: how outputs change at the end of the last step, along which the inputs moved evenly.
+    /// Derivatives of the initial values of outputs with respect to a parameter, by differences of
+    /// two contacts that are built with others, central ones but at the ends of its range. What
+    /// friction and wear switch on or off is no derivative.
+    fn parameter_slopes(&mut self, variable: &Variable, outputs: &[Output]) -> Checked<Vec<f64>> {
+        let settings = &self.model.staged().settings.clone();
+        let (Access::Parameter(field) | Access::Tunable(field)) = variable.access else {
+            return Ok(vec![0.0; outputs.len()]);
+        };
+        let value = *field(&mut settings.clone());
+        let switch = matches!(variable.access, Access::Tunable(_)) && value == 0.0;
+        let step = DIFFERENCE * if value == 0.0 { 1.0 } else { value.abs() };
+        let [low, high] = [value - step, value + step].map(|moved| {
+            let allowed =
+                matches!(&variable.data_type, DataType::Real { range, .. } if range.contains(moved));
+            if allowed { moved } else { value }
+        });
+        if switch || !(high - low).is_normal() {
+            return Ok(vec![0.0; outputs.len()]);
+        }
+        let with = |value: f64| {
+            let mut settings = settings.clone();
+            *field(&mut settings) = value;
+            self.model.beginning_with(&settings, &self.resources)
+        };
+        let (before, after) = (with(low)?, with(high)?);
+        let slope = |output: &Output| ((output.read)(&after) - (output.read)(&before)) / (high - low);
+        Ok(outputs.iter().map(slope).collect())
+    }
+
+    /// fmi2GetRealOutputDerivatives: how outputs change at the end of the last step, along which
+    /// the inputs moved evenly. Derivatives of an order above maxOutputDerivativeOrder are 0, as in
+    /// the standard's example.
     pub(super) fn output_derivatives(
         &mut self,
         references: &[u32],
@@ -105,7 +150,7 @@ impl Component {
             |variable: &Variable| Refusal::Text { name: variable.name.to_string(), problem: requirement };
         let outputs = outputs(references, refuse)?;
         for (&reference, &order) in references.iter().zip(orders) {
-            if order != 1 {
+            if order < 1 {
                 let name = Table::get().find(reference, Asked::Real)?.name.to_string();
                 return Err(Refusal::OutputDerivativeOrder { name, order }.into());
             }
@@ -114,8 +159,9 @@ impl Component {
         let (frequency, amplitude) = self.model.staged().last_step.cycles();
         let change = self.change(&rates);
         if let (Some(contact), _) = self.model.parts() {
-            for (output, value) in outputs.iter().zip(values) {
+            for ((output, order), value) in outputs.iter().zip(orders).zip(values) {
                 value.write(match output.per_cycle {
+                    _ if *order > 1 => 0.0,
                     Some(per_cycle) if change.loading == Loading::Cyclic => {
                         if frequency > 0.0 {
                             frequency * per_cycle(contact, amplitude)

@@ -63,7 +63,10 @@ impl Logger {
             return;
         }
         // The text is an argument of "%s", never the format: it may contain per cent signs.
-        let text = CString::new(text.replace('\0', "\u{fffd}")).unwrap_or_default();
+        // A hash is doubled, since a single one begins a value reference that the importer
+        // replaces.
+        let text = text.replace('\0', "\u{fffd}").replace('#', "##");
+        let text = CString::new(text).unwrap_or_default();
         let category = CATEGORIES[category(status)].0;
         let name = self.instance_name.as_ptr();
         // SAFETY: the importer vouches for its callback until fmi2FreeInstance; every string ends with a null and

@@ -11,6 +11,7 @@
 //! | `derivatives` | of outputs: with respect to inputs and to time |
 //! | `component`, `values`, `model`, `clock`, `saved`, `serialized` | one instance: access by value reference, the contact, its time, its saved states, in memory and as bytes |
 //! | `status`, `refusal` | what a call returns, and every reason to refuse one, with its numbers |
+//! | `warnings` | likely mistakes, each sent once |
 //!
 //! # What the standard leaves to the FMU, and how it is settled here
 //!
@@ -18,6 +19,16 @@
 //!   instance to a load beyond its profile table, returns fmi2Discard: nothing has changed, the last successful time is
 //!   that before it, and a master may repeat it with other inputs or another step size without a saved state. A status
 //!   that this FMU cannot report is a discard, too. fmi2Warning goes with dissimilar materials, once.
+//! - **Repeated discard.** The same step asked for again, with nothing changed and no state restored
+//!   since its discard, returns fmi2Error: it would be discarded without end, and some masters ask
+//!   without end. After fmi2Error the standard lets a master restore a state, reset or free the
+//!   instance. This one also stays in the state before the step, as after every refused call, and
+//!   takes other inputs, another step or fmi2Terminate.
+//! - **Warnings** of likely mistakes (`warnings`) reach the logger with the status fmi2Warning, each
+//!   once per instance. The call itself returns fmi2OK, since some masters stop at anything else.
+//! - **Time.** A communication point is the end of the last step if it differs from it by less than
+//!   1e-3 of the step (clocks rounded to nanoseconds or single precision) or 1e-9 of the time. A saved
+//!   state has no stop time: that of the instance that takes it holds.
 //! - **Panic.** It returns fmi2Error, not fmi2Fatal, since instances share nothing. The instance refuses
 //!   everything from then on, until fmi2Reset, fmi2SetFMUstate or fmi2FreeInstance.
 //! - **Messages.** Warnings, errors and discards always reach the logger; events only under `loggingOn`, and when their
@@ -29,8 +40,10 @@
 //!   point at which they are set: they serve one step, after which the input stands where that step ended, so that
 //!   a step with nothing set anew stays there. A step of length zero takes the new inputs without moving time.
 //! - **Derivatives of outputs** are those of the law in the present sliding direction, one-sided where it has a kink (see
-//!   [`crate::engine::Gradient`]), at the profile as it is. Those with respect to time hold at the end of the last step, for
-//!   inputs that go on as they moved along it.
+//!   [`crate::engine::Gradient`]), at the profile as it is: tangents at the end of the last step, not
+//!   averages along it. Those with respect to time hold there, too, for inputs that go on as they moved;
+//!   of order 2 and more they are 0. In initialization mode there are directional derivatives with
+//!   respect to parameters, too.
 //! - **Tunable parameters.** friction_coefficient and wear_coefficient may be changed between steps, but not switched on or
 //!   off. The next step begins with the new ones; springs that are then beyond their bound slip back to it.
 //! - **Cyclic loading.** A step makes `h` times the mean frequency cycles; the other inputs count at its end.
@@ -54,6 +67,7 @@ mod settings;
 mod status;
 mod values;
 pub mod variables;
+mod warnings;
 
 pub use logger::CATEGORIES;
 

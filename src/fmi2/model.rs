@@ -20,6 +20,9 @@ pub(super) struct Staged {
     pub(super) slopes: Option<Inputs>,
     pub(super) clock: Clock,
     pub(super) last_step: LastStep,
+    /// Largest wear depth that has been read, m. What the engine gives may fall in its sixth digit
+    /// where the profile is updated, but wear never heals.
+    pub(super) deepest_read: f64,
     /// Whether the contact still has to take over tunable parameters.
     retune: bool,
     /// Whether the contact has been brought to its initial state with the present inputs.
@@ -54,6 +57,17 @@ pub(super) struct Model {
     staged: Staged,
     /// None while it has to be built from the settings.
     contact: Option<FrettingContact>,
+}
+
+/// A step that is asked for, with all that decides whether the contact can do it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Attempt {
+    point: f64,
+    length: f64,
+    inputs: Inputs,
+    slopes: Option<Inputs>,
+    friction_coefficient: f64,
+    wear_coefficient: f64,
 }
 
 /// A copy of a model.
@@ -110,21 +124,22 @@ impl Model {
     fn start(&mut self, resources: &Resources) -> Checked {
         let Self { staged: Staged { settings, inputs, started, .. }, contact } = self;
         // Dropped where it cannot start, so that a profile file that has been corrected is read again.
-        let mut built = match contact.take() {
+        let built = match contact.take() {
             Some(contact) => contact,
-            None => FrettingContact::new(settings.parameters(resources)?)
-                .map_err(|problem| engine("parameters", problem))?,
+            None => build(settings, resources)?,
         };
-        let displacement = match settings.loading() {
-            Loading::Transient => inputs.place(),
-            Loading::Cyclic => [0.0; 2],
-        };
-        built
-            .start_at_planar(inputs.normal(settings.normal_control()), displacement)
-            .map_err(|problem| engine(&format!("start with {}", inputs.describe(settings)), problem))?;
-        *contact = Some(built);
+        *contact = Some(press(built, settings, inputs)?);
         *started = true;
         Ok(())
+    }
+
+    /// The contact as it would begin now with other settings.
+    pub(super) fn beginning_with(
+        &self,
+        settings: &Settings,
+        resources: &Resources,
+    ) -> Checked<FrettingContact> {
+        press(build(settings, resources)?, settings, &self.staged.inputs)
     }
 
     /// The contact as far as it has been built, and what has been set.
@@ -138,6 +153,13 @@ impl Model {
         self.staged.initialized = true;
         self.staged.last_step.to = self.staged.inputs;
         self.contact(resources)
+    }
+
+    /// A step of `length`, s, from `point`, s, as it would be done now.
+    pub(super) fn attempt(&self, point: f64, length: f64) -> Attempt {
+        let Staged { settings, inputs, slopes, .. } = &self.staged;
+        let Settings { friction_coefficient, wear_coefficient, .. } = *settings;
+        Attempt { point, length, inputs: *inputs, slopes: *slopes, friction_coefficient, wear_coefficient }
     }
 
     /// One step of `length`, s, at whose end the clock is `end`.
@@ -225,8 +247,9 @@ impl SavedModel {
         }
         let slopes = staged.slopes.as_ref().is_none_or(Inputs::is_finite);
         let length = staged.last_step.length;
-        if !(slopes && staged.clock.is_sound() && length >= 0.0 && length.is_finite()) {
-            return refuse("its time or its derivatives are out of range");
+        let lengths = [length, staged.deepest_read].iter().all(|value| (0.0..f64::INFINITY).contains(value));
+        if !(slopes && staged.clock.is_sound() && lengths) {
+            return refuse("its time, its derivatives or its wear depth are out of range");
         }
         if staged.initialized != initialized || (initialized && !staged.started) {
             return refuse("its progress contradicts its state");
@@ -246,6 +269,23 @@ impl SavedModel {
             .and_then(|mut contact| contact.restore(snapshot))
             .map_err(|problem| engine("serialised state", problem).into())
     }
+}
+
+fn build(settings: &Settings, resources: &Resources) -> Checked<FrettingContact> {
+    let contact = FrettingContact::new(settings.parameters(resources)?);
+    Ok(contact.map_err(|problem| engine("parameters", problem))?)
+}
+
+/// A contact brought to its initial state.
+fn press(mut contact: FrettingContact, settings: &Settings, inputs: &Inputs) -> Checked<FrettingContact> {
+    let displacement = match settings.loading() {
+        Loading::Transient => inputs.place(),
+        Loading::Cyclic => [0.0; 2],
+    };
+    contact
+        .start_at_planar(inputs.normal(settings.normal_control()), displacement)
+        .map_err(|problem| engine(&format!("start with {}", inputs.describe(settings)), problem))?;
+    Ok(contact)
 }
 
 fn engine(context: &str, problem: Error) -> Refusal {

@@ -50,11 +50,15 @@ pub(super) enum Refusal {
     DerivativeOrder { name: String, order: i32 },
     #[error("derivative of {name} = {value:?} is refused: {requirement}")]
     Derivative { name: String, value: f64, requirement: &'static str },
-    #[error("derivative of {name}: order {order} is refused; only order 1 of outputs is supported")]
+    #[error(
+        "derivative of {name}: order {order} is refused; an order is 1 or more, and from 2 on the derivative is 0"
+    )]
     OutputDerivativeOrder { name: String, order: i32 },
     #[error("{name} is refused as an unknown: only Real outputs have directional derivatives")]
     Unknown { name: String },
-    #[error("{name} is refused as a known: derivatives are with respect to inputs")]
+    #[error(
+        "{name} is refused as a known: derivatives are with respect to inputs and, in initialization mode, Real parameters"
+    )]
     Known { name: String },
     #[error("{0} is not a log category of modelDescription.xml")]
     LogCategory(String),
@@ -78,6 +82,11 @@ pub(super) enum Refusal {
         "{context} cannot be done, and nothing has changed: {problem}; try a shorter step or other inputs"
     )]
     Step { context: String, problem: Error },
+    #[error(
+        "the same step is asked for again, with nothing set since it was discarded: change the inputs or the step size, restore a \
+         state, or end the run; it was discarded for this reason: {0}"
+    )]
+    Repeated(String),
     #[error("{context}: {problem}")]
     Engine { context: String, problem: Error },
 }

@@ -142,7 +142,7 @@ impl Default for Inputs {
             normal_force: 100.0,
             indentation: 3.48291e-6,
             tangential_displacement: 0.0,
-            displacement_amplitude: 1e-6,
+            displacement_amplitude: Self::AMPLITUDE,
             frequency: 1.0,
             tangential_displacement_y: 0.0,
         }
@@ -150,6 +150,9 @@ impl Default for Inputs {
 }
 
 impl Inputs {
+    /// Start value of the amplitude, m.
+    pub(super) const AMPLITUDE: f64 = 1e-6;
+
     /// Nothing, as the derivatives of constant inputs.
     pub(super) const ZERO: Self = Self {
         normal_force: 0.0,

@@ -174,6 +174,10 @@ impl Component {
             value.write(match (table.access(reference), contact) {
                 (Access::Input(field), _) => *field(&mut staged.inputs),
                 (Access::Parameter(field) | Access::Tunable(field), _) => *field(&mut staged.settings),
+                (Access::Output(output), Some(contact)) if output.never_falls => {
+                    staged.deepest_read = staged.deepest_read.max((output.read)(contact));
+                    staged.deepest_read
+                }
                 (Access::Output(output), Some(contact)) => (output.read)(contact),
                 (Access::Field { probe, read }, Some(contact)) => {
                     let radii = radii.get_or_insert_with(|| contact.probe_radii());

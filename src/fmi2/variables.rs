@@ -6,28 +6,25 @@ mod table;
 use super::enumerations::Enumeration;
 use super::settings::{Inputs, Settings};
 use crate::engine::{FrettingContact, Gradient, SlipState};
-use std::borrow::Cow;
 use std::ffi::CString;
 use std::fmt;
 use std::ops::{Bound, RangeBounds, RangeInclusive};
-use std::sync::LazyLock;
 
 /// Number of radii at which the fields are given.
 pub const PROBES: usize = 64;
 
 /// All variables in the order of their value references.
 pub fn variables() -> &'static [Variable] {
-    static TABLE: LazyLock<Vec<Variable>> = LazyLock::new(table::rows);
-    &TABLE
+    &table::TABLE
 }
 
 /// One row of the table.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Variable {
     /// Name in the structured naming convention.
-    pub name: Cow<'static, str>,
+    pub name: &'static str,
     /// Meaning, for people.
-    pub description: Cow<'static, str>,
+    pub description: &'static str,
     /// Type with unit and range.
     pub data_type: DataType,
     /// Where the value lives.
@@ -39,7 +36,7 @@ pub struct Variable {
 }
 
 /// Type of a variable and what belongs to it.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DataType {
     /// fmi2Real.
     Real {
@@ -116,14 +113,12 @@ impl Range {
         (value.is_finite() || self.is_open_ended()) && (self.low, self.high).contains(&value)
     }
 
+    const fn of(range: &RangeInclusive<f64>) -> Self {
+        Self { low: Bound::Included(*range.start()), high: Bound::Included(*range.end()) }
+    }
+
     fn is_open_ended(&self) -> bool {
         self.high == Bound::Included(f64::INFINITY)
-    }
-}
-
-impl From<RangeInclusive<f64>> for Range {
-    fn from(range: RangeInclusive<f64>) -> Self {
-        Self { low: Bound::Included(*range.start()), high: Bound::Included(*range.end()) }
     }
 }
 
@@ -174,6 +169,8 @@ pub(super) struct Output {
     /// Which direction's displacement it is, x or y, at which the contact is pressed on at the start in transient loading; nothing else
     /// follows that.
     pub(super) starts_anywhere: Option<Direction>,
+    /// Whether it is the wear depth, of which the largest value read so far is given.
+    pub(super) never_falls: bool,
 }
 
 /// A tangential direction.

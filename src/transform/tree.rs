@@ -2,9 +2,8 @@
 
 use super::cell::Density;
 use super::interpolation::{ORDER, POINTS, Row, add_scaled, lagrange, of_lagrange, polynomials};
-use gauss_quad::GaussLegendre;
+use crate::quadrature::gauss_legendre;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
-use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::LazyLock;
 
@@ -178,7 +177,7 @@ impl Tree {
                     // dX/√X = 2 dx
                     let (x0, x1) = (self.root[j], self.root[j + 1]);
                     let length = cell / (x0 + x1);
-                    let rule = if length < 0.1 * x1 { rule(cell / self.width(block)) } else { &RULES[0] };
+                    let rule = if length < 0.1 * x1 { rule(cell / self.width(block)) } else { &RULES.0 };
                     for &(g, weight) in rule {
                         add(g * (2.0 * x0 + g * length) / (x0 + x1), FRAC_2_PI * length * weight);
                     }
@@ -207,20 +206,22 @@ impl Tree {
 /// Gauss–Legendre rules on [0, 1]. A kernel that is singular a block's width from the block is integrated over a cell of
 /// the share δ of its width with an error of (r + √(r² − 1))^−2n, r = 1 + 2/δ: below 1e-13 for all of them. The first rule
 /// is for integration over x instead of X, where that distance may shrink to 0.41 of the cell.
-static RULES: LazyLock<[Vec<(f64, f64)>; 4]> = LazyLock::new(|| {
-    [14, 9, 6, 4].map(|points| {
-        let points = NonZeroUsize::new(points).unwrap_or(NonZeroUsize::MIN);
-        GaussLegendre::new(points).iter().map(|(node, weight)| (0.5 + 0.5 * node, 0.5 * weight)).collect()
-    })
-});
+static RULES: LazyLock<Rules> = LazyLock::new(|| (on_unit(), on_unit(), on_unit(), on_unit()));
+
+/// Nodes and weights of rules with so many points.
+type Rules = ([(f64, f64); 14], [(f64, f64); 9], [(f64, f64); 6], [(f64, f64); 4]);
+
+fn on_unit<const N: usize>() -> [(f64, f64); N] {
+    gauss_legendre().map(|(node, weight)| (0.5 + 0.5 * node, 0.5 * weight))
+}
 
 /// The rule for a cell of the given share of its block.
 fn rule(share: f64) -> &'static [(f64, f64)] {
     if share > 0.25 {
-        &RULES[1]
+        &RULES.1
     } else if share > 0.0625 {
-        &RULES[2]
+        &RULES.2
     } else {
-        &RULES[3]
+        &RULES.3
     }
 }

@@ -5,6 +5,8 @@ use super::life::{Fineness, MISSING, THINNING};
 use super::mesh::{Region, UnitMesh};
 use super::patch::{FRONT_CELLS, Frozen, Motion, Patch, RIM, State, lost};
 use crate::error::Error;
+use crate::parameters::NormalControl;
+use crate::profile::Profile;
 use crate::surface::{Contact, MeshPlace, Nodes, Surface};
 
 /// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells of a disc do not see: they would
@@ -63,6 +65,9 @@ pub(super) fn over(
     let mesh = UnitMesh::shared(region, fineness.cells);
     let outer = surface.profile().outer_radius();
     let rim = a >= outer * (1.0 - RIM);
+    if rim {
+        check_end_of_body(surface, motion, constants)?;
+    }
     let a = if rim { outer } else { a };
     let start =
         |body: Surface, inside: Frozen, front: f64, area: f64, images: &dyn Fn(&[f64]) -> Vec<f64>| {
@@ -120,6 +125,21 @@ pub(super) fn over(
         Frozen::default()
     };
     start(surface.clone(), inside, front, a * a, &zero).map(Some).ok_or_else(|| lost(motion))
+}
+
+/// A contact may grow to the end of a punch, but not to that of a table: what lies beyond its last
+/// point is not known.
+pub(super) fn check_end_of_body(
+    surface: &Surface,
+    motion: &Motion,
+    constants: &Constants,
+) -> Result<(), Error> {
+    let Profile::Table(table) = surface.profile() else { return Ok(()) };
+    let (quantity, value) = match motion.control {
+        NormalControl::Force => ("normal_force", 2.0 * constants.normal_modulus * motion.value),
+        NormalControl::Indentation => ("indentation", motion.value),
+    };
+    Err(Error::BeyondTable { quantity, value, radius: table.outer_radius() })
 }
 
 /// Whether a mesh among the nodes is one for this region and front.

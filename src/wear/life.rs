@@ -1,7 +1,7 @@
 //! The life of a contact under a steady motion: many cycles at constant load, under error control.
 
 use super::Constants;
-use super::laying::over;
+use super::laying::{check_end_of_body, over};
 use super::mesh::UnitMesh;
 use super::patch::{Front, Motion, Patch, Rate, State, lost};
 use super::rosenbrock;
@@ -128,6 +128,12 @@ pub(crate) fn live(
                     (state, rate) = (trial.state, trial.rate);
                     volume += trial.volume;
                     fresh = false;
+                    let edge = state.area.sqrt();
+                    if life.surface.reaches_falling_image(edge) {
+                        let mut worn = life.surface.clone();
+                        worn.set_worn(Some(left_behind(&patch, &state, &rate, fineness.tolerance)));
+                        worn.check_one_disc(edge)?;
+                    }
                     counters.profile_updates += 1;
                     left -= length;
                     // a step cut short says nothing about a longer one, unless it was all but too long
@@ -138,6 +144,9 @@ pub(crate) fn live(
                     step = length * factor.min(0.8);
                 }
             }
+        }
+        if patch.is_at_end_of_body(&rate) {
+            check_end_of_body(&life.surface, motion, constants)?;
         }
         life.next_step = step;
         life.mesh = Some(patch.mesh.clone());

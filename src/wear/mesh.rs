@@ -14,7 +14,7 @@ mod weights;
 
 use crate::transform::{Density, FastAbel, Scratch, dot};
 use std::cell::RefCell;
-use std::sync::{Arc, Mutex, Weak};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 pub(crate) use weights::depth_volume;
 use weights::{annulus_integrals, annulus_table, disc_integrals, disc_table};
 
@@ -101,19 +101,36 @@ pub(super) fn grading(region: Region, cells: usize) -> f64 {
     }
 }
 
+/// The meshes in use, in any order.
+static MESHES: Mutex<Vec<Weak<UnitMesh>>> = Mutex::new(Vec::new());
+
+fn meshes() -> MutexGuard<'static, Vec<Weak<UnitMesh>>> {
+    // what a panicking thread left is a list of complete meshes
+    MESHES.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Drop for UnitMesh {
+    /// The last user takes its entry off the list: a library that is unloaded leaves nothing
+    /// behind.
+    fn drop(&mut self) {
+        let mut meshes = meshes();
+        meshes.retain(|mesh| mesh.strong_count() > 0);
+        if meshes.is_empty() {
+            *meshes = Vec::new();
+        }
+    }
+}
+
 impl UnitMesh {
     /// The mesh with `cells` cells, shared with every other user of the same.
     pub(crate) fn shared(region: Region, cells: usize) -> Arc<Self> {
-        static MESHES: Mutex<Vec<Weak<UnitMesh>>> = Mutex::new(Vec::new());
-        // what a panicking thread left is a list of complete meshes
-        let mut meshes = MESHES.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-        meshes.retain(|mesh| mesh.strong_count() > 0);
-        let found = meshes.iter().filter_map(Weak::upgrade);
-        if let Some(mesh) = found.into_iter().find(|mesh| mesh.region == region && mesh.cells == cells) {
+        // the list is free again when these are dropped, of which one may be the last
+        let in_use: Vec<Arc<Self>> = meshes().iter().filter_map(Weak::upgrade).collect();
+        if let Some(mesh) = in_use.into_iter().find(|mesh| mesh.region == region && mesh.cells == cells) {
             return mesh;
         }
         let mesh = Arc::new(Self::new(region, cells));
-        meshes.push(Arc::downgrade(&mesh));
+        meshes().push(Arc::downgrade(&mesh));
         mesh
     }
 

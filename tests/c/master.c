@@ -3,12 +3,14 @@
  *   master <library> <guid> abi                   every function once, messages through a variadic logger
  *   master <library> <guid> many <count> <threads>   so many instances alive at once, each the bits of a run alone
  *   master <library> <guid> loop <count>          instances made and freed one after the other, with saved states
+ *   master <library> <guid> reload <count>        the library loaded, run and unloaded so many times; memory must not grow
  *   master <library> <guid> save <file>           a run to its middle, the state into a file; prints what follows
  *   master <library> <guid> load <file>           takes the state from the file; prints what follows
  */
 #define _GNU_SOURCE
 #include "fmi2.h"
 #include <dlfcn.h>
+#include <malloc.h>
 #include <pthread.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -222,6 +224,50 @@ static void loop(void) {
     }
 }
 
+static void *open_library(const char *path) {
+    void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    if (!library) {
+        fprintf(stderr, "%s\n", dlerror());
+        exit(1);
+    }
+#define LOAD(result, name, arguments) CHECK((*(void **)&name = dlsym(library, "fmi2" #name)));
+    FMI2_FUNCTIONS(LOAD)
+    return library;
+}
+
+/* A wearing run in a thread of its own, since a library with thread-local memory stays until its threads have ended. */
+static void *run_once(void *scene) {
+    fmi2Component c = make("loaded", 0);
+    begin(c, (int)(size_t)scene);
+    for (int k = 0; k < STEPS; k++) advance(c, (int)(size_t)scene, k);
+    result(c);
+    CHECK(Terminate(c) == fmi2OK);
+    FreeInstance(c);
+    return NULL;
+}
+
+/* Bytes that have been asked for and not given back. */
+static size_t in_use(void) { return mallinfo2().uordblks; }
+
+static void reload(const char *path) {
+    size_t before = 0, unloaded = 0;
+    for (int i = 0; i < count; i++) {
+        void *library = open_library(path);
+        pthread_t id;
+        CHECK(!pthread_create(&id, NULL, run_once, (void *)(size_t)(i % SCENES)) && !pthread_join(id, NULL));
+        CHECK(!dlclose(library));
+        void *left = dlopen(path, RTLD_NOW | RTLD_NOLOAD);
+        if (left) dlclose(left);
+        unloaded += !left;
+        /* the first rounds fill the caches of the C library */
+        if (i == count / 10) before = in_use();
+    }
+    size_t after = in_use();
+    printf("%d rounds, unloaded in %zu: %zu bytes in use after a tenth of them, %zu at the end\n", count, unloaded, before, after);
+    CHECK(unloaded == (size_t)count);
+    CHECK(after <= before + 1000);
+}
+
 static void go_on(fmi2Component c) {
     for (int k = 3; k < STEPS; k++) advance(c, 3, k);
     Result r = result(c);
@@ -258,17 +304,15 @@ static void load(const char *path) {
 
 int main(int argc, char **argv) {
     CHECK(argc >= 4);
-    void *library = dlopen(argv[1], RTLD_NOW | RTLD_LOCAL);
-    if (!library) {
-        fprintf(stderr, "%s\n", dlerror());
-        return 1;
-    }
     guid = argv[2];
-#define LOAD(result, name, arguments) CHECK((*(void **)&name = dlsym(library, "fmi2" #name)));
-    FMI2_FUNCTIONS(LOAD)
     const char *task = argv[3];
     count = argc > 4 ? atoi(argv[4]) : 0;
     threads = argc > 5 ? atoi(argv[5]) : 1;
+    if (!strcmp(task, "reload")) {
+        reload(argv[1]);
+        return 0;
+    }
+    open_library(argv[1]);
     if (!strcmp(task, "abi")) abi();
     else if (!strcmp(task, "many")) many();
     else if (!strcmp(task, "loop")) loop();

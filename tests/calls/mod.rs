@@ -182,8 +182,8 @@ impl Host {
                 20 => self.slots.save(c, model, record.index()),
                 21 => {
                     let (status, expected, restored) = self.slots.restore(c, model, record.index());
-                    if let Some(model) = restored {
-                        self.model = model;
+                    if let Some(state) = restored {
+                        self.model.restored(state);
                     }
                     (status, expected)
                 }

@@ -94,6 +94,9 @@ pub(crate) enum Group {
 /// Times are the same to this, relative to the larger of the time and the longest step: the promise of the FMU.
 const SAME_TIME: f64 = 1e-9;
 
+/// Or to this, relative to the step.
+const SAME_OF_STEP: f64 = 1e-3;
+
 /// What an importer knows of an instance.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Model {
@@ -106,7 +109,21 @@ pub(crate) struct Model {
     pub(crate) time: f64,
     stop: Option<f64>,
     longest: f64,
+    /// The last step that had a length.
+    last: f64,
     pub(crate) last_step: Status,
+    discarded: Option<Attempt>,
+}
+
+/// A step that has been asked for, with all that has been set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Attempt {
+    point: f64,
+    length: f64,
+    /// Of inputs and parameters: the bits of what the model computes are not known and stay what
+    /// they are.
+    reals: [u64; ROOM],
+    slopes: [f64; INPUTS],
 }
 
 fn variable(reference: u32) -> Option<&'static Variable> {
@@ -141,7 +158,9 @@ static NEW: LazyLock<Model> = LazyLock::new(|| {
         time: 0.0,
         stop: None,
         longest: 0.0,
+        last: 0.0,
         last_step: 0,
+        discarded: None,
     }
 });
 
@@ -209,6 +228,13 @@ impl Model {
         let computed = |&r: &u32| variable(r).is_some_and(|v| !is_set(v));
         let depth = if references.iter().any(computed) { self.computes() } else { Expected::Ok };
         self.gated(Group::Get, depth)
+    }
+
+    /// Whether outputs have derivatives with respect to it: an input or, in initialization mode, a
+    /// Real parameter.
+    pub(crate) fn is_known(&self, reference: u32) -> bool {
+        let parameter = |v: &Variable| v.causality() == "parameter" && v.data_type.name() == "Real";
+        is_input(reference) || !self.initialized() && variable(reference).is_some_and(parameter)
     }
 
     /// Whether the importer may set this variable now.
@@ -284,7 +310,7 @@ impl Model {
         if !(good && self.allows(Group::Setup)) {
             return Expected::Error;
         }
-        (self.time, self.stop, self.longest) = (start, stop, 0.0);
+        (self.time, self.stop, self.longest, self.last) = (start, stop, 0.0, 0.0);
         Expected::Ok
     }
 
@@ -302,7 +328,10 @@ impl Model {
         if !self.allows(Group::Step) {
             return Expected::Error;
         }
-        let slack = |time: f64| SAME_TIME * time.abs().max(length).max(self.longest);
+        let slack = |time: f64| {
+            let of_time = SAME_TIME * time.abs().max(length).max(self.longest);
+            of_time.max(SAME_OF_STEP * length.max(self.last))
+        };
         let end = point + length;
         let in_range = |(&reference, &target): (&u32, &f64)| match variable(reference).map(|v| &v.data_type) {
             Some(DataType::Real { range, .. }) => range.contains(target),
@@ -314,22 +343,44 @@ impl Model {
             && end.is_finite()
             && self.stop.is_none_or(|stop| end <= stop + slack(stop))
             && INPUT.iter().zip(&self.targets(length)).all(in_range);
-        if !good {
+        // a discarded step that is asked for again with nothing changed ends the run
+        let repeated = self.discarded.is_some_and(|discarded| discarded == self.attempt(point, length));
+        if !good || repeated {
             self.last_step = 3;
             return Expected::Error;
         }
         Expected::Step
     }
 
+    fn attempt(&self, point: f64, length: f64) -> Attempt {
+        // 0 is 0, whatever its sign
+        let reals = self.reals.map(|value| (value + 0.0).to_bits());
+        Attempt { point, length, reals, slopes: self.slopes }
+    }
+
+    /// As it is in a serialised state, which has no stop time.
+    pub(crate) fn serialized(self) -> Self {
+        Self { stop: None, ..self }
+    }
+
+    /// After fmi2SetFMUstate in an instance that was in another state: its own stop time holds for
+    /// a run that has begun.
+    pub(crate) fn restored(&mut self, state: Self) {
+        let stop = if state.state == Instantiated { state.stop } else { self.stop };
+        *self = Self { stop, discarded: None, ..state };
+    }
+
     /// After a step that was allowed.
     pub(crate) fn stepped(&mut self, status: Status, point: f64, length: f64) {
         self.last_step = status;
+        self.discarded = (status == 2).then(|| self.attempt(point, length));
         if status == 0 {
             let targets = self.targets(length);
             INPUT.iter().zip(targets).for_each(|(&input, target)| self.reals[slot(input)] = target);
             self.slopes.fill(0.0);
             self.time = point + length;
             self.longest = self.longest.max(length);
+            self.last = if length > 0.0 { length } else { self.last };
         }
     }
 }

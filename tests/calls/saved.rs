@@ -135,7 +135,7 @@ impl Slots {
             return (status, Expected::Error);
         }
         if status == 0 {
-            let known = *known;
+            let known = Known { model: known.model.serialized(), ..*known };
             if let Some((mut former, _)) = self.places[index % 3].replace((handle, known)) {
                 // SAFETY: see above.
                 assert_eq!(unsafe { fmi2FreeFMUstate(c, &raw mut former) }, 0);

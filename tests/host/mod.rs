@@ -319,7 +319,7 @@ impl Fmu {
         let computed = |v: &&fretting_contact::fmi2::variables::Variable| {
             matches!(v.causality(), "output" | "local") && v.data_type.name() == "Real"
         };
-        variables().iter().filter(computed).map(|v| self.real(&v.name).to_bits()).collect()
+        variables().iter().filter(computed).map(|v| self.real(v.name).to_bits()).collect()
     }
     /// A step of `length` from `point` with these inputs.
     #[track_caller]

@@ -111,11 +111,11 @@ fn categories(xml: &mut Xml) -> io::Result<()> {
 }
 
 fn variable(xml: &mut Xml, variable: &Variable) -> io::Result<()> {
-    let reference = (index(&variable.name) - 1).to_string();
+    let reference = (index(variable.name) - 1).to_string();
     let mut attributes = vec![
-        ("name", variable.name.as_ref()),
+        ("name", variable.name),
         ("valueReference", &reference),
-        ("description", variable.description.as_ref()),
+        ("description", variable.description),
         ("causality", variable.causality()),
         ("variability", variable.variability()),
     ];
@@ -164,8 +164,7 @@ fn type_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
 
 /// Outputs follow the inputs through the steps, but for those that the table names; at the start they follow what the table says.
 fn structure(xml: &mut Xml) -> io::Result<()> {
-    let inputs: Vec<_> =
-        variables().iter().filter(|v| v.causality() == "input").map(|v| v.name.as_ref()).collect();
+    let inputs: Vec<_> = variables().iter().filter(|v| v.causality() == "input").map(|v| v.name).collect();
     xml.create_element("Outputs").write_inner_content(|xml| {
         unknowns(xml, |output| {
             inputs.iter().copied().filter(|input| !output.independent_of.contains(input)).collect()
@@ -181,7 +180,7 @@ fn unknowns<'a>(xml: &mut Xml, dependencies: impl Fn(&Variable) -> Vec<&'a str>)
         let mut indices: Vec<_> = dependencies(output).into_iter().map(index).collect();
         indices.sort_unstable();
         let list = indices.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
-        let attributes = [("index", index(&output.name).to_string()), ("dependencies", list)];
+        let attributes = [("index", index(output.name).to_string()), ("dependencies", list)];
         let attributes = attributes.iter().map(|(name, value)| (*name, value.as_str()));
         xml.create_element("Unknown").with_attributes(attributes).write_empty()?;
     }

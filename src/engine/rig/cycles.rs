@@ -60,6 +60,11 @@ impl FrettingContact {
             stretch = stretch.min(left);
             let before = self.clone();
             let predicted = self.amplitude_after(value, (drive, amplitude), stretch);
+            // the amplitude grows along a stretch: what leaves the table with that of its start
+            // leaves it
+            if let Err(beyond @ (Error::BeyondTable { .. } | Error::NonMonotoneImage { .. })) = predicted {
+                return Err(beyond);
+            }
             let change = predicted.as_ref().map_or(f64::INFINITY, |end| (end - amplitude).abs() / amplitude);
             let (end, error) = if change <= STEADY * tolerance || amplitude == 0.0 {
                 (predicted?, 0.0)

@@ -1,7 +1,8 @@
-//! The rows.
+//! The rows. The table is made by the compiler: a library that is loaded and unloaded many times
+//! leaves nothing behind.
 
 use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable};
-use crate::engine::{FrettingContact, SlipState};
+use crate::engine::{FrettingContact, Gradient, SlipState};
 use crate::fmi2::enumerations::{Enumeration, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
 use crate::parameters::Parameters;
@@ -48,19 +49,75 @@ const FRICTION: &[&str] = &[
     "resolution",
 ];
 
-pub(super) fn rows() -> Vec<Variable> {
-    let mut rows = inputs();
-    rows.extend(outputs());
-    rows.extend(parameters());
-    rows.extend(fields());
-    // what came later stands at the end, so that the references before it stay
-    rows.extend(rig());
-    rows.extend(second_direction());
-    rows
+/// A field: its rows at all probe radii.
+macro_rules! at_every_probe {
+    ($name:literal, $unit:literal, $read:expr, $about:literal) => {
+        at_every_probe!(
+            $name, $unit, $read, $about;
+            1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32
+            33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63 64
+        )
+    };
+    ($name:literal, $unit:literal, $read:expr, $about:literal; $($number:literal)*) => {
+        [$(field(concat!($name, "[", $number, "]"), $unit, $number - 1, $read)
+            .about(concat!($about, "[", $number, "], computed when read"))),*]
+    };
 }
 
-fn inputs() -> Vec<Variable> {
-    vec![
+/// All rows; what came later stands at the end, so that the references before it stay.
+pub(super) static TABLE: [Variable; COUNT] = {
+    let parts = [
+        &inputs() as &[Variable],
+        &outputs(),
+        &parameters(),
+        &at_every_probe!("radius_probe", "m", |_, r| r, "Radius of the probe"),
+        &at_every_probe!(
+            "worn_depth",
+            "m",
+            FrettingContact::worn_depth_at,
+            "Depth of the wear at radius_probe"
+        ),
+        &at_every_probe!("pressure", "Pa", FrettingContact::pressure_at, "Contact pressure at radius_probe"),
+        &at_every_probe!(
+            "shear_traction",
+            "Pa",
+            FrettingContact::shear_traction_at,
+            "Tangential traction at radius_probe"
+        ),
+        &at_every_probe!(
+            "image",
+            "m",
+            FrettingContact::image_at,
+            "One-dimensional image of the profile at radius_probe"
+        ),
+        &rig(),
+        &second_direction(),
+    ];
+    let mut table = [parts[0][0]; COUNT];
+    let (mut part, mut row) = (0, 0);
+    while part < parts.len() {
+        let mut k = 0;
+        while k < parts[part].len() {
+            table[row] = parts[part][k];
+            (k, row) = (k + 1, row + 1);
+        }
+        part += 1;
+    }
+    assert!(row == COUNT);
+    table
+};
+
+const FIELDS: usize = 5;
+
+const COUNT: usize = inputs().len()
+    + outputs().len()
+    + parameters().len()
+    + FIELDS * PROBES
+    + rig().len()
+    + second_direction().len();
+
+const fn inputs() -> [Variable; 5] {
+    [
         input("normal_force", "N", 100.0, Range::FINITE, |i| &mut i.normal_force).about(
             "Normal force, used when normal_control = force; the bodies are apart where it is not positive",
         ),
@@ -75,13 +132,11 @@ fn inputs() -> Vec<Variable> {
     ]
 }
 
-fn outputs() -> Vec<Variable> {
+const fn outputs() -> [Variable; 12] {
     type C = FrettingContact;
-    let follows = |read, gradient| Output { read, gradient, per_cycle: None, starts_anywhere: None };
-    let grows = |read, gradient, per_cycle| Output { per_cycle: Some(per_cycle), ..follows(read, gradient) };
     let (volume, depth, work) = (
         grows(C::wear_volume, C::wear_volume_gradient, C::wear_volume_per_cycle),
-        grows(C::wear_depth, C::wear_depth_gradient, C::wear_depth_per_cycle),
+        Output { never_falls: true, ..grows(C::wear_depth, C::wear_depth_gradient, C::wear_depth_per_cycle) },
         grows(C::dissipated_energy, C::dissipated_energy_gradient, C::work_per_cycle),
     );
     let force = follows(C::tangential_force, C::tangential_force_gradient);
@@ -92,7 +147,7 @@ fn outputs() -> Vec<Variable> {
     let pressure = follows(C::max_pressure, C::max_pressure_gradient);
     let tangential = follows(C::tangential_stiffness, C::tangential_stiffness_gradient);
     let normal = follows(C::normal_stiffness, C::normal_stiffness_gradient);
-    vec![
+    [
         output("tangential_force", "N", 10.0, Range::FINITE, &[], force)
             .about("Tangential force that body 1 exerts on body 2; in cyclic loading its amplitude"),
         output("wear_volume", "m3", 1e-15, Range::NOT_NEGATIVE, &[], volume)
@@ -120,18 +175,32 @@ fn outputs() -> Vec<Variable> {
     ]
 }
 
-fn parameters() -> Vec<Variable> {
+/// An output that follows the inputs.
+const fn follows(read: fn(&FrettingContact) -> f64, gradient: fn(&FrettingContact) -> Gradient) -> Output {
+    Output { read, gradient, per_cycle: None, starts_anywhere: None, never_falls: false }
+}
+
+/// An output that also grows with the cycles of cyclic loading.
+const fn grows(
+    read: fn(&FrettingContact) -> f64,
+    gradient: fn(&FrettingContact) -> Gradient,
+    per_cycle: fn(&FrettingContact, f64) -> f64,
+) -> Output {
+    Output { per_cycle: Some(per_cycle), ..follows(read, gradient) }
+}
+
+const fn parameters() -> [Variable; 18] {
     let poisson = Range { low: Bound::Excluded(-1.0), high: Bound::Included(0.5) };
     let slope = Range {
         low: Bound::Included(range::LEAST_SLOPE),
         high: Bound::Excluded(std::f64::consts::FRAC_PI_2),
     };
     let exponent = Range { low: Bound::Included(0.1), high: Bound::Included(100.0) };
-    let [length, stress, coefficient, friction, wear, tolerance] =
-        [range::LENGTH, range::STRESS, range::COEFFICIENT, range::FRICTION, range::WEAR, range::TOLERANCE]
-            .map(Range::from);
+    let (length, stress) = (Range::of(&range::LENGTH), Range::of(&range::STRESS));
+    let (coefficient, friction) = (Range::of(&range::COEFFICIENT), Range::of(&range::FRICTION));
+    let (wear, tolerance) = (Range::of(&range::WEAR), Range::of(&range::TOLERANCE));
     let resolution = Parameters::RESOLUTION_RANGE;
-    vec![
+    [
         choice("profile", &PROFILE, |s| &mut s.profile).about("Shape of the unworn body 1"),
         real("radius", "m", length, |s| &mut s.radius)
             .about("Radius of curvature of parabola, blunted_sphere and rounded_punch"),
@@ -170,7 +239,7 @@ fn parameters() -> Vec<Variable> {
 }
 
 /// A spring in series with the contact.
-fn rig() -> Vec<Variable> {
+const fn rig() -> [Variable; 2] {
     let least = Bound::Included(Parameters::LEAST_RIG_STIFFNESS);
     let stiffness = Range { low: least, high: Bound::Included(f64::INFINITY) };
     let own = Output {
@@ -178,8 +247,9 @@ fn rig() -> Vec<Variable> {
         gradient: FrettingContact::displacement_gradient,
         per_cycle: None,
         starts_anywhere: Some(Direction::X),
+        never_falls: false,
     };
-    vec![
+    [
         real("rig_stiffness", "N/m", stiffness, |s| &mut s.rig_stiffness).about(
             "Stiffness in series with the contact: tangential_displacement and displacement_amplitude are those of the drive behind it; none from 1e60 on",
         ),
@@ -190,20 +260,22 @@ fn rig() -> Vec<Variable> {
 }
 
 /// The other tangential direction.
-fn second_direction() -> Vec<Variable> {
+const fn second_direction() -> [Variable; 3] {
     let force = Output {
         read: FrettingContact::tangential_force_y,
         gradient: FrettingContact::tangential_force_y_gradient,
         per_cycle: None,
         starts_anywhere: None,
+        never_falls: false,
     };
     let own = Output {
         read: FrettingContact::displacement_y,
         gradient: FrettingContact::displacement_y_gradient,
         per_cycle: None,
         starts_anywhere: Some(Direction::Y),
+        never_falls: false,
     };
-    vec![
+    [
         input("tangential_displacement_y", "m", 1e-6, Range::FINITE, |i| &mut i.tangential_displacement_y).about(
             "Tangential displacement of body 1 at right angles to tangential_displacement, used when loading = transient; that of the drive where there is a rig_stiffness",
         ),
@@ -217,53 +289,48 @@ fn second_direction() -> Vec<Variable> {
     ]
 }
 
-/// The fields, each at all probe radii.
-fn fields() -> Vec<Variable> {
-    type Read = fn(&FrettingContact, f64) -> f64;
-    let fields: [(&str, &str, Read, &str); 5] = [
-        ("radius_probe", "m", |_, r| r, "Radius of the probe"),
-        ("worn_depth", "m", FrettingContact::worn_depth_at, "Depth of the wear at radius_probe"),
-        ("pressure", "Pa", FrettingContact::pressure_at, "Contact pressure at radius_probe"),
-        ("shear_traction", "Pa", FrettingContact::shear_traction_at, "Tangential traction at radius_probe"),
-        ("image", "m", FrettingContact::image_at, "One-dimensional image of the profile at radius_probe"),
-    ];
-    let row = |(name, unit, read, about): (&str, _, Read, _), probe| Variable {
-        name: format!("{name}[{}]", probe + 1).into(),
-        description: format!("{about}[{}], computed when read", probe + 1).into(),
-        data_type: DataType::Real { unit: Some(unit_named(unit)), nominal: None, range: Range::FINITE },
-        access: Access::Field { probe, read },
-        initial_dependencies: &[],
-        independent_of: &[],
-    };
-    fields.into_iter().flat_map(|field| (0..PROBES).map(move |probe| row(field, probe))).collect()
+/// A field at one of the probe radii.
+const fn field(
+    name: &'static str,
+    unit: &str,
+    probe: usize,
+    read: fn(&FrettingContact, f64) -> f64,
+) -> Variable {
+    let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: None, range: Range::FINITE };
+    variable(name, data_type, Access::Field { probe, read })
 }
 
-fn unit_named(name: &str) -> Unit {
-    *UNITS.iter().find(|unit| unit.name == name).expect("the unit is in UNITS")
-}
-
-fn variable(name: &'static str, data_type: DataType, access: Access) -> Variable {
-    Variable {
-        name: name.into(),
-        description: "".into(),
-        data_type,
-        access,
-        initial_dependencies: &[],
-        independent_of: &[],
+const fn unit_named(name: &str) -> Unit {
+    let mut k = 0;
+    while !is_same(UNITS[k].name.as_bytes(), name.as_bytes()) {
+        k += 1;
     }
+    UNITS[k]
+}
+
+const fn is_same(a: &[u8], b: &[u8]) -> bool {
+    let mut k = 0;
+    while k < a.len() && k < b.len() && a[k] == b[k] {
+        k += 1;
+    }
+    k == a.len() && k == b.len()
+}
+
+const fn variable(name: &'static str, data_type: DataType, access: Access) -> Variable {
+    Variable { name, description: "", data_type, access, initial_dependencies: &[], independent_of: &[] }
 }
 
 impl Variable {
-    fn about(self, description: &'static str) -> Self {
-        Self { description: description.into(), ..self }
+    const fn about(self, description: &'static str) -> Self {
+        Self { description, ..self }
     }
 
-    fn independent_of(self, inputs: &'static [&'static str]) -> Self {
+    const fn independent_of(self, inputs: &'static [&'static str]) -> Self {
         Self { independent_of: inputs, ..self }
     }
 }
 
-fn input(
+const fn input(
     name: &'static str,
     unit: &str,
     nominal: f64,
@@ -274,7 +341,7 @@ fn input(
     variable(name, data_type, Access::Input(field))
 }
 
-fn output(
+const fn output(
     name: &'static str,
     unit: &str,
     nominal: f64,
@@ -286,7 +353,7 @@ fn output(
     Variable { initial_dependencies, ..variable(name, data_type, Access::Output(output)) }
 }
 
-fn slip(
+const fn slip(
     name: &'static str,
     initial_dependencies: &'static [&'static str],
     read: fn(&FrettingContact) -> SlipState,
@@ -297,27 +364,41 @@ fn slip(
     }
 }
 
-fn real(name: &'static str, unit: &str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
+const fn real(
+    name: &'static str,
+    unit: &str,
+    range: Range,
+    field: fn(&mut Settings) -> &mut f64,
+) -> Variable {
     let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: None, range };
     variable(name, data_type, Access::Parameter(field))
 }
 
-fn tunable(name: &'static str, unit: &str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
+const fn tunable(
+    name: &'static str,
+    unit: &str,
+    range: Range,
+    field: fn(&mut Settings) -> &mut f64,
+) -> Variable {
     Variable { access: Access::Tunable(field), ..real(name, unit, range, field) }
 }
 
-fn unitless(name: &'static str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
+const fn unitless(name: &'static str, range: Range, field: fn(&mut Settings) -> &mut f64) -> Variable {
     variable(name, DataType::Real { unit: None, nominal: None, range }, Access::Parameter(field))
 }
 
-fn integer(name: &'static str, min: i32, max: i32, field: fn(&mut Settings) -> &mut i32) -> Variable {
+const fn integer(name: &'static str, min: i32, max: i32, field: fn(&mut Settings) -> &mut i32) -> Variable {
     variable(name, DataType::Integer { min, max }, Access::Number(field))
 }
 
-fn choice(name: &'static str, items: &'static Enumeration, field: fn(&mut Settings) -> &mut i32) -> Variable {
+const fn choice(
+    name: &'static str,
+    items: &'static Enumeration,
+    field: fn(&mut Settings) -> &mut i32,
+) -> Variable {
     variable(name, DataType::Enumeration(items), Access::Number(field))
 }
 
-fn text(name: &'static str, field: fn(&mut Settings) -> &mut CString) -> Variable {
+const fn text(name: &'static str, field: fn(&mut Settings) -> &mut CString) -> Variable {
     variable(name, DataType::String, Access::Text(field))
 }

@@ -33,13 +33,18 @@ impl Patch {
         let edge = if self.rim {
             bound(self.cells()) < -1e-3 * self.bound_slope * rate.indentation.abs()
         } else {
-            rate.area.sqrt() >= self.body.profile().outer_radius() * (1.0 - RIM)
+            self.is_at_end_of_body(rate)
         };
         let moved = match self.mesh.region {
             Region::Annulus => rate.reach > bound(0) + small || rate.slip[FRONT_CELLS] == 0.0,
             Region::Disc => rate.reach < bound(0) - small,
         };
         if moved || edge { Front::Moved } else { Front::Kept }
+    }
+
+    /// Whether the contact edge has come to the end of the body.
+    pub(crate) fn is_at_end_of_body(&self, rate: &Rate) -> bool {
+        rate.area.sqrt() >= self.body.profile().outer_radius() * (1.0 - RIM)
     }
 
     /// Last node before the front; 0 where the first slips, or all do. Behind a rig a front may retreat so slowly that a node next to it
