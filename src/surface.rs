@@ -170,6 +170,8 @@ impl Surface {
             return Err(Error::NonMonotoneImage {
                 radius: table.monotone_up_to(),
                 contact_radius: contact.radius,
+                fall: table.largest_fall(),
+                roughness: table.roughness(),
             });
         }
         if contact.radius < range::LEAST_RADIUS {

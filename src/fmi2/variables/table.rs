@@ -2,7 +2,7 @@
 
 use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable};
 use crate::engine::{FrettingContact, SlipState};
-use crate::fmi2::enumerations::{Enumeration, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
+use crate::fmi2::enumerations::{Enumeration, LENGTH_UNIT, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
 use crate::parameters::Parameters;
 use crate::range;
@@ -20,6 +20,7 @@ const NORMAL: &[&str] = &[
     "coefficient",
     "flat_radius",
     "profile_file",
+    "profile_unit",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -39,6 +40,7 @@ const FRICTION: &[&str] = &[
     "coefficient",
     "flat_radius",
     "profile_file",
+    "profile_unit",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -56,6 +58,10 @@ pub(super) fn rows() -> Vec<Variable> {
     // what came later stands at the end, so that the references before it stay
     rows.extend(rig());
     rows.extend(second_direction());
+    rows.push(
+        choice("profile_unit", &LENGTH_UNIT, |s| &mut s.profile_unit)
+            .about("Unit of both columns of profile_file"),
+    );
     rows
 }
 
@@ -143,7 +149,7 @@ fn parameters() -> Vec<Variable> {
         real("flat_radius", "m", length, |s| &mut s.flat_radius)
             .about("Radius of the flat tip of blunted_sphere, rounded_punch and flat_punch"),
         text("profile_file", |s| &mut s.profile_file).about(
-            "File with the points of profile = table, two columns r and f in m; a relative name is looked for in the \
+            "File with the points of profile = table, two columns r and f in profile_unit; a relative name is looked for in the \
              FMU's resources, then in the working directory",
         ),
         real("youngs_modulus_1", "Pa", stress, |s| &mut s.youngs_modulus_1)
