@@ -64,7 +64,7 @@ def ramp_profile(r: Array, corner: float) -> Array:
 
 @dataclass(frozen=True)
 class Power:
-    """f = rⁿ: a cone, a sphere, and what a circle has beyond its parabola."""
+    """f = rⁿ: a cone, a parabola, and what a circle has beyond its parabola."""
 
     exponent: float
 
@@ -84,6 +84,10 @@ class Power:
     @property
     def positions(self) -> tuple[tuple[float, float, float], ...]:
         return ()
+
+
+SPHERE: list[Shape] = [Power(2), Power(4), Power(6)]
+"""A circle is a sum of these: R - √(R² - r²) = r²/2R + r⁴/8R³ + r⁶/16R⁵ + ..."""
 
 
 @dataclass(frozen=True)
@@ -166,7 +170,7 @@ def candidates(count: int = 24, least: float = 0.0) -> list[Shape]:
     Their radii lie closer near the axis, where light loads are carried.
     """
     radii = [float(radius) for radius in least + (1 - least) * (np.arange(1, count) / count) ** 1.5]
-    shapes: list[Shape] = [Power(2), Power(1), Power(4)]
+    shapes: list[Shape] = [*SPHERE, Power(1)]
     shapes += [FlatTip(radius, width) for radius in radii for width in (SHARP, 0.1, 0.3, 0.8)]
     shapes += [Ramp(0.0, radius) for radius in radii]
     shapes += [Ramp(start, end) for step in (1, 4) for start, end in zip(radii, radii[step:])]

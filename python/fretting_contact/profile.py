@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import least_squares, minimize_scalar, nnls
 
-from .image_shapes import SHARP, Array, FlatTip, Power, Shape, candidates, profile_of_image
+from .image_shapes import SHARP, SPHERE, Array, FlatTip, Power, Shape, candidates, profile_of_image
 from .text_table import TextTableError, read_columns
 
 UNITS = {"m": 1.0, "mm": 1e-3, "um": 1e-6, "nm": 1e-9}
@@ -214,7 +214,7 @@ def _price(shape: Shape, points: int, count: int) -> float:
     ln n for each number that is fitted to n points, and 4 ln m more for what is no sphere but was chosen among m candidates: an
     extended Bayesian information criterion, strict because a feature that is not there spoils light loads most.
     """
-    is_sphere = isinstance(shape, Power) and shape.exponent >= 2
+    is_sphere = shape in SPHERE
     return log(points) * max(len(shape.positions), 1) + (0.0 if is_sphere else 4 * log(count))
 
 
@@ -316,21 +316,28 @@ def _refined(window: _Window, shapes: list[Shape], noise: float, shift: float, c
 
 
 def _simpler(shapes: list[Shape]) -> list[list[Shape]]:
-    """The same shapes less one, or with a sharp edge in place of a rounded one."""
+    """The same shapes less one, or with a sphere or a sharp edge in place of a flat tip."""
     others = [shapes[:i] + shapes[i + 1 :] for i in range(len(shapes))] if len(shapes) > 1 else []
-    return others + [
-        [*shapes[:i], FlatTip(shape.flat, SHARP), *shapes[i + 1 :]]
-        for i, shape in enumerate(shapes)
-        if isinstance(shape, FlatTip) and not shape.is_sharp
-    ]
+    for i, shape in enumerate(shapes):
+        if isinstance(shape, FlatTip):
+            others.append([*shapes[:i], SPHERE[0], *shapes[i + 1 :]])
+            if not shape.is_sharp:
+                others.append([*shapes[:i], FlatTip(shape.flat, SHARP), *shapes[i + 1 :]])
+    return others
 
 
 def _model(window: _Window, noise: float, centre_is_free: bool) -> _Model | None:
     """The fewest shapes that explain the heights within their noise; none where the heights do not rise.
 
-    One shape after the other is added, centre and positions are refined each time; then what has become needless is left out.
+    To a sphere one shape after the other is added, centre and positions are refined each time; then what has become needless
+    is left out.
     """
-    model: _Model | None = None
+    columns = window.columns(0.0, noise)
+    coefficients, _ = columns.fit(SPHERE)
+    sphere = [shape for shape, c in zip(SPHERE, coefficients) if c > 0]
+    model = _refined(window, sphere, noise, 0.0, centre_is_free) if sphere else None
+    if model and model.cost * noise**2 >= columns.target @ columns.target:
+        model = None
     while model is None or len(model.shapes) < MOST_SHAPES:
         shift, known = (model.shift, model.shapes) if model else (0.0, [])
         chosen = _with_one_more(window.columns(shift, noise), window.candidates, known, noise)
