@@ -38,7 +38,7 @@ pub enum Error {
     /// contact region would not be one disc.
     #[error(
         "the contact edge reaches r = {contact_radius:.6e} m, but the 1-D image of the profile is not monotone: it first falls at \
-         r = {radius:.6e} m, by {fall:.2e} m at most in the whole table, and the points lie {roughness:.2e} m rms off the line in r^2 \
+         r = {radius:.6e} m, its largest fall in the table is {fall:.2e} m, and the points lie {roughness:.2e} m rms off the line in r^2 \
          through their neighbours; the contact would not be one disc: lower the load, or make an admissible table from the \
          measurement with `cargo fmu profile`"
     )]

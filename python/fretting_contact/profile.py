@@ -11,7 +11,7 @@ import argparse
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import degrees, inf, log
+from math import degrees, inf, log, sqrt
 from pathlib import Path
 
 import numpy as np
@@ -98,6 +98,8 @@ class ProfileFit:
     """Height of the tip in the scan, m."""
     is_peak: bool
     """Whether the tip is the highest point of the scan."""
+    mirrored: bool
+    """Whether the file had one side only, radii from 0 on."""
     shapes: tuple[tuple[float, Shape], ...]
     """Coefficients, m, and shapes of the image, lengths in units of the last radius."""
 
@@ -263,6 +265,13 @@ def _vertex(scan: Scan) -> float:
     return middle + half * float(np.clip(-slope / (2 * square), -0.8, 0.8)) if square else middle
 
 
+def _is_one_sided(scan: Scan, centre: float | None) -> bool:
+    """Whether the positions are radii: they begin at 0, and so does the body."""
+    span = float(np.ptp(scan.x))
+    starts_at_axis = abs(scan.x[0]) <= 1e-9 * span
+    return bool(starts_at_axis and (_vertex(scan) <= 0.15 * span if centre is None else centre == 0.0))
+
+
 def _best_shift(window: _Window, noise: float) -> float:
     """Centre of symmetry: the shift about which any monotone image fits best, in units of the window."""
     shapes = candidates(10)
@@ -369,6 +378,9 @@ def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = Non
     deviation that a fit of all candidate shapes leaves. Of these as few are taken as explain the heights within that noise
     (`_model`, `_price`); centre and positions of the shapes are fitted as well (scipy.optimize.least_squares).
     """
+    mirrored = _is_one_sided(scan, centre)
+    if mirrored:
+        scan, centre = Scan(np.concatenate([-scan.x[:0:-1], scan.x]), np.concatenate([scan.z[:0:-1], scan.z])), 0.0
     vertex = _vertex(scan) if centre is None else centre
     curvature = np.polyfit((scan.x - vertex) / np.ptp(scan.x), scan.z, 2)[0]
     is_peak = bool(curvature < 0)
@@ -410,15 +422,24 @@ def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = Non
             "cut the scan to the tip, or check that it passes over the axis"
         )
     noise = window.noise(left, int(np.sum(coefficients > 0)))
+    if mirrored:
+        noise *= sqrt(2)  # each point counts twice
     model = _model(window, noise, centre is None)
     if model is None:
         raise ScanError("the heights do not rise from the centre by more than their noise: scan further out")
     final = window_about(vertex + model.shift * window.width)
-    return _result(upward, final, model.shapes, window, noise, is_peak, dropped)
+    return _result(upward, final, model.shapes, window, noise, is_peak, mirrored, dropped)
 
 
 def _result(
-    scan: Scan, window: _Window, shapes: list[Shape], units: _Window, noise: float, is_peak: bool, dropped: int
+    scan: Scan,
+    window: _Window,
+    shapes: list[Shape],
+    units: _Window,
+    noise: float,
+    is_peak: bool,
+    mirrored: bool,
+    dropped: int,
 ) -> ProfileFit:
     """The fit about its final centre, in SI units."""
     scale = units.width / window.width
@@ -445,6 +466,7 @@ def _result(
         centre=window.centre,
         offset=sign * (mean + level * window.rise),
         is_peak=is_peak,
+        mirrored=mirrored,
         shapes=tuple((c * window.rise, shape) for c, shape in terms),
     )
 
@@ -479,7 +501,9 @@ def summary(fit: ProfileFit) -> list[str]:
         tip = "0: the tip is pointed"
     else:
         tip = _length(fit.tip_radius)
+    mirrored = ["one side only, radii from 0 on: mirrored"] if fit.mirrored else []
     return [
+        *mirrored,
         f"height: {turned}; {_length(fit.offset)} subtracted",
         f"tilt: {degrees(fit.tilt):.3f} deg taken off",
         f"centre: x = {_length(fit.centre)}",

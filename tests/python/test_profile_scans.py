@@ -7,6 +7,7 @@ from math import inf
 import numpy as np
 import pytest
 from conftest import ROOT
+from contact_fmu import ContactError
 from fretting_contact.image_shapes import image_of_table
 from fretting_contact.profile import Scan, ScanError, fit_scan, main, read_scan, write_table
 from fretting_contact.text_table import TextTableError, parse_columns
@@ -96,6 +97,19 @@ def test_given_centre_and_radius():
     assert np.all(np.diff(fit.image) > 0) and fit.unused > 0
     with pytest.raises(ScanError, match=r"radius = 0.0006 m, but the scan reaches 0.00046 m"):
         fit_scan(WORN_FLAT.scan(10e-9, 2e-6, 5), centre=40e-6, radius=600e-6)
+
+
+def test_a_refused_table_becomes_one_that_is_accepted(start_contact, tmp_path):
+    """One side only, as the FMU refuses it for its noise; the command that the message names mends it."""
+    r = np.arange(0, 450e-6, 2e-6)
+    f = WORN_FLAT.height(r) + 20e-9 * np.random.default_rng(4).standard_normal(len(r))
+    table, mended = tmp_path / "table.txt", tmp_path / "mended.txt"
+    np.savetxt(table, np.column_stack([r, f]))
+    with pytest.raises(ContactError, match="not monotone.*cargo fmu profile"):
+        start_contact(profile="table", profile_file=str(table))
+    assert main([str(table), "-o", str(mended)]) == 0
+    radius = start_contact(profile="table", profile_file=str(mended)).get("contact_radius")
+    assert radius == pytest.approx(188.717e-6, rel=0.01)  # closed form, 100 N
 
 
 def test_a_valley_is_not_turned_over():
