@@ -1,1 +1,1 @@
-"""Python side of the fretting contact: `python -m fretting_contact.profile` makes a profile table from a line scan."""
+"""Python side of the fretting contact. `fretting_contact.profile`: profile tables from line scans."""

@@ -1,7 +1,7 @@
 """Profiles whose 1-D MDR image rises monotonically, in closed form.
 
-The image of a profile f(r) is g(x) = x ∫₀ˣ f'(r) dr/√(x² − r²). Each shape below has an image that never falls. A sum of
-such shapes with coefficients that are not negative has one, too.
+The image of a profile f(r) is g(x) = x ∫₀ˣ f'(r) dr/√(x² − r²). Each shape below has an image that
+never falls. A sum of such shapes with coefficients that are not negative has one, too.
 
 Lengths are in units of the largest radius of the scan.
 
@@ -27,7 +27,7 @@ from scipy.linalg import solve_triangular
 Array = NDArray[np.float64]
 
 SHARP, LEAST_WIDTH = 0.0, 0.02
-"""Width of a sharp edge of a flat tip, and the smallest one of a rounded edge, in units of the radius of the flat."""
+"""Width of a sharp edge, and least width of a rounded edge, in units of the radius of the flat tip."""
 
 QUADRATURE = tuple(0.5 * (np.polynomial.legendre.leggauss(200) + np.array([[1.0], [0.0]])))
 """Points and weights on 0 < t < 1."""
@@ -92,7 +92,7 @@ SPHERE: list[Shape] = [Power(2), Power(4), Power(6)]
 
 @dataclass(frozen=True)
 class Ramp:
-    """An image that rises in x² between two radii and is constant elsewhere: a rim, a worn wall, a blunter flank."""
+    """An image that rises in x² between two radii and is constant elsewhere: a worn wall, a rim."""
 
     start: float
     end: float
@@ -117,7 +117,10 @@ class Ramp:
 
 @dataclass(frozen=True)
 class FlatTip:
-    """A sphere whose tip is cut off flat; the edge is rounded over some `width` times the radius of the flat to either side."""
+    """A sphere whose tip is cut off flat.
+
+    The edge is rounded over some `width` times the radius of the flat to either side.
+    """
 
     flat: float
     width: float
@@ -180,7 +183,8 @@ def candidates(count: int = 24, least: float = 0.0) -> list[Shape]:
 def profile_of_image(x: Array, image: Array) -> Array:
     """Heights at the radii x of the profile whose image has the given values there and is linear in x² between them.
 
-    f(r) = (2/π) ∫₀ʳ g dx/√(r² − x²). The FMU solves this relation for the image, so that it gets these values back.
+    f(r) = (2/π) ∫₀ʳ g dx/√(r² − x²). The FMU solves this relation for the image and gets these
+    values back.
     """
     slopes = np.diff(image) / np.diff(x**2)
     corners = np.array([ramp_profile(x, corner) for corner in x])
@@ -188,7 +192,8 @@ def profile_of_image(x: Array, image: Array) -> Array:
 
 
 def image_of_table(r: Array, f: Array) -> Array:
-    """The image at the radii of a table, as the FMU computes it: the inverse of `profile_of_image`."""
+    """The image at the radii of a table as the FMU computes it: the inverse of `profile_of_image`."""
     corners = np.array([ramp_profile(r, corner) for corner in r])
-    weights = np.diff(corners, axis=0)[:, 1:].T / np.diff(r**2)  # heights from increments of the image: lower triangular
+    # heights from increments of the image: a lower triangular matrix
+    weights = np.diff(corners, axis=0)[:, 1:].T / np.diff(r**2)
     return np.concatenate([[0.0], np.cumsum(solve_triangular(weights, f[1:] - f[0], lower=True))]) + f[0]

@@ -1,7 +1,7 @@
 """Two columns of numbers in a text file, as the FMU reads `profile_file`.
 
-A byte-order mark, `#` comments, one header line of words, and decimal commas (with `;` or tab between the columns) are
-accepted. The same rules are in `src/profile/text.rs`.
+A byte-order mark, `#` comments, one header line of words, and decimal commas (with `;` or tab
+between the columns) are accepted. The same rules are in `src/profile/text.rs`.
 """
 
 from pathlib import Path

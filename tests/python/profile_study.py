@@ -24,9 +24,9 @@ import numpy as np
 from contact_fmu import ContactFmu, FmuFile
 from fretting_contact.profile import fit_scan, write_table
 from fretting_contact.profile_picture import STYLE
-from scans import BALL, CONE, LARGE_BALL, ROUNDED_FLAT, SMALL_BALL, SMALL_FLAT, WORN_FLAT, at_depth, at_load
+from scans import BALL, ROUNDED_FLAT, SMALL_BALL, SMALL_FLAT, WORN_FLAT, at_depth, at_load
 
-BODIES = [BALL, SMALL_BALL, LARGE_BALL, WORN_FLAT, SMALL_FLAT, ROUNDED_FLAT, CONE]
+BODIES = [BALL, SMALL_BALL, WORN_FLAT, SMALL_FLAT, ROUNDED_FLAT]
 NOISES = [5e-9, 20e-9, 50e-9]  # m
 PITCHES = [1e-6, 5e-6]  # m
 SEEDS = 30
@@ -62,7 +62,7 @@ def errors(fmu, folder):
         for noise in NOISES:
             for multiple in DEPTHS:
                 exact = at_depth(start, body.start_values(folder), multiple * noise)
-                if exact.radius > 0.85 * (1 - 0.08) * body.half_width:
+                if exact.radius > 0.5 * body.half_width:
                     continue
                 for pitch in PITCHES:
                     paths = [path for *task, _, path in tasks if task == [index, noise, pitch]]

@@ -26,8 +26,6 @@ class Body:
 
     def height(self, r: Array) -> Array:
         """f(r), m."""
-        if self.parameters.get("profile") == "cone":
-            return r * tan(self.parameters["cone_slope"])
         if self.edge:
             softness, z = 2 * self.flat * self.edge, r**2 - self.flat**2
             base = np.hypot(self.flat**2, softness) - self.flat**2
@@ -57,7 +55,6 @@ class Body:
 
 BALL = Body("ball of 10 mm", 500e-6, {"profile": "parabola", "radius": BALL_RADIUS})
 SMALL_BALL = Body("ball of 1 mm", 200e-6, {"profile": "table"}, radius=1e-3)
-LARGE_BALL = Body("ball of 100 mm", 1e-3, {"profile": "parabola", "radius": 0.1}, radius=0.1)
 WORN_FLAT = Body(
     "worn flat of 100 µm", 500e-6, {"profile": "blunted_sphere", "radius": BALL_RADIUS, "flat_radius": 100e-6}, flat=100e-6
 )
@@ -65,7 +62,6 @@ SMALL_FLAT = Body(
     "worn flat of 60 µm", 500e-6, {"profile": "blunted_sphere", "radius": BALL_RADIUS, "flat_radius": 60e-6}, flat=60e-6
 )
 ROUNDED_FLAT = Body("worn flat of 100 µm, rounded edge", 500e-6, {"profile": "table"}, flat=100e-6, edge=30e-6)
-CONE = Body("cone of 0.02 rad", 500e-6, {"profile": "cone", "cone_slope": 0.02})
 
 
 @dataclass(frozen=True)
