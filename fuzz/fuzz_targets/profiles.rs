@@ -1,7 +1,9 @@
 //! Profile files: each is refused, or is a body that can be pressed and moved.
 #![no_main]
 
-use fretting_contact::{Error, FrettingContact, LengthUnit, NormalControl, Parameters, Profile, ProfileTable};
+use fretting_contact::{
+    Error, FrettingContact, LengthUnit, NormalControl, Parameters, Profile, ProfileTable,
+};
 
 /// A load in a few directions, with wear where `wears`.
 fn press(table: ProfileTable, control: NormalControl, wears: bool) -> Result<(), Error> {
