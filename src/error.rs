@@ -37,14 +37,20 @@ pub enum Error {
     /// The contact would reach a radius where the one-dimensional image of the profile falls, so that the
     /// contact region would not be one disc.
     #[error(
-        "the contact edge reaches r = {contact_radius:.6e} m, but the 1-D image of the profile is not monotone at \
-         r = {radius:.6e} m, so the contact would not be one disc: smooth the profile there or lower the load"
+        "the contact edge reaches r = {contact_radius:.6e} m, but the 1-D image of the profile is not monotone: it first falls at \
+         r = {radius:.6e} m, its largest fall in the table is {fall:.2e} m, and the points lie {roughness:.2e} m rms off the line in r^2 \
+         through their neighbours; the contact would not be one disc: lower the load, or make an admissible table from the \
+         measurement with `cargo fmu profile`"
     )]
     NonMonotoneImage {
         /// First radius at which the image decreases, m.
         radius: f64,
         /// Contact radius that the load asks for, m.
         contact_radius: f64,
+        /// Largest depth by which the image lies below an earlier value, m: [`crate::ProfileTable::largest_fall`].
+        fall: f64,
+        /// Roughness of the table, m: [`crate::ProfileTable::roughness`].
+        roughness: f64,
     },
     /// The load, on the profile as it has worn by then, needs a contact larger than the tabulated
     /// profile.

@@ -51,7 +51,7 @@ pub use engine::{Counters, FrettingContact, Gradient, SlipState, Snapshot};
 pub use error::Error;
 pub use material::{Elastic, Pair};
 pub use parameters::{NormalControl, Parameters};
-pub use profile::{Profile, ProfileTable};
+pub use profile::{LengthUnit, Profile, ProfileTable};
 
 /// The README, so that its Rust example is compiled and run with the tests.
 #[cfg(doctest)]

@@ -184,7 +184,12 @@ impl Surface {
             && self.reaches_falling_image(contact_radius)
             && self.falls_behind(table, contact_radius)
         {
-            return Err(Error::NonMonotoneImage { radius: table.monotone_up_to(), contact_radius });
+            return Err(Error::NonMonotoneImage {
+                radius: table.monotone_up_to(),
+                contact_radius,
+                fall: table.largest_fall(),
+                roughness: table.roughness(),
+            });
         }
         Ok(())
     }

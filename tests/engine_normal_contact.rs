@@ -201,8 +201,12 @@ fn an_image_that_falls_is_refused_where_it_matters_and_only_there() {
     let dented = |r: f64| r * r / 0.02 - if r > 2e-4 { 0.6e-6 * ((r - 2e-4) / 6e-5).min(1.0) } else { 0.0 };
     let points = (0..=80).map(|i| 5e-6 * f64::from(i)).map(|r| (r, dented(r))).collect();
     let table = ProfileTable::new(points).expect("the points are in order");
-    let fall = table.monotone_up_to();
+    let (fall, depth, rough) = (table.monotone_up_to(), table.largest_fall(), table.roughness());
     close(fall, 2e-4, 6e-6, "where the image starts to fall");
+    let image: Vec<f64> =
+        (0..=4000).map(|i| Profile::Table(table.clone()).image(1e-7 * f64::from(i))).collect();
+    let falls = image.iter().enumerate().map(|(i, g)| image[..i].iter().fold(0.0, |a: f64, b| a.max(*b)) - g);
+    close(depth, falls.fold(0.0, f64::max), 1e-3 * depth, "by how much it falls");
     let mut contact = contact(without_wear(Profile::Table(table)));
     to(&mut contact, FORCE, 0.0);
     to(&mut contact, FORCE, 1e-6);
@@ -210,8 +214,8 @@ fn an_image_that_falls_is_refused_where_it_matters_and_only_there() {
     close_to(contact.indentation_depth(), exact.depth(), 1e-9, "inside the dent it is a sphere");
     let before = state(&contact);
     match contact.advance_to(400.0, 1e-6) {
-        Err(Error::NonMonotoneImage { radius, contact_radius }) => {
-            assert_eq!(radius, fall);
+        Err(Error::NonMonotoneImage { radius, contact_radius, fall: by, roughness }) => {
+            assert_eq!((radius, by, roughness), (fall, depth, rough));
             assert!(contact_radius > fall && contact_radius < 4e-4, "{contact_radius}");
         }
         other => panic!("{other:?}"),

@@ -256,7 +256,7 @@ fn c_path(path: &Path) -> CString {
 #[test]
 fn profile_files_that_are_no_profile() {
     let file = "tip 100%s.txt";
-    profile_refused("0 0\n2e-4 2e-6\n1e-4 5e-7\n", &[file, "line 3", "sort"]);
+    profile_refused("0 0\n2e-4 2e-6\n1e-4 5e-7\n", &[file, "line 3, \"1e-4 5e-7\"", "sort"]);
     profile_refused("0 0\n1e-4 5e-7\n1e-4 6e-7\n2e-4 2e-6\n", &[file, "line 3", "twice"]);
     profile_refused("0\n1e-4\n2e-4\n", &[file, "line 1", "column"]);
     profile_refused("0 0\n1e-4 high\n2e-4 2e-6\n", &[file, "line 2", "`high` is not a number"]);
@@ -268,7 +268,13 @@ fn profile_files_that_are_no_profile() {
 fn a_profile_that_is_not_monotone_where_it_matters() {
     profile_refused(
         "0 0\n5e-5 1e-6\n1e-4 2e-7\n2e-4 2e-6\n4e-4 8e-6\n",
-        &["normal_force = 100.0 N", "not monotone"],
+        &[
+            "normal_force = 100.0 N",
+            "not monotone",
+            "it first falls at r = 5",
+            "m rms off",
+            "`cargo fmu profile`",
+        ],
     );
 }
 

@@ -118,6 +118,32 @@ fn a_profile_is_found_in_the_resources() {
     }
 }
 
+/// One sphere in three units, as files of instruments: the same contact; a height on the axis is reported.
+#[test]
+fn a_profile_file_in_other_units_is_the_same_body() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("tip.txt");
+    let name = CString::new(file.to_str().unwrap()).unwrap();
+    for (unit, text, reported) in [
+        (1, "0 0\n1e-4 5e-7\n2e-4 2e-6\n4e-4 8e-6\n".as_bytes(), false),
+        (2, b"\xef\xbb\xbfRadius;H\xf6he\r\n0,4;0,008\r\n0,2;0,002\r\n0,1;0,0005\r\n0;0\r\n", false),
+        (3, b"r\tf\n0\t1,5\n100\t2,0\n200\t3,5\n400\t9,5\n", true),
+    ] {
+        std::fs::write(&file, text).unwrap();
+        let fmu = Fmu::new();
+        assert_eq!((fmu.set_integer("profile", 7), fmu.set_integer("profile_unit", unit)), (OK, OK));
+        assert_eq!(fmu.set_string("profile_file", &name), OK);
+        // SAFETY: the instance lives; no category is asked for, which means all.
+        assert_eq!(unsafe { fmi2SetDebugLogging(fmu.component, 1, 0, null()) }, OK);
+        fmu.initialize();
+        let expected = 186.626e-6; // coarsely sampled
+        assert!((fmu.real("contact_radius") / expected - 1.0).abs() < 0.02, "{}", fmu.real("contact_radius"));
+        let messages = fmu.messages();
+        let said = messages.iter().any(|text| text.contains("f(0) = 1.5e-6 m, which is subtracted"));
+        assert_eq!(said, reported, "{messages:?}");
+    }
+}
+
 /// Not needed but by a table: told under logging, not refused.
 #[test]
 fn a_resource_location_that_is_no_folder_is_told() {

@@ -10,9 +10,13 @@ use crate::totals::Totals;
 use crate::workspace::Workspace;
 use crate::{emulate, examples, library, package, progress};
 use anyhow::{Result, bail, ensure};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
+
+/// What the Python side needs.
+const REQUIREMENTS: &str = "tests/python/requirements.txt";
 
 /// What a build for an old glibc needs beyond the rest.
 const ZIG: &str = "fmu-build/zig-requirements.txt";
@@ -33,6 +37,18 @@ const SWEEP: (&str, &str) = ("The sweep", "examples/sweep/sweep-requirements.txt
 /// A master in Rust: its importer has more dependencies than the library, so that it is a package of its own.
 const RUST_MASTER: &str = "tests/python/masters/rust/Cargo.toml";
 
+/// Runs `python/fretting_contact/profile.py` with these arguments, in the caller's working directory.
+pub(crate) fn profile(workspace: &Workspace, arguments: &[OsString]) -> Result<()> {
+    let venv = Venv::with(workspace, &[workspace.file(REQUIREMENTS)])?;
+    let mut python = venv.python();
+    python.args(["-m", "fretting_contact.profile"]).args(arguments);
+    python.current_dir(std::env::current_dir()?).env("PYTHONPATH", workspace.file("python"));
+    // the matrices are small: threads would only wait for each other
+    python.env("OPENBLAS_NUM_THREADS", "1").env("PYTHONDONTWRITEBYTECODE", "1");
+    ensure!(python.status()?.success(), "no profile was written: see above");
+    Ok(())
+}
+
 /// What every command works with, set up on first use.
 pub(crate) struct Setup<'a> {
     workspace: &'a Workspace,
@@ -43,7 +59,7 @@ pub(crate) struct Setup<'a> {
 
 /// Python with its packages, and libclang.
 pub(crate) fn set_up(workspace: &Workspace) -> Result<Setup<'_>> {
-    let mut requirements = vec![workspace.file("tests/python/requirements.txt")];
+    let mut requirements = vec![workspace.file(REQUIREMENTS)];
     let of_system = libclang::of_system();
     if of_system.is_none() {
         requirements.push(workspace.file("fmu-build/libclang-requirements.txt"));

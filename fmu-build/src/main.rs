@@ -31,6 +31,7 @@ mod xml;
 use anyhow::Result;
 use clap::{Parser, Subcommand};
 use platform::Platform;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use workspace::Workspace;
@@ -72,6 +73,13 @@ enum Task {
     Demo,
     /// Build, then run every example; shows what each says and how long it takes
     Examples,
+    /// Make a profile table for the FMU from a measured line scan; a picture goes beside it
+    #[command(disable_help_flag = true)]
+    Profile {
+        /// SCAN [--unit um] [--center X] -o FILE; --help lists them all
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true, required = true)]
+        arguments: Vec<OsString>,
+    },
     /// Error against run time, and stability of extreme scenes; pages and pictures go to reports
     Report,
     /// Build, then run every test there is: Rust and Python
@@ -150,6 +158,7 @@ fn run(task: Task) -> Result<()> {
             let setup = commands::set_up(&workspace)?;
             setup.examples(&setup.build(&[Platform::own()?])?)?;
         }
+        Task::Profile { arguments } => commands::profile(&workspace, &arguments)?,
         Task::Report => commands::set_up(&workspace)?.report()?,
         Task::Test { platforms } => {
             let platforms = Platform::requested(&platforms)?;

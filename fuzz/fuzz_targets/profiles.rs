@@ -1,7 +1,9 @@
 //! Profile files: each is refused, or is a body that can be pressed and moved.
 #![no_main]
 
-use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
+use fretting_contact::{
+    Error, FrettingContact, LengthUnit, NormalControl, Parameters, Profile, ProfileTable,
+};
 
 /// A load in a few directions, with wear where `wears`.
 fn press(table: ProfileTable, control: NormalControl, wears: bool) -> Result<(), Error> {
@@ -44,9 +46,10 @@ fn press(table: ProfileTable, control: NormalControl, wears: bool) -> Result<(),
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let Ok(text) = core::str::from_utf8(bytes) else { return };
-    let Ok(table) = ProfileTable::parse(text) else { return };
-    // one in 64 wears, by a sum of the bytes, so that the fuzzer cannot dwell on the slow ones; refusing a load is an answer, too
     let sum = bytes.iter().fold(0u8, |sum, byte| sum.wrapping_mul(31).wrapping_add(*byte));
+    let unit = [LengthUnit::M, LengthUnit::M, LengthUnit::Mm, LengthUnit::Um][usize::from(sum % 4)];
+    let Ok(table) = ProfileTable::parse_in(text, unit) else { return };
+    // one in 64 wears, by a sum of the bytes, so that the fuzzer cannot dwell on the slow ones; refusing a load is an answer, too
     let _ = press(table.clone(), NormalControl::Force, sum >> 2 == 0);
     let _ = press(table, NormalControl::Indentation, false);
 });

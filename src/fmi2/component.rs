@@ -12,6 +12,7 @@ use super::status::{Outcome, State, Status};
 use super::warnings::Warnings;
 use super::{GUID, MODEL_IDENTIFIER};
 use crate::engine::FrettingContact;
+use crate::profile::Profile;
 use core::ffi::CStr;
 use fmi_sys::fmi2::{fmi2FMUstate, fmi2Type, fmi2Type_fmi2CoSimulation};
 
@@ -171,7 +172,16 @@ impl Component {
     pub(super) fn exit_initialization_mode(&mut self) -> Checked {
         let contact = self.model.begin(&self.resources)?;
         let materials = contact.parameters().materials;
+        let subtracted = match &contact.parameters().profile {
+            Profile::Table(table) => table.subtracted_height(),
+            _ => 0.0,
+        };
         self.state = State::StepComplete;
+        if subtracted != 0.0 {
+            self.event(&format!(
+                "profile_file begins with f(0) = {subtracted:e} m, which is subtracted from all its heights: the tip is at f = 0"
+            ));
+        }
         self.event(&format!(
             "initialized with E* = {:e} Pa and G* = {:e} Pa",
             materials.normal_modulus(),

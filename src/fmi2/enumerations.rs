@@ -2,6 +2,7 @@
 
 use crate::engine::SlipState;
 use crate::parameters::NormalControl;
+use crate::profile::LengthUnit;
 
 /// One enumeration type as modelDescription.xml declares it.
 #[derive(Debug, PartialEq)]
@@ -15,7 +16,7 @@ pub struct Enumeration {
 }
 
 /// Every enumeration type there is.
-pub const ENUMERATIONS: [&Enumeration; 4] = [&PROFILE, &NORMAL_CONTROL, &LOADING, &SLIP_STATE];
+pub const ENUMERATIONS: [&Enumeration; 5] = [&PROFILE, &NORMAL_CONTROL, &LOADING, &SLIP_STATE, &LENGTH_UNIT];
 
 /// Shapes of the unworn body 1; `ProfileKind` in Rust.
 pub const PROFILE: Enumeration = Enumeration {
@@ -59,6 +60,13 @@ pub const SLIP_STATE: Enumeration = Enumeration {
         ("partial_slip", "the contact sticks inside stick_radius and slips outside"),
         ("gross_slip", "the whole contact slips"),
     ],
+};
+
+/// The unit of a profile file; [`LengthUnit`] in Rust.
+pub const LENGTH_UNIT: Enumeration = Enumeration {
+    name: "LengthUnit",
+    description: "Unit of both columns of profile_file",
+    items: &[("m", "metre"), ("mm", "millimetre"), ("um", "micrometre")],
 };
 
 /// [`PROFILE`] as a type.
@@ -117,6 +125,10 @@ impl Items for Loading {
     const ALL: &'static [Self] = &[Self::Transient, Self::Cyclic];
 }
 
+impl Items for LengthUnit {
+    const ALL: &'static [Self] = &[Self::M, Self::Mm, Self::Um];
+}
+
 impl Items for SlipState {
     const ALL: &'static [Self] = &[Self::Separated, Self::Stick, Self::PartialSlip, Self::GrossSlip];
 }
@@ -141,5 +153,6 @@ mod tests {
         check::<NormalControl>(&NORMAL_CONTROL);
         check::<Loading>(&LOADING);
         check::<SlipState>(&SLIP_STATE);
+        check::<LengthUnit>(&LENGTH_UNIT);
     }
 }

@@ -72,7 +72,9 @@ pub(super) enum Refusal {
         "size = {given} is refused: the serialised state has {needed} bytes, see fmi2SerializedFMUstateSize"
     )]
     SerializedSize { given: usize, needed: usize },
-    #[error("profile_file = \"\" is refused: profile = table needs a file with two columns, r and f in m")]
+    #[error(
+        "profile_file = \"\" is refused: profile = table needs a file with two columns, r and f in profile_unit"
+    )]
     NoProfileFile,
     #[error("profile_file = \"{name}\" cannot be read from {}: {reason}", .path.display())]
     ProfileFile { name: String, path: PathBuf, reason: std::io::Error },

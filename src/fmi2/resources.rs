@@ -1,7 +1,7 @@
 //! The FMU's resources folder, and profile files.
 
 use super::refusal::{Checked, Refusal};
-use crate::profile::ProfileTable;
+use crate::profile::{LengthUnit, ProfileTable};
 use percent_encoding::percent_decode_str;
 use std::ffi::CStr;
 use std::path::{Path, PathBuf};
@@ -40,21 +40,19 @@ impl Resources {
         }
     }
 
-    /// Reads the profile that the parameter `profile_file` names.
-    pub(super) fn profile_table(&self, file: &CStr) -> Checked<ProfileTable> {
+    /// Reads the profile that the parameter `profile_file` names, whose columns have this unit.
+    pub(super) fn profile_table(&self, file: &CStr, unit: LengthUnit) -> Checked<ProfileTable> {
         let name = file.to_string_lossy().into_owned();
         if name.is_empty() {
             return Err(Refusal::NoProfileFile.into());
         }
         let located = self.locate(Path::new(&name));
         let path = std::path::absolute(&located).unwrap_or(located);
-        match std::fs::read_to_string(&path) {
+        match std::fs::read(&path) {
             Err(reason) => Err(Refusal::ProfileFile { name, path, reason }.into()),
-            Ok(text) => Ok(ProfileTable::parse(&text).map_err(|problem| Refusal::ProfileContent {
-                name,
-                path,
-                problem,
-            })?),
+            // a header in another encoding does no harm
+            Ok(bytes) => Ok(ProfileTable::parse_in(&String::from_utf8_lossy(&bytes), unit)
+                .map_err(|problem| Refusal::ProfileContent { name, path, problem })?),
         }
     }
 }
@@ -97,10 +95,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("tip.txt"), "0 0\n1e-4 1e-6\n2e-4 4e-6\n").unwrap();
         let resources = Resources { folder: Some(folder.path().to_owned()) };
-        assert_eq!(resources.profile_table(c"tip.txt").unwrap().points().len(), 3);
+        assert_eq!(resources.profile_table(c"tip.txt", LengthUnit::M).unwrap().points().len(), 3);
         let absolute = std::ffi::CString::new(folder.path().join("tip.txt").to_str().unwrap()).unwrap();
-        assert_eq!(Resources::default().profile_table(&absolute).unwrap().points().len(), 3);
-        let missing = resources.profile_table(c"other.txt").unwrap_err().to_string();
+        assert_eq!(Resources::default().profile_table(&absolute, LengthUnit::M).unwrap().points().len(), 3);
+        let missing = resources.profile_table(c"other.txt", LengthUnit::M).unwrap_err().to_string();
         assert!(missing.contains("profile_file = \"other.txt\""), "{missing}");
     }
 }

@@ -5,7 +5,7 @@ use super::refusal::Checked;
 use super::resources::Resources;
 use crate::material::{Elastic, Pair};
 use crate::parameters::{NormalControl, Parameters};
-use crate::profile::Profile;
+use crate::profile::{LengthUnit, Profile};
 use serde::{Deserialize, Serialize};
 use std::ffi::CString;
 
@@ -19,6 +19,7 @@ pub(super) struct Settings {
     pub(super) coefficient: f64,
     pub(super) flat_radius: f64,
     pub(super) profile_file: CString,
+    pub(super) profile_unit: i32,
     pub(super) youngs_modulus_1: f64,
     pub(super) poisson_ratio_1: f64,
     pub(super) youngs_modulus_2: f64,
@@ -46,6 +47,7 @@ impl Default for Settings {
             coefficient: 50.0,
             flat_radius: 1e-4,
             profile_file: CString::default(),
+            profile_unit: LengthUnit::M.number(),
             youngs_modulus_1: body_1.youngs_modulus,
             poisson_ratio_1: body_1.poisson_ratio,
             youngs_modulus_2: body_2.youngs_modulus,
@@ -119,7 +121,10 @@ impl Settings {
             ProfileKind::BluntedSphere => Profile::BluntedSphere { radius, flat_radius },
             ProfileKind::RoundedPunch => Profile::RoundedPunch { radius, flat_radius },
             ProfileKind::FlatPunch => Profile::FlatPunch { flat_radius },
-            ProfileKind::Table => Profile::Table(resources.profile_table(&self.profile_file)?),
+            ProfileKind::Table => {
+                let unit = LengthUnit::from_number(self.profile_unit);
+                Profile::Table(resources.profile_table(&self.profile_file, unit)?)
+            }
         })
     }
 }

@@ -16,8 +16,10 @@
 
 mod rounded;
 mod table;
+mod text;
 
 pub use table::ProfileTable;
+pub use text::LengthUnit;
 
 use crate::error::Error;
 use crate::quadrature;

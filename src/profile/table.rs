@@ -6,6 +6,7 @@
 //!
 //! For n points the image costs O(n) operations, and whatever is asked of it afterwards O(log n).
 
+use super::text::{self, LengthUnit, Points};
 use crate::error::Error;
 use crate::range;
 use crate::transform::FixedImage;
@@ -35,6 +36,8 @@ struct Data {
     lowest: Vec<f64>,
     lightest: Vec<f64>,
     monotone_up_to: f64,
+    /// f(0) of the file, m.
+    subtracted: f64,
 }
 
 impl ProfileTable {
@@ -49,35 +52,31 @@ impl ProfileTable {
         Self::at_places(points, |i| format!("point {}", i + 1))
     }
 
-    /// Reads two columns r and f in m, separated by blanks, tabs, commas or semicolons; `#` starts a comment.
+    /// Reads two columns r and f in m. See [`Self::parse_in`].
     ///
     /// # Errors
-    /// [`Error::ProfileTable`] that names the line.
+    /// [`Error::ProfileTable`] that quotes the line.
     pub fn parse(text: &str) -> Result<Self, Error> {
-        let mut points = Vec::new();
-        let mut lines = Vec::new();
-        for (index, line) in text.lines().enumerate() {
-            let content = line.split('#').next().unwrap_or_default();
-            let fields: Vec<&str> = content
-                .split(|c: char| c.is_whitespace() || c == ',' || c == ';')
-                .filter(|f| !f.is_empty())
-                .collect();
-            let problem = match fields[..] {
-                [] => continue,
-                [r, f] => match (r.parse::<f64>(), f.parse::<f64>()) {
-                    (Ok(r), Ok(f)) => {
-                        points.push((r, f));
-                        lines.push(index + 1);
-                        continue;
-                    }
-                    (Err(_), _) => format!("`{}` is not a number: give r in m", shorten(r)),
-                    (_, Err(_)) => format!("`{}` is not a number: give f in m", shorten(f)),
-                },
-                _ => format!("{} column(s) where two are needed: r and f, in m", fields.len()),
-            };
-            return Err(Error::ProfileTable { place: format!("line {}", index + 1), problem });
+        Self::parse_in(text, LengthUnit::M)
+    }
+
+    /// Reads two columns r and f, separated by blanks, tabs, commas or semicolons; `#` starts a comment.
+    ///
+    /// A byte-order mark, one header line of words, and falling r are accepted. With tabs or semicolons a comma is a decimal comma.
+    /// A height on the axis, f(0), is subtracted from all heights: see [`Self::subtracted_height`].
+    ///
+    /// # Errors
+    /// [`Error::ProfileTable`] that quotes the line.
+    pub fn parse_in(text: &str, unit: LengthUnit) -> Result<Self, Error> {
+        let Points { mut points, places } = text::read(text, unit)?;
+        let height = points.first().map_or(0.0, |&(_, f)| f);
+        if height.is_finite() {
+            points.iter_mut().for_each(|(_, f)| *f -= height);
         }
-        Self::at_places(points, |i| format!("line {}", lines.get(i).copied().unwrap_or_default()))
+        let table = Self::at_places(points, |i| places.get(i).cloned().unwrap_or_default())?;
+        let mut data = Arc::into_inner(table.0).expect("it has not been shared");
+        data.subtracted = height;
+        Ok(Self(Arc::new(data)))
     }
 
     fn at_places(points: Vec<(f64, f64)>, place: impl Fn(usize) -> String) -> Result<Self, Error> {
@@ -92,7 +91,13 @@ impl ProfileTable {
                 return refuse(i, format!("r = {r}, f = {f}: both have to be finite, 1e30 m at most"));
             }
             if i == 0 && r != 0.0 {
-                return refuse(i, format!("r = {r:e} m: the first point has to lie on the axis, r = 0"));
+                return refuse(
+                    i,
+                    format!(
+                        "r = {r:e} m: the first point has to lie on the axis, r = 0; a scan over both sides \
+                     becomes a table by `cargo fmu profile`"
+                    ),
+                );
             }
             if i > 0 && r == points[i - 1].0 {
                 return refuse(i, format!("r = {r:e} m occurs twice: keep one of the two points"));
@@ -120,7 +125,18 @@ impl ProfileTable {
         let mut lightest = running(load.iter().rev().copied(), f64::min);
         lowest.reverse();
         lightest.reverse();
-        let data = Data { points, radii, image, load, square, highest, lowest, lightest, monotone_up_to };
+        let data = Data {
+            points,
+            radii,
+            image,
+            load,
+            square,
+            highest,
+            lowest,
+            lightest,
+            monotone_up_to,
+            subtracted: 0.0,
+        };
         Ok(Self(Arc::new(data)))
     }
 
@@ -132,6 +148,30 @@ impl ProfileTable {
     /// Largest radius up to which the image does not fall, m; infinite where it never does.
     pub fn monotone_up_to(&self) -> f64 {
         self.0.monotone_up_to
+    }
+
+    /// Largest depth by which the image lies below an earlier value of its own, m; 0 where it never falls.
+    pub fn largest_fall(&self) -> f64 {
+        let pairs = self.0.highest.iter().zip(self.0.image.values());
+        pairs.map(|(highest, g)| highest - g).fold(0.0, f64::max)
+    }
+
+    /// Roughness, m: root mean square deviation of the points from the line in r² through both neighbours. On evenly spaced points
+    /// independent noise is √(2/3) times that; a sphere has none.
+    pub fn roughness(&self) -> f64 {
+        let deviation = |three: &[(f64, f64)]| {
+            let [(r0, f0), (r1, f1), (r2, f2)] = *three else { return 0.0 };
+            let share = (r1 - r0) * (r1 + r0) / ((r2 - r0) * (r2 + r0));
+            (f1 - f0 - share * (f2 - f0)).powi(2)
+        };
+        let windows = self.0.points.windows(3);
+        let count = windows.len().max(1) as f64;
+        (windows.map(deviation).sum::<f64>() / count).sqrt()
+    }
+
+    /// f(0) of the file that was read, m, which has been subtracted from all heights; 0 for points that were not read from a text.
+    pub fn subtracted_height(&self) -> f64 {
+        self.0.subtracted
     }
 
     /// Radius of the last point, m.
@@ -253,12 +293,6 @@ impl Piece {
         let quadratic = d * d * d * (c * c / 3.0 + d * (c / 2.0 + d / 5.0));
         self.g0 * self.g0 * d + 2.0 * self.g0 * s * linear + s * s * quadratic
     }
-}
-
-/// The start of a field for a message.
-fn shorten(field: &str) -> String {
-    let start: String = field.chars().take(24).collect();
-    if start.len() < field.len() { format!("{start}…") } else { start }
 }
 
 impl PartialEq for ProfileTable {

@@ -340,3 +340,36 @@ fn pressures_over_next_to_no_flat_are_those_of_a_parabola() {
         }
     }
 }
+
+#[test]
+fn the_roughness_of_a_table_is_what_it_has_beyond_a_sphere() {
+    let table = |rough: f64| {
+        let point = |k: i32| {
+            let r = 1e-5 * f64::from(k).sqrt();
+            (r, r * r / 0.02 + if k % 2 == 0 { rough } else { -rough })
+        };
+        ProfileTable::new((0..=100).map(point).collect()).unwrap()
+    };
+    assert!(table(0.0).roughness() < 1e-20);
+    assert_eq!(table(0.0).largest_fall(), 0.0);
+    // each point lies 2 rough off the line through its neighbours
+    assert!((table(1e-8).roughness() / 2e-8 - 1.0).abs() < 1e-9);
+    assert!(table(1e-8).largest_fall() > 2e-8);
+}
+
+#[test]
+fn a_height_on_the_axis_is_subtracted_and_remembered() {
+    let table = ProfileTable::parse_in("r;f\n200;12,5\n100;11\n0;10,5\n", LengthUnit::Um).unwrap();
+    assert_eq!(table.subtracted_height(), 10.5e-6);
+    for (point, expected) in table.points().iter().zip([(0.0, 0.0), (1e-4, 0.5e-6), (2e-4, 2e-6)]) {
+        assert!(point.0 == expected.0 && (point.1 - expected.1).abs() < 1e-20, "{point:?}");
+    }
+}
+
+#[test]
+fn a_scan_over_both_sides_is_sent_to_the_command() {
+    let message = ProfileTable::parse("-1e-4 5e-7\n0 0\n1e-4 5e-7\n").unwrap_err().to_string();
+    for part in ["line 1, \"-1e-4 5e-7\"", "r = -1e-4 m", "cargo fmu profile"] {
+        assert!(message.contains(part), "{message}");
+    }
+}

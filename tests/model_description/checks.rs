@@ -71,7 +71,7 @@ fn starts_lie_within_their_bounds() {
             }
             assert!(number(data, "nominal").is_none_or(|nominal| nominal > 0.0), "{}", name(variable));
         }
-        assert_eq!(starts, 6 + 18, "inputs and parameters apart from profile_file");
+        assert_eq!(starts, 6 + 19, "inputs and parameters apart from profile_file");
     });
 }
 
@@ -121,7 +121,7 @@ fn enumerations_are_declared_and_their_starts_are_items() {
             assert!(start >= 1.0 && start <= items.len() as f64, "{}", name(variable));
             seen.push(name(variable));
         }
-        assert_eq!(seen, ["slip_state", "profile", "normal_control", "loading"]);
+        assert_eq!(seen, ["slip_state", "profile", "normal_control", "loading", "profile_unit"]);
     });
 }
 

@@ -152,7 +152,9 @@ BAD_FILES = {
     "three columns": ("0 0\n1e-4 5e-7 1\n2e-4 2e-6\n", "line 2"),
     "words": ("# radius height\n0 0\n1e-4 deep\n2e-4 2e-6\n", "line 3"),
     "not a number": ("0 0\n1e-4 nan\n2e-4 2e-6\n3e-4 4.5e-6\n", "line 2"),
-    "off the axis": ("1e-5 0\n1e-4 5e-7\n2e-4 2e-6\n", "line 1"),
+    "off the axis": ("1e-5 0\n1e-4 5e-7\n2e-4 2e-6\n", 'line 1, "1e-5 0"'),
+    "both sides": ("-1e-4 5e-7\n0 0\n1e-4 5e-7\n", "cargo fmu profile"),
+    "two headers": ("r f\nm m\n0 0\n1e-4 5e-7\n2e-4 2e-6\n", 'line 2, "m m"'),
     "empty": ("# nothing but a comment\n", "profile"),
 }
 
@@ -174,7 +176,7 @@ def test_profile_whose_image_is_not_monotone(new_contact, tmp_path):
     radii = [i * 2e-6 for i in range(300)]
     path.write_text("".join(f"{r:.9e} {r**2 / 0.02 + 2e-6 * (90e-6 < r < 110e-6):.9e}\n" for r in radii))
     contact = new_contact()
-    refused(lambda: contact.start(profile="table", profile_file=str(path), normal_force=100.0), "monotone", "r = ")
+    refused(lambda: contact.start(profile="table", profile_file=str(path), normal_force=100.0), "monotone", "r = ", "cargo fmu profile")
 
 
 def test_load_beyond_the_table(start_contact, tmp_path):

@@ -48,6 +48,19 @@ def test_separators_and_comments(start_contact, tmp_path, separator):
     assert contact.get("profile_file") == path
 
 
+@pytest.mark.parametrize(("unit", "factor"), [("m", 1.0), ("mm", 1e3), ("um", 1e6)])
+def test_files_of_instruments(start_contact, tmp_path, unit, factor):
+    """A byte-order mark, a header, falling r, decimal commas, CRLF and a height on the axis: the same ball in each unit."""
+    r = np.linspace(400e-6, 0, 41)
+    lines = [f"{x * factor:.9e};{(2e-6 + x**2 / 0.02) * factor:.9e}".replace(".", ",") for x in r]
+    path = tmp_path / "tip.csv"
+    path.write_bytes(b"\xef\xbb\xbf" + "\r\n".join(["radius;height", *lines]).encode())
+    contact = start_contact(profile="table", profile_file=str(path), profile_unit=unit)
+    assert contact.get("contact_radius") == pytest.approx(CASE.contact_radius, rel=1e-6)
+    assert contact.get("indentation_depth") == pytest.approx(CASE.depth, rel=1e-6)
+    assert any("f(0) = " in text and "e-6 m" in text and "subtracted" in text for _, text in contact.messages)
+
+
 def test_shipped_profile(start_contact):
     """The example's blunted and wavy tip: softer than the ball it came from, and in reach of the table."""
     path = ROOT / "examples" / "profiles" / "worn_ball_tip.txt"

@@ -3,7 +3,7 @@
 
 use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable};
 use crate::engine::{FrettingContact, Gradient, SlipState};
-use crate::fmi2::enumerations::{Enumeration, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
+use crate::fmi2::enumerations::{Enumeration, LENGTH_UNIT, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
 use crate::parameters::Parameters;
 use crate::range;
@@ -21,6 +21,7 @@ const NORMAL: &[&str] = &[
     "coefficient",
     "flat_radius",
     "profile_file",
+    "profile_unit",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -40,6 +41,7 @@ const FRICTION: &[&str] = &[
     "coefficient",
     "flat_radius",
     "profile_file",
+    "profile_unit",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -92,6 +94,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
         ),
         &rig(),
         &second_direction(),
+        &profile_unit(),
     ];
     let mut table = [parts[0][0]; COUNT];
     let (mut part, mut row) = (0, 0);
@@ -114,7 +117,8 @@ const COUNT: usize = inputs().len()
     + parameters().len()
     + FIELDS * PROBES
     + rig().len()
-    + second_direction().len();
+    + second_direction().len()
+    + profile_unit().len();
 
 const fn inputs() -> [Variable; 5] {
     [
@@ -212,7 +216,7 @@ const fn parameters() -> [Variable; 18] {
         real("flat_radius", "m", length, |s| &mut s.flat_radius)
             .about("Radius of the flat tip of blunted_sphere, rounded_punch and flat_punch"),
         text("profile_file", |s| &mut s.profile_file).about(
-            "File with the points of profile = table, two columns r and f in m; a relative name is looked for in the \
+            "File with the points of profile = table, two columns r and f in profile_unit; a relative name is looked for in the \
              FMU's resources, then in the working directory",
         ),
         real("youngs_modulus_1", "Pa", stress, |s| &mut s.youngs_modulus_1)
@@ -260,6 +264,11 @@ const fn rig() -> [Variable; 2] {
 }
 
 /// The other tangential direction.
+const fn profile_unit() -> [Variable; 1] {
+    [choice("profile_unit", &LENGTH_UNIT, |s| &mut s.profile_unit)
+        .about("Unit of both columns of profile_file")]
+}
+
 const fn second_direction() -> [Variable; 3] {
     let force = Output {
         read: FrettingContact::tangential_force_y,
