@@ -8,9 +8,9 @@ pub const INITIAL_STICK_RATIO: f64 = 0.4;
 
 /// Parabola at constant depth: (Ñ, V).
 pub const PARABOLA_CONSTANT_DEPTH: [(f64, f64); 4] =
-    [(0.16, 0.2692), (0.36, 0.6203), (0.64, 0.960), (1.0, 1.0976)];
+    [(0.16, 0.268719), (0.36, 0.619257), (0.64, 0.959203), (1.0, 1.097833)];
 /// Relative uncertainty of [`PARABOLA_CONSTANT_DEPTH`].
-pub const CONSTANT_DEPTH_UNCERTAINTY: f64 = 1e-3;
+pub const CONSTANT_DEPTH_UNCERTAINTY: f64 = 2e-6;
 
 /// One row of a history at constant normal force.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,7 +55,7 @@ pub const FLAT_PUNCH_GROSS_SLIP: [(f64, f64); 5] =
     [(0.05, 0.5441), (0.2, 0.6367), (0.5, 0.7702), (1.0, 0.9016), (2.0, 0.9855)];
 /// Sphere at constant force in gross slip over a path s: (S, central wear w₀/d₀), S = κE*s/a₀. Given to its last digit.
 pub const SPHERE_GROSS_SLIP: [(f64, f64); 5] =
-    [(0.5, 0.2775), (1.0, 0.4893), (2.0, 0.7972), (5.0, 1.372), (10.0, 1.993)];
+    [(0.5, 0.277275), (1.0, 0.489101), (2.0, 0.797111), (5.0, 1.371819), (10.0, 1.992577)];
 /// Half a unit of the last digit of [`FLAT_PUNCH_GROSS_SLIP`] and [`SPHERE_GROSS_SLIP`], relative, rounded up.
 pub const GROSS_SLIP_UNCERTAINTY: f64 = 4e-4;
 
