@@ -16,11 +16,13 @@
 mod interval;
 mod planar;
 mod slide;
+mod slip;
 mod walk;
 
 pub(crate) use planar::{
     PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent, Vector, Walked, difference,
 };
+pub(crate) use slip::SlipPiece;
 pub(crate) use walk::Path;
 
 use crate::surface::{Contact, Place, Surface};

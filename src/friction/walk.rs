@@ -2,7 +2,7 @@
 //! bound is exceeded, and do work.
 
 use super::interval::Interval;
-use super::{Knot, Springs, interpolate};
+use super::{Knot, SlipPiece, Springs, interpolate};
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, Place, Surface};
 
@@ -145,11 +145,21 @@ impl Springs {
     /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³ (half the row).
     /// `spare` is a row no longer needed whose memory is used again.
     pub(crate) fn walk(&self, path: &Path, spare: Self) -> (Self, f64) {
+        self.walk_and_record(path, spare, None)
+    }
+
+    /// [`Self::walk`] that also appends the slip of the path to `slips`.
+    pub(crate) fn walk_and_record(
+        &self,
+        path: &Path,
+        spare: Self,
+        slips: Option<&mut Vec<SlipPiece>>,
+    ) -> (Self, f64) {
         let mut row = spare.knots;
         row.clear();
         row.reserve(self.knots.len() + 4);
         let rounding = rounding(path.bound_slope, &path.to, path.end);
-        let mut walk = Walk { path, row, rounding, last: None, work: 0.0 };
+        let mut walk = Walk { path, row, rounding, last: None, work: 0.0, slips };
         self.reach(path, |knots| walk.take(knots));
         if path.to.is_open() {
             walk.row.clear();
@@ -224,6 +234,7 @@ struct Walk<'p> {
     last: Option<Knot>,
     /// ∫ |u| |de| dx so far, m³.
     work: f64,
+    slips: Option<&'p mut Vec<SlipPiece>>,
 }
 
 impl Walk<'_> {
@@ -248,7 +259,7 @@ impl Walk<'_> {
     /// bound on which the inner end slips, and where they reach that on which the outer end does.
     fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
         if inner.slips_with(&outer) {
-            return slip_work(&inner, &outer);
+            return self.slip_work(&inner, &outer);
         }
         let (end, start);
         let (mut work, mut left, mut share) = (0.0, inner, 0.0);
@@ -256,7 +267,7 @@ impl Walk<'_> {
             share = share_at_bound(&inner, &outer, inner.side());
             end = between(self.path.surface, &inner, &outer, share);
             let at_bound = self.path.trial(&end, self.rounding);
-            work += slip_work(&left, &at_bound);
+            work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
@@ -265,11 +276,22 @@ impl Walk<'_> {
             share = share_at_bound(&inner, &outer, outer.side()).max(share);
             start = between(self.path.surface, &inner, &outer, share);
             let at_bound = self.path.trial(&start, self.rounding);
-            work += slip_work(&left, &at_bound);
+            work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
-        work + slip_work(&left, &outer)
+        work + self.slip_work(&left, &outer)
+    }
+
+    /// Work of an interval that slips to one side, whose slip is recorded where that is asked for.
+    fn slip_work(&mut self, inner: &Trial, outer: &Trial) -> f64 {
+        if let Some(slips) = &mut self.slips
+            && (inner.slips() || outer.slips())
+        {
+            let (p, q) = (&inner.knot.place, &outer.knot.place);
+            slips.push(SlipPiece::over((p, q), (inner.excess, outer.excess)));
+        }
+        slip_work(inner, outer)
     }
 
     /// Appends a knot that is still in contact.
