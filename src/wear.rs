@@ -13,7 +13,14 @@
 //! with S the descent transform, P = −∂p/∂(E* h) the pressure transform. An explicit update would have to remove less
 //! than about (4/π)(p/E*) Δr at a time, which the fine cells at a stick front make hopeless. S is lower triangular:
 //! nodes that have not slipped get Δh = 0 exactly, whatever happens outside.
+//!
+//! `backlog` and `absorb` are the wear core that is to replace all of this. The engine does not use it yet: see
+//! docs/decisions/wear_backlog.md.
 
+#[cfg(test)]
+mod absorb;
+#[cfg(test)]
+mod backlog;
 mod krylov;
 mod laying;
 mod life;

@@ -27,7 +27,7 @@ impl Edge {
     }
 
     /// Weight of the load at the last node in the pressure at node i, 1/m, from the piece behind that node.
-    fn weight(&self, x: &[f64], i: usize) -> f64 {
+    pub(super) fn weight(&self, x: &[f64], i: usize) -> f64 {
         let (r, end) = (x[i], x[self.last]);
         if !self.jump {
             return FRAC_2_PI / (leg(self.radius, r) + leg(end, r));

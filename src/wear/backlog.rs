@@ -1,0 +1,263 @@
+//! Slip gathered since the profile last changed, in one dimension.
+//!
+//! Springs with the same image g have the same history, so slip is a function of g. What it wears depends besides on the pressure
+//! under which it happens, so on the indentation depth. The backlog keeps, for each of a few depths, the slip path E(g) as a
+//! constant, a slope and *hinges* C (g − g_c)₊, all of which a straight line in (load, displacement) adds to in a few operations.
+//! Hinges are gathered in bins that are narrow next to the contact edge and keep their sum and their mean place, so a repeated
+//! motion stays exact, and the slip of a stroke does not depend on the steps that it is made of.
+
+use crate::friction::SlipPiece;
+use crate::surface::Contact;
+
+/// Bits of a double below its three leading ones of the mantissa: eight bins in an octave.
+const BIN_SHIFT: u32 = 49;
+
+/// Octaves below the depth at first slip in which bins are told apart.
+const OCTAVES: i64 = 14;
+
+/// Hinges of one bin.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Hinge {
+    bin: i64,
+    /// Σ C.
+    sum: f64,
+    /// Σ C y of their places y = reference − g, m.
+    moment: f64,
+    /// Least and largest y, m.
+    range: (f64, f64),
+}
+
+/// Slip under one indentation depth.
+#[derive(Debug, Clone, PartialEq)]
+struct Level {
+    bin: i64,
+    /// Σ ∫ e dx, m².
+    slip: f64,
+    /// Σ d ∫ e dx, m³.
+    moment: f64,
+    /// Slip of a spring at the reference depth, m, as the innermost springs go on.
+    constant: f64,
+    /// dE/dg of the innermost springs.
+    slope: f64,
+    /// In the order of their bins.
+    hinges: Vec<Hinge>,
+}
+
+/// Slip and friction work since the last profile update.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(crate) struct WearBacklog {
+    /// Depth at the first slip, m: images are counted from here.
+    reference: f64,
+    /// In the order of their bins.
+    levels: Vec<Level>,
+    /// Friction work, J.
+    pub(crate) work: f64,
+}
+
+/// Relative difference of two places of hinges, or of two slips, that are taken for one.
+const SAME: f64 = 1e-6;
+
+/// Share of the largest slope below which a sum of slopes is the rounding of those that cancel.
+const CANCELLED: f64 = 1e-10;
+
+/// Share of a slip that is rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// Bin of a value that may be of either sign; those below the least are one.
+fn bin(value: f64, least: i64) -> i64 {
+    let index = (value.abs().to_bits() >> BIN_SHIFT) as i64 - least;
+    if index <= 0 {
+        0
+    } else if value > 0.0 {
+        index
+    } else {
+        -index
+    }
+}
+
+impl WearBacklog {
+    /// Lowest bin of lengths for a contact of a given depth over the tip.
+    fn least(overlap: f64) -> i64 {
+        ((overlap.abs().to_bits() >> BIN_SHIFT) as i64 - 8 * OCTAVES).max(0)
+    }
+
+    /// Adds the slip of a straight line between two contacts. `overlap_moment` is ∫ (d − g) e dx with d at the instant at which a
+    /// spring slips, m³, which is the work over 2μE*; `tip` is the image at the axis, m.
+    pub(crate) fn record(
+        &mut self,
+        pieces: &[SlipPiece],
+        overlap_moment: f64,
+        (from, to): (&Contact, &Contact),
+        tip: f64,
+    ) {
+        let slip: f64 = pieces.iter().map(|piece| piece.integral).sum();
+        if slip <= 0.0 {
+            return;
+        }
+        let depth = if from.depth == to.depth {
+            to.depth
+        } else {
+            let image: f64 = pieces.iter().map(|piece| piece.image.0 * piece.integral + piece.moment).sum();
+            ((image + overlap_moment) / slip).clamp(from.depth.min(to.depth), from.depth.max(to.depth))
+        };
+        if self.levels.is_empty() {
+            self.reference = to.depth.max(from.depth);
+        }
+        let least = Self::least(self.reference - tip);
+        let reference = self.reference;
+        let index = bin(depth - tip, least);
+        let place = match self.levels.binary_search_by_key(&index, |level| level.bin) {
+            Ok(place) => place,
+            Err(place) => {
+                self.levels.insert(
+                    place,
+                    Level {
+                        bin: index,
+                        slip: 0.0,
+                        moment: 0.0,
+                        constant: 0.0,
+                        slope: 0.0,
+                        hinges: Vec::new(),
+                    },
+                );
+                place
+            }
+        };
+        let level = &mut self.levels[place];
+        level.slip += slip;
+        level.moment += slip * depth;
+        // the slope of E between knots, and the hinges where it changes
+        let (mut slope, mut end) = (0.0, f64::NEG_INFINITY);
+        let flat = 1e-13 * (reference - tip).abs();
+        for (k, piece) in pieces.iter().enumerate() {
+            let ((g0, g1), (e0, e1)) = (piece.image, piece.slip);
+            let next = if g1 - g0 > flat { (e1 - e0) / (g1 - g0) } else { 0.0 };
+            if k == 0 && g0 <= tip + flat {
+                level.constant += e0 + next * (reference - g0);
+                level.slope += next;
+            } else {
+                if k > 0 && g0 > end + flat {
+                    level.hinge(-slope, reference - end, least);
+                    slope = 0.0;
+                }
+                level.hinge(next - slope, reference - g0, least);
+            }
+            (slope, end) = (next, g1);
+        }
+    }
+
+    /// The slip path under each depth, m, as functions of g.
+    pub(crate) fn law(&self) -> Vec<SlipAtDepth> {
+        self.levels.iter().map(|level| level.law(self.reference)).collect()
+    }
+}
+
+impl Level {
+    fn hinge(&mut self, slope: f64, place: f64, least: i64) {
+        if slope == 0.0 {
+            return;
+        }
+        let index = bin(place, least);
+        match self.hinges.binary_search_by_key(&index, |hinge| hinge.bin) {
+            Ok(k) => {
+                self.hinges[k].sum += slope;
+                self.hinges[k].moment += slope * place;
+                let (low, high) = self.hinges[k].range;
+                self.hinges[k].range = (low.min(place), high.max(place));
+            }
+            Err(k) => {
+                let hinge = Hinge { bin: index, sum: slope, moment: slope * place, range: (place, place) };
+                self.hinges.insert(k, hinge);
+            }
+        }
+    }
+
+    fn law(&self, reference: f64) -> SlipAtDepth {
+        let mut hinges: Vec<(f64, f64)> = Vec::with_capacity(self.hinges.len() + 2);
+        // what strokes that cancel leave in their bins is rounding
+        let largest = self.hinges.iter().map(|hinge| hinge.sum.abs()).fold(self.slope.abs(), f64::max);
+        let rounding = CANCELLED * largest;
+        for hinge in &self.hinges {
+            let (low, high) = hinge.range;
+            let mean = hinge.moment / hinge.sum;
+            let slack = SAME * low.abs().max(high.abs());
+            if hinge.sum.abs() > rounding && mean >= low - slack && mean <= high + slack {
+                hinges.push((reference - mean.clamp(low, high), hinge.sum));
+            } else if high - low > slack {
+                // slopes that nearly cancel have no place of their own: the ends of their range carry sum and moment
+                let outer = (hinge.moment - hinge.sum * low) / (high - low);
+                for (place, slope) in [(low, hinge.sum - outer), (high, outer)] {
+                    if slope.abs() > rounding {
+                        hinges.push((reference - place, slope));
+                    }
+                }
+            }
+        }
+        hinges.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut knots = Vec::with_capacity(hinges.len());
+        let (mut slope, mut offset) = (self.slope, self.constant - self.slope * reference);
+        let first = (slope, offset);
+        for (place, change) in hinges {
+            slope += change;
+            offset -= change * place;
+            knots.push((place, slope, offset));
+        }
+        SlipAtDepth::new(self.moment / self.slip, first, knots)
+    }
+}
+
+/// The slip path of springs under one indentation depth, piecewise linear in g.
+#[derive(Debug, Clone)]
+pub(crate) struct SlipAtDepth {
+    /// m.
+    pub(crate) depth: f64,
+    /// Slip that is rounding, m.
+    least: f64,
+    /// Slope and value at g = 0 before the first knot.
+    first: (f64, f64),
+    /// Place, and slope and value at g = 0 behind it.
+    knots: Vec<(f64, f64, f64)>,
+}
+
+impl SlipAtDepth {
+    /// Slip path of the springs of an image and its slope there, m and 1.
+    pub(crate) fn at(&self, image: f64) -> (f64, f64) {
+        let above = self.knots.partition_point(|knot| knot.0 < image);
+        let (slope, offset) = match above {
+            0 => self.first,
+            k => (self.knots[k - 1].1, self.knots[k - 1].2),
+        };
+        let slip = offset + slope * image;
+        // a spring at the front slips by the rounding of its place
+        if slip > self.least { (slip, slope) } else { (0.0, 0.0) }
+    }
+
+    fn new(depth: f64, first: (f64, f64), knots: Vec<(f64, f64, f64)>) -> Self {
+        let largest = knots.iter().map(|knot| knot.2.abs()).fold(first.1.abs(), f64::max);
+        Self { depth, least: ROUNDING * largest, first, knots }
+    }
+
+    /// Cycles of an amplitude U₀, E = 4N (U₀ − m (d − g))₊, under a depth d, m.
+    pub(crate) fn of_cycles(amplitude: f64, cycles: f64, depth: f64, bound_slope: f64) -> Self {
+        let front = depth - amplitude / bound_slope;
+        let slope = 4.0 * cycles * bound_slope;
+        Self::new(depth, (0.0, 0.0), vec![(front, slope, -slope * front)])
+    }
+
+    /// Sliding onward by a path, m, under a depth, m.
+    pub(crate) fn of_sliding(path: f64, depth: f64) -> Self {
+        Self::new(depth, (0.0, path), Vec::new())
+    }
+
+    /// Image of the innermost spring that slips, m.
+    pub(crate) fn front(&self) -> f64 {
+        if self.first != (0.0, 0.0) {
+            f64::NEG_INFINITY
+        } else {
+            self.knots.first().map_or(f64::INFINITY, |k| k.0)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,111 @@
+use super::*;
+use crate::friction::{Path, Springs};
+use crate::parameters::NormalControl;
+use crate::profile::Profile;
+use crate::surface::Surface;
+
+const M: f64 = 0.7;
+const DEPTH: f64 = 3.5e-6;
+
+/// A ball pressed to a depth, moved along strokes of equal steps under it. Returns the backlog.
+fn strokes(ends: &[f64], steps: u32) -> WearBacklog {
+    let surface = Surface::new(Profile::Parabola { radius: 0.01 });
+    let open = Contact { control: 0.0, depth: 0.0, radius: 0.0, load: 0.0 };
+    let contact = surface.contact(NormalControl::Indentation, DEPTH, 1.0).expect("a ball can be pressed");
+    let path = |from: Contact, start: f64, end: f64| Path {
+        surface: &surface,
+        control: NormalControl::Indentation,
+        bound_slope: M,
+        from,
+        to: contact,
+        start,
+        end,
+        sampling: 1.0 / 64.0,
+    };
+    let (mut springs, _) = Springs::default().walk(&path(open, 0.0, 0.0), Springs::default());
+    let (mut backlog, mut place) = (WearBacklog::default(), 0.0);
+    for &end in ends {
+        let start = place;
+        for k in 1..=steps {
+            let next = if k == steps { end } else { start + (end - start) * f64::from(k) / f64::from(steps) };
+            let mut slips = Vec::new();
+            let path = path(contact, place, next);
+            let (row, work) = springs.walk_and_record(&path, Springs::default(), Some(&mut slips));
+            backlog.record(&slips, work / M, (&contact, &contact), 0.0);
+            (springs, place) = (row, next);
+        }
+    }
+    backlog
+}
+
+/// Cycles of one amplitude make E = 4N (U₀ − m (d − g))₊, whatever the steps: to rounding, and nothing inside the front.
+#[test]
+fn equal_cycles_make_their_closed_law_whatever_the_steps() {
+    let amplitude = 0.6 * M * DEPTH;
+    let mut ends = vec![amplitude];
+    ends.extend((0..10).flat_map(|_| [-amplitude, amplitude]));
+    // the first quarter is a fourth of a cycle
+    let exact = SlipAtDepth::of_cycles(amplitude, 10.25, DEPTH, M);
+    for steps in [1, 7, 40] {
+        let law = strokes(&ends, steps).law();
+        assert_eq!(law.len(), 1, "{steps} steps");
+        assert!((law[0].depth / DEPTH - 1.0).abs() < 1e-14);
+        let front = DEPTH - amplitude / M;
+        assert!((law[0].front() - front).abs() < 1e-9 * DEPTH, "{steps} steps: {:e}", law[0].front() - front);
+        for k in 0..=100 {
+            let image = DEPTH * f64::from(k) / 100.0;
+            let (slip, expected) = (law[0].at(image).0, exact.at(image).0);
+            assert!(
+                (slip - expected).abs() < 1e-9 * amplitude,
+                "{steps} steps at {image:e}: {slip:e} {expected:e}"
+            );
+            assert!(image > front || slip == 0.0, "{steps} steps: slip {slip:e} inside the front");
+        }
+    }
+}
+
+/// A slide that begins amid slip moves its front inward: what slips lies between the two fronts and outside.
+#[test]
+fn a_slide_that_goes_on_slips_from_its_new_front() {
+    let (before, now) = (0.3 * M * DEPTH, 0.7 * M * DEPTH);
+    for steps in [1, 50] {
+        let all = strokes(&[before, now], steps).law();
+        let first = strokes(&[before], steps).law();
+        for k in 0..=200 {
+            let image = DEPTH * f64::from(k) / 200.0;
+            let slip = all[0].at(image).0 - first[0].at(image).0;
+            let bound = M * (DEPTH - image);
+            let expected = (now - bound).max(0.0) - (before - bound).max(0.0);
+            assert!((slip - expected).abs() < 1e-8 * now, "{steps} at {image:e}: {slip:e} {expected:e}");
+        }
+    }
+}
+
+/// Gross slip to and fro: every spring slips, the innermost least.
+#[test]
+fn gross_slip_has_no_front() {
+    let amplitude = 1.5 * M * DEPTH;
+    let law = strokes(&[amplitude, -amplitude], 10).law();
+    assert_eq!(law[0].front(), f64::NEG_INFINITY);
+    for k in 0..=10 {
+        let image = DEPTH * f64::from(k) / 10.0;
+        let bound = M * (DEPTH - image);
+        let expected = (amplitude - bound) + 2.0 * (amplitude - bound);
+        assert!((law[0].at(image).0 - expected).abs() < 1e-9 * amplitude, "{image:e}");
+    }
+}
+
+/// However long the history, the backlog has no more entries than bins.
+#[test]
+fn a_random_history_leaves_a_bounded_backlog() {
+    let mut seed = 17_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let ends: Vec<f64> = (0..4000).map(|_| (1.6 * random() - 0.8) * M * DEPTH).collect();
+    let entries =
+        |count: usize| strokes(&ends[..count], 3).levels.iter().map(|l| l.hinges.len()).sum::<usize>();
+    let (short, long) = (entries(2000), entries(4000));
+    assert!(long <= 8 * OCTAVES as usize && long <= short + 16, "{short} {long}");
+}
