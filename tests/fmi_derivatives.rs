@@ -241,7 +241,7 @@ fn every_declared_dependency_is_one() {
 }
 
 /// Of an order that the FMU does not have the derivative is 0, as in the standard's example; an
-/// order of 0 is none.
+/// order of 0 is refused.
 #[test]
 fn output_derivatives_of_second_order_are_zero() {
     for loading in [1, 2] {

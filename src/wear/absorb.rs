@@ -1,9 +1,11 @@
-//! The backlog worn off: its slip law applied to the profile by a stiff integrator, on nodes at rest.
+//! The backlog worn off: its slip law applied to the profile by a stiff integrator, on nodes at
+//! rest.
 //!
-//! Over 0 ≤ τ ≤ 1 the worn depth grows by ∂w/∂τ = κ Σ_b p(r; d_b) D[E_b(g)](r), κ = kμ/σ₀, with the pressure under each depth of
-//! the backlog and the slip path that springs have under it, both on the profile as it is at τ. D is the Abel transform from
-//! springs to surface. Under force control the depths follow the loads that they had at the start, and a spring keeps its
-//! slip path by its overlap d_b − g.
+//! Over 0 ≤ τ ≤ 1 the worn depth grows by ∂w/∂τ = κ Σ_b p(r; d_b) D[E_b(g)](r), κ = kμ/σ₀, with the
+//! pressure under each depth of the backlog and the slip path that springs have under it, both on
+//! the profile as it is at τ. D is the Abel transform from springs to surface. Under force control
+//! the depths follow the loads that they had at the start, and a spring keeps its slip path by its
+//! overlap d_b − g.
 
 use super::backlog::SlipAtDepth;
 use super::update::Edge;
@@ -81,7 +83,7 @@ pub(crate) struct Absorbed {
 struct Level {
     depth: f64,
     edge: Edge,
-    /// g at the last node inside, less than the depth, m.
+    /// d − g at the last node inside, m.
     overlap: f64,
 }
 
@@ -126,7 +128,8 @@ impl<'a> Problem<'a> {
     }
 
     fn level(&self, image: &[f64], depth: f64) -> Option<Level> {
-        // a node at the very edge carries nothing, and its share of the pressure is infinite times nothing
+        // a node at the very edge carries nothing, and its share of the pressure is infinite times
+        // nothing
         let least = depth - EDGE * (depth - image[0]).abs();
         let last = image.iter().rposition(|g| *g < least)?;
         let overlap = depth - image[last];
@@ -244,7 +247,8 @@ impl<'a> Problem<'a> {
         let mut slip = vec![0.0; self.x.len()];
         let mut softening = vec![0.0; self.x.len()];
         for (i, row) in (first..self.x.len()).zip(matrix.chunks_exact_mut(size)) {
-            // Σ p dE/dg at the nodes inside, and Σ s of the levels whose contact goes on behind each node outside
+            // Σ p dE/dg at the nodes inside, and Σ s of the levels whose contact goes on behind
+            // each node outside
             slip.fill(0.0);
             softening.fill(0.0);
             for (b, (level, _)) in rate.levels.iter().enumerate() {
@@ -307,7 +311,8 @@ impl<'a> Problem<'a> {
         Some(problem)
     }
 
-    /// The rate at the start, scaled to the volume that the springs' work wears, m³. `None` where nothing of it is on the nodes.
+    /// The rate at the start, scaled to the volume that the springs' work wears, m³. `None` where
+    /// nothing of it is on the nodes.
     fn first_rate(&mut self, nodes: &Nodes, volume: f64) -> Option<Option<Rate<'a>>> {
         let mut rate = self.rate(nodes.worn_image())?;
         let found = nodes.volume(&rate.growth);
@@ -321,7 +326,8 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// Wears the slip law of a backlog off, of which the springs say that it wears a `volume` (m³) on the profile at the start.
+/// Wears the slip law of a backlog off, of which the springs say that it wears a `volume` (m³) on
+/// the profile at the start.
 ///
 /// # Errors
 /// [`Error::WearOutrun`] where too many steps are needed; [`Error::NotFinite`] where the contact edge is lost.
@@ -380,7 +386,8 @@ pub(crate) fn absorb(
 
 type Trial<'a> = (Vec<f64>, Vec<f64>, f64, Rate<'a>);
 
-/// One step of the stiff integrator: image and depth at its end, and the largest error of the image, m.
+/// One step of the stiff integrator: image and depth at its end, and the largest error of the
+/// image, m.
 fn advance<'a>(
     problem: &Problem<'a>,
     (worn, depth): (&[f64], &[f64]),

@@ -1,10 +1,12 @@
 //! Slip gathered since the profile last changed, in one dimension.
 //!
-//! Springs with the same image g have the same history, so slip is a function of g. What it wears depends besides on the pressure
-//! under which it happens, so on the indentation depth. The backlog keeps, for each of a few depths, the slip path E(g) as a
-//! constant, a slope and *hinges* C (g − g_c)₊, all of which a straight line in (load, displacement) adds to in a few operations.
-//! Hinges are gathered in bins that are narrow next to the contact edge and keep their sum and their mean place, so a repeated
-//! motion stays exact, and the slip of a stroke does not depend on the steps that it is made of.
+//! Springs with the same image g have the same history, so slip is a function of g. What it wears
+//! depends besides on the pressure under which it happens, so on the indentation depth. The backlog
+//! keeps, for each of a few depths, the slip path E(g) as a constant, a slope and *hinges* C (g −
+//! g_c)₊, all of which a straight line in (load, displacement) adds to in a few operations. Hinges
+//! are gathered in bins that are narrow next to the contact edge and keep their sum and their mean
+//! place, so a repeated motion stays exact, and the slip of a stroke does not depend on the steps
+//! that it is made of.
 
 use crate::friction::SlipPiece;
 use crate::surface::Contact;
@@ -12,7 +14,7 @@ use crate::surface::Contact;
 /// Bits of a double below its three leading ones of the mantissa: eight bins in an octave.
 const BIN_SHIFT: u32 = 49;
 
-/// Octaves below the depth at first slip in which bins are told apart.
+/// Octaves below the depth at first slip in which bins are distinguished.
 const OCTAVES: i64 = 14;
 
 /// Hinges of one bin.
@@ -81,8 +83,9 @@ impl WearBacklog {
         ((overlap.abs().to_bits() >> BIN_SHIFT) as i64 - 8 * OCTAVES).max(0)
     }
 
-    /// Adds the slip of a straight line between two contacts. `overlap_moment` is ∫ (d − g) e dx with d at the instant at which a
-    /// spring slips, m³, which is the work over 2μE*; `tip` is the image at the axis, m.
+    /// Adds the slip of a straight line between two contacts. `overlap_moment` is ∫ (d − g) e dx
+    /// with d at the instant at which a spring slips, m³, which is the work over 2μE*; `tip` is the
+    /// image at the axis, m.
     pub(crate) fn record(
         &mut self,
         pieces: &[SlipPiece],
@@ -184,7 +187,8 @@ impl Level {
             if hinge.sum.abs() > rounding && mean >= low - slack && mean <= high + slack {
                 hinges.push((reference - mean.clamp(low, high), hinge.sum));
             } else if high - low > slack {
-                // slopes that nearly cancel have no place of their own: the ends of their range carry sum and moment
+                // slopes that nearly cancel have no place of their own: the ends of their range
+                // carry sum and moment
                 let outer = (hinge.moment - hinge.sum * low) / (high - low);
                 for (place, slope) in [(low, hinge.sum - outer), (high, outer)] {
                     if slope.abs() > rounding {

@@ -226,10 +226,10 @@ const fn parameters() -> [Variable; 18] {
             .about("Young's modulus of body 2, the counter body"),
         real("poisson_ratio_2", "1", poisson, |s| &mut s.poisson_ratio_2).about("Poisson ratio of body 2"),
         tunable("friction_coefficient", "1", friction, |s| &mut s.friction_coefficient)
-            .about("Coefficient of friction; a change counts from the next step, 0 is for good"),
+            .about("Coefficient of friction; a change counts from the next step; 0 at the start cannot be changed"),
         tunable("wear_coefficient", "1", wear, |s| &mut s.wear_coefficient).about(
             "Wear coefficient k: a friction work W wears the volume W*wear_coefficient/hardness; a change counts from the next step, 0 computes \
-             no wear for good",
+             no wear, and cannot be changed",
         ),
         real("hardness", "Pa", stress, |s| &mut s.hardness).about("Hardness of body 1"),
         choice("normal_control", &NORMAL_CONTROL, |s| &mut s.normal_control)

@@ -79,7 +79,8 @@ fn cycles_at_constant_depth_follow_the_closed_form() {
         let errors = [16, 32, 64].map(|cells| (run(cells, *cycles).1 / volume - 1.0).abs());
         let order = (errors[0] / errors[2]).log2() / 2.0;
         println!("V at {cycles}: {errors:.1?}, order {order:.1}", errors = errors.map(|e| 1e3 * e));
-        // of first order, since the contact edge wanders through cells at rest; what it converges to is exact
+        // of first order, since the contact edge wanders through cells at rest; what it converges
+        // to is exact
         let limit = 2.0 * errors[2] - errors[1];
         assert!((0.8..1.3).contains(&order) && limit.abs() < 1e-3, "{cycles}: {errors:?}");
     }
@@ -217,9 +218,9 @@ impl Scene {
     }
 }
 
-/// Load and displacement vary together, 20 cycles of 16 lines, against a row of springs stepped explicitly and extrapolated
-/// to no spacing (good to some 1e-3). The engine's own updates miss V by 2.5 and 3.2 % where the two are in phase and in
-/// anti-phase.
+/// Load and displacement vary together, 20 cycles of 16 lines, against a row of springs stepped
+/// explicitly and extrapolated to no spacing (good to some 1e-3). The engine's own updates miss V
+/// by 2.5 and 3.2 % where the two are in phase and in anti-phase.
 #[test]
 fn a_varying_load_wears_as_an_explicit_row_of_springs() {
     let a = (DEPTH * RADIUS).sqrt();

@@ -38,7 +38,8 @@ fn strokes(ends: &[f64], steps: u32) -> WearBacklog {
     backlog
 }
 
-/// Cycles of one amplitude make E = 4N (U₀ − m (d − g))₊, whatever the steps: to rounding, and nothing inside the front.
+/// Cycles of one amplitude make E = 4N (U₀ − m (d − g))₊, whatever the steps: to rounding, and
+/// nothing inside the front.
 #[test]
 fn equal_cycles_make_their_closed_law_whatever_the_steps() {
     let amplitude = 0.6 * M * DEPTH;
@@ -64,7 +65,8 @@ fn equal_cycles_make_their_closed_law_whatever_the_steps() {
     }
 }
 
-/// A slide that begins amid slip moves its front inward: what slips lies between the two fronts and outside.
+/// A slide that begins amid slip moves its front inward: what slips lies between the two fronts and
+/// outside.
 #[test]
 fn a_slide_that_goes_on_slips_from_its_new_front() {
     let (before, now) = (0.3 * M * DEPTH, 0.7 * M * DEPTH);
