@@ -3,8 +3,7 @@
 //! Data flows one way: load → normal contact (`surface`) → springs (`friction`) → work → wear
 //! (`wear`) → surface. Fields are made only when something reads them.
 
-mod bounds;
-mod chunks;
+mod backlog;
 mod counters;
 mod cyclic;
 mod derivatives;
@@ -14,12 +13,10 @@ mod planar;
 mod readout;
 mod retune;
 mod rig;
-mod segment;
 mod slide;
 mod snapshot;
 mod steady;
 mod undo;
-mod update;
 
 pub use counters::Counters;
 pub use derivatives::Gradient;
@@ -30,7 +27,7 @@ use crate::friction::Springs;
 use crate::parameters::{NormalControl, Parameters};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Constants, Pending, Segment, Sliding, TransformCache, UnitMesh};
+use crate::wear::{Constants, Operator, Sliding, SlipPiece, UnitMesh, WearBacklog};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -89,6 +86,8 @@ pub struct FrettingContact {
     direction: f64,
     /// Work of friction, J.
     work: f64,
+    /// The same before the present call.
+    work_before: f64,
     /// What has worn before the coefficients were last changed.
     former: retune::FormerWear,
     /// Largest contact radius so far, m.
@@ -103,19 +102,27 @@ pub struct FrettingContact {
 /// What wear needs besides the surface.
 #[derive(Debug, Clone, Default)]
 struct WearState {
-    pending: Pending,
-    segment: Segment,
-    /// The row of a former segment, kept for its memory.
-    spare_row: Springs,
-    transforms: TransformCache,
-    /// The cycle that a transient history keeps to.
-    rhythm: Option<steady::Rhythm>,
+    backlog: WearBacklog,
+    /// Pieces of slip of the line that is being walked.
+    slips: Vec<SlipPiece>,
+    /// Volume that may wear before the profile follows, m³.
+    limit: f64,
+    /// Volume that the laws of motion have worn, m³: that of the profile but for what laying nodes has changed.
+    volume: f64,
+    /// Work reported beyond what the profile has worn, J ≥ 0.
+    excess: f64,
+    /// The motion that the last backlog was.
+    expected: Option<Sliding>,
     /// How much the next step of a steady motion should span, and of which.
     next_step: Option<(Sliding, f64)>,
     /// Tables of the moving mesh, kept so that they need not be made for each update.
     mesh: Option<Arc<UnitMesh>>,
-    /// Σ |∫A dA − W| over the segments so far, J.
-    transform_defect: f64,
+    /// Those of the nodes at rest.
+    operator: Option<(Vec<f64>, Arc<Operator>)>,
+    /// Σ |V − (k/σ₀) W| over k/σ₀ and all backlogs, J.
+    defect: f64,
+    /// Work whose wear would have healed the profile, J.
+    clipped: f64,
 }
 
 impl FrettingContact {
@@ -152,6 +159,7 @@ impl FrettingContact {
             planar: None,
             direction: 0.0,
             work: 0.0,
+            work_before: 0.0,
             former: retune::FormerWear::default(),
             reach: 0.0,
             wear,
@@ -179,8 +187,9 @@ impl FrettingContact {
         let (value, _) = self.checked(normal, displacement)?;
         let contact = self.surface.contact(self.parameters.normal_control, value, self.force_scale())?;
         self.view.take();
+        self.work_before = self.work;
         self.transaction(|this| {
-            this.settle()?;
+            this.close_backlog()?;
             this.displacement = displacement;
             this.direction = 0.0;
             if this.work == 0.0 {
@@ -189,8 +198,6 @@ impl FrettingContact {
             this.springs = Springs::default();
             this.planar = None;
             this.contact = Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
-            // what a former start has touched is none of this one's
-            this.start_segment();
             this.walk(contact.control, displacement, 1)
         })
     }

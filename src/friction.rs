@@ -19,13 +19,16 @@ mod slide;
 mod walk;
 
 pub(crate) use planar::{
-    PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent, Vector, Walked, difference,
+    PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent, Vector, difference,
 };
 pub(crate) use walk::Path;
 
 use crate::surface::{Contact, Place, Surface};
-use interval::Interval;
+pub(crate) use interval::Interval;
 use serde::{Deserialize, Serialize};
+
+/// Share of the largest bound by which a row may change where it is simplified.
+const SIMPLIFIED: f64 = 1e-9;
 
 /// One knot of the spring row.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -114,20 +117,25 @@ impl Springs {
         Self::from_origins(new, &origins)
     }
 
-    /// Takes springs to their bound that lie beyond it by more than rounding: knots laid between others, where the image of a rough
-    /// profile falls and what is linear in it knows nothing. Says whether there were any.
-    pub(crate) fn keep_within(&mut self, contact: &Contact, bound_slope: f64, displacement: f64) -> bool {
-        let rounding = walk::rounding(bound_slope, contact, displacement);
-        let mut any = false;
-        for knot in &mut self.knots {
-            let bound = bound_slope * (contact.depth - knot.place.image).max(0.0);
-            let trial = walk::Trial::new(knot, displacement, bound, 1e-9 * bound + rounding);
-            if trial.slips() {
-                *knot = trial.clipped();
-                any = true;
-            }
+    /// Origin of the spring of an image, m.
+    pub(crate) fn origin_of_image(&self, image: f64) -> f64 {
+        let above = self.knots.partition_point(|knot| knot.place.image < image);
+        match (self.knots.get(above.max(1) - 1), self.knots.get(above)) {
+            (Some(p), Some(q)) if above > 0 => interpolate(p, q, image),
+            (_, Some(first)) => first.origin,
+            (Some(last), None) => last.origin,
+            (None, None) => 0.0,
         }
-        any
+    }
+
+    /// Leaves out knots that lie on the line between others, but for a share of the bound that no force shows.
+    pub(crate) fn simplify(&mut self, contact: &Contact, bound_slope: f64) {
+        let deviation = SIMPLIFIED * bound_slope * contact.depth.abs();
+        let mut kept = Vec::with_capacity(self.knots.len());
+        for knot in &self.knots {
+            walk::append(&mut kept, *knot, deviation);
+        }
+        self.knots = kept;
     }
 
     /// Puts the springs outside radius `inner` (all, if that is 0) at their bound on one side.

@@ -46,21 +46,19 @@ impl FrettingContact {
         let bound_slope = constants.bound_slope();
         self.view.take();
         self.transaction(|this| {
-            this.settle()?;
+            this.work_before = this.work;
+            this.close_backlog()?;
             this.former = FormerWear { volume: this.wear_volume(), work: this.work };
-            let former_wear_per_work = this.constants.wear_per_work;
             this.parameters = Arc::new(new);
             (this.constants, this.bound_slope) = (constants, bound_slope);
             let work = if this.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
             this.counters.spring_walks += 1;
+            this.work += work;
             if let Some(wear) = &mut this.wear {
-                // a volume, told as the work that wears it
-                wear.pending.unplaced *= former_wear_per_work / constants.wear_per_work;
-                wear.rhythm = None;
-                wear.next_step = None;
+                (wear.expected, wear.next_step) = (None, None);
+                // where it has worn is not known
+                wear.excess += work;
             }
-            this.lose_to_friction(work);
-            this.start_segment();
             Ok(())
         })
     }
@@ -69,7 +67,7 @@ impl FrettingContact {
     fn slip_back(&mut self) -> f64 {
         let stored = self.stored_energy();
         let (springs, _) =
-            self.springs.walk(&self.path_to(self.contact, self.displacement), Springs::default());
+            self.springs.walk(&self.path_to(self.contact, self.displacement), Springs::default(), None);
         self.springs = springs;
         (stored - self.stored_energy()).max(0.0)
     }

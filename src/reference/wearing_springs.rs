@@ -76,9 +76,24 @@ impl WearingRow {
         }
     }
 
+    /// The same with the indentation depth (m) in place of the force.
+    pub fn walk_to_depth(&mut self, depth: f64, displacement: f64, steps: usize) {
+        let from = (self.indentation, self.displacement);
+        for k in 1..=steps {
+            let share = k as f64 / steps as f64;
+            self.indentation = from.0 + share * (depth - from.0);
+            self.slip_and_wear(from.1 + share * (displacement - from.1));
+        }
+    }
+
     fn step(&mut self, force: f64, displacement: f64) {
-        (self.force, self.displacement) = (force, displacement);
+        self.force = force;
         self.indentation = self.indentation_under(force);
+        self.slip_and_wear(displacement);
+    }
+
+    fn slip_and_wear(&mut self, displacement: f64) {
+        self.displacement = displacement;
         let room: Vec<f64> = self.room();
         let slope = self.friction * self.normal_modulus / self.tangential_modulus;
         let slip: Vec<f64> = self

@@ -1,15 +1,11 @@
 //! The transforms between image, profile and pressure at the nodes of a surface.
 
-use crate::surface::Nodes;
 use crate::transform::{Abel, Density, Scratch};
-use std::sync::Arc;
 
 /// The transforms of one set of nodes.
 #[derive(Debug)]
 pub(crate) struct NodeTransforms {
     abel: Abel,
-    /// 1/unit of the radii that the transforms are made for, 1/m: squares of tiny radii must not vanish.
-    per_metre: f64,
     nodes: usize,
 }
 
@@ -17,7 +13,8 @@ impl NodeTransforms {
     pub(crate) fn new(x: &[f64]) -> Self {
         let per_metre = (-x[x.len() - 1].log2().floor()).clamp(-1000.0, 1000.0).exp2();
         let squares: Vec<f64> = x.iter().map(|x| (x * per_metre).powi(2)).collect();
-        Self { abel: Abel::new(&squares, Density::Image), per_metre, nodes: x.len() }
+        // squares of tiny radii must not vanish
+        Self { abel: Abel::new(&squares, Density::Image), nodes: x.len() }
     }
 
     /// Depth (m) of the profile that belongs to an image (m), or slip to that of the springs. Zero up to the first value
@@ -33,35 +30,5 @@ impl NodeTransforms {
         let mut image = vec![0.0; self.nodes];
         self.abel.ascend(depth, &mut image, &mut Scratch::default());
         image
-    }
-
-    /// Pressure (Pa) of a line load (N/m) that goes on beyond the given nodes as it ends there.
-    pub(crate) fn pressure(&self, load: &[f64]) -> Vec<f64> {
-        let mut load = load.to_vec();
-        load.resize(self.nodes, load.last().copied().unwrap_or(0.0));
-        let mut pressure = vec![0.0; self.nodes];
-        self.abel.pressure(&load, &mut pressure, &mut Scratch::default());
-        pressure.iter_mut().for_each(|p| *p *= self.per_metre);
-        pressure
-    }
-}
-
-/// The transforms for the nodes last asked for, shared by clones of a contact.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct TransformCache {
-    present: Option<(Vec<f64>, Arc<NodeTransforms>)>,
-}
-
-impl TransformCache {
-    /// Those for the present nodes; the flag says whether they had to be made.
-    pub(crate) fn get(&mut self, nodes: &Nodes) -> (Arc<NodeTransforms>, bool) {
-        match &self.present {
-            Some((x, transforms)) if *x == nodes.x() => (transforms.clone(), false),
-            _ => {
-                let transforms = Arc::new(NodeTransforms::new(nodes.x()));
-                self.present = Some((nodes.x().to_vec(), transforms.clone()));
-                (transforms, true)
-            }
-        }
     }
 }

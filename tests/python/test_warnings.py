@@ -7,15 +7,7 @@ import pytest
 from conftest import DEMO, ROOT
 
 PYTHON = ROOT / "examples" / "python"
-EXAMPLES = [
-    "blade_root.py",
-    "calibrate.py",
-    "joint.py",
-    "loop.py",
-    "noisy_displacement.py",
-    "orbit.py",
-    "oscillator.py",
-]
+EXAMPLES = ["blade_root.py", "calibrate.py", "joint.py", "loop.py", "orbit.py", "oscillator.py"]
 
 # keeps what instances have said after they are gone
 RUNNER = """

@@ -9,6 +9,12 @@ use crate::wear::NodeTransforms;
 /// Nodes kept ready outside the contact, into which it may grow within one update.
 const SPARE: usize = 6;
 
+/// Most cells across a contact at rest, whose matrices are dense.
+const MOST_CELLS: usize = 256;
+
+/// Nodes at rest above which some go.
+const MOST_NODES_AT_REST: usize = 600;
+
 /// How the front of slip goes on its way, and with it what an update needs there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FrontWay {
@@ -23,7 +29,7 @@ impl FrontWay {
     /// Width of the cell at the front, in even ones, that will do.
     fn fine(self) -> f64 {
         match self {
-            Self::Returns => 0.5,
+            Self::Returns => 0.0,
             Self::Creeps => 0.05,
         }
     }
@@ -55,14 +61,15 @@ impl Nodes {
         };
         let flat = profile.flat_radius();
         let start = if front < a { front } else { 0.0 };
-        for k in 0..resolution {
-            nodes.insert(start + (a - start) * k as f64 / resolution as f64);
+        let cells = nodes.cells();
+        for k in 0..cells {
+            nodes.insert(start + (a - start) * k as f64 / cells as f64);
         }
         nodes.insert(flat);
         nodes.refine_at(front, 8);
         if a >= profile.outer_radius() {
             // the pressure ends in a singularity there until the rim has worn
-            let width = (a - start) / resolution as f64;
+            let width = (a - start) / cells as f64;
             for level in 1..=8 {
                 nodes.insert(a - width * 0.25f64.powi(level));
             }
@@ -162,7 +169,7 @@ impl Nodes {
             self.refine_at(front, way.levels());
         }
         let start = if front < a { front } else { 0.0 };
-        self.refine_between(start, a, 1.5 * a / self.resolution as f64);
+        self.refine_between(start, a, 1.5 * a / self.cells() as f64);
         if self.x.len() != before {
             self.update_integrals(profile);
         }
@@ -180,13 +187,35 @@ impl Nodes {
         let (outer_half, least) = self.remains.or(self.remains_of_mesh()).unwrap_or((f64::INFINITY, 0.0));
         let narrow = |anchor: usize, end: usize| self.x[anchor] >= outer_half && width(anchor, end) < least;
         let may_be = |anchor: usize, end: usize| {
-            width(anchor, end) <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
+            width(anchor, end) <= 0.75 * self.x[anchor].max(a) / self.cells() as f64
         };
         let kept = thin_unless(&self.x, &self.worn_image, share, narrow, may_be);
         if kept.len() * 5 > self.x.len() * 4 {
             return None;
         }
         Some(Self::of_kept(&kept, [&self.x, &self.worn_image, &self.depth], self.resolution, profile))
+    }
+
+    /// Cells across a contact at rest.
+    fn cells(&self) -> usize {
+        self.resolution.min(MOST_CELLS)
+    }
+
+    /// These nodes with no more of them than the matrices of a surface at rest can serve: those that lines between others meet best
+    /// go first. `None` where there are few enough.
+    pub(crate) fn few(&self, profile: &Profile) -> Option<Self> {
+        if self.x.len() <= MOST_NODES_AT_REST {
+            return None;
+        }
+        let mut share = 1e-7;
+        loop {
+            let kept = super::kept_nodes(&self.x, &self.worn_image, share);
+            if kept.len() <= MOST_NODES_AT_REST / 2 || share > 1.0 {
+                let fields = [&self.x[..], &self.worn_image, &self.depth];
+                return Some(Self::of_kept(&kept, fields, self.resolution, profile));
+            }
+            share *= 2.0;
+        }
     }
 
     /// The mesh does not carry the surface any more.
@@ -200,7 +229,7 @@ impl Nodes {
     fn remains_of_mesh(&self) -> Option<(f64, f64)> {
         let mesh = self.mesh?;
         let (inner, edge) = (self.x[mesh.first], self.x[mesh.first + mesh.cells]);
-        let (span, even) = (edge - inner, edge / self.resolution as f64);
+        let (span, even) = (edge - inner, edge / self.cells() as f64);
         Some((0.5 * (inner + edge), (span / mesh.cells as f64).max((0.5 * even).min(span / 16.0))))
     }
 
@@ -209,7 +238,7 @@ impl Nodes {
     fn extend_beyond(&mut self, a: f64, outer: f64) {
         while self.x[self.last().saturating_sub(SPARE)] <= a && self.x[self.last()] < outer {
             let end = self.x[self.last()];
-            let even = end / self.resolution as f64;
+            let even = end / self.cells() as f64;
             let width = (1.02 * (end - self.x[self.last() - 1])).min(even);
             self.x.push((end + width).min(outer));
             self.worn_image.push(0.0);
@@ -239,7 +268,7 @@ impl Nodes {
         let Some(j) = self.cell(front) else { return false };
         let width = self.x[j + 1] - self.x[j];
         let off = (front - self.x[j]).min(self.x[j + 1] - front);
-        front > 0.0 && off > 1e-9 * a && width > way.fine() * a / self.resolution as f64
+        front > 0.0 && off > 1e-9 * a && width > way.fine() * a / self.cells() as f64
     }
 
     /// Puts a node at `front` and a fan of nodes outside it whose distances fall by four at each level from a cell's.

@@ -1,0 +1,378 @@
+//! Slip gathered since the profile last changed, in one dimension.
+//!
+//! Springs with the same image g have the same history, so slip is a function of g. What it wears depends besides on the pressure
+//! under which it happens, so on the indentation depth. The backlog keeps, for each of a few depths, the slip path E(g) as a
+//! constant, a slope and *hinges* C (g − g_c)₊, all of which a straight line in (load, displacement) adds to in a few operations.
+//! Hinges are gathered in bins that are narrow next to the contact edge and keep their sum and their mean place, so a repeated
+//! motion stays exact, and the slip of a stroke does not depend on the steps that it is made of.
+
+use super::Sliding;
+use crate::friction::{Interval, Springs};
+use crate::surface::Contact;
+use serde::{Deserialize, Serialize};
+
+/// Bits of a double below its three leading ones of the mantissa: eight bins in an octave.
+const BIN_SHIFT: u32 = 49;
+
+/// Octaves below the depth at first slip in which bins are told apart.
+const OCTAVES: i64 = 14;
+
+/// Bins in the range of a double.
+const MOST_BINS: i64 = 8 * 2048;
+
+/// The slip of springs whose images lie between two, linear in g: outer springs slip more under a constant load.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SlipPiece {
+    /// Images of the inner and the outer end, m.
+    pub(crate) image: (f64, f64),
+    /// Slip of the inner and the outer end, m ≥ 0.
+    pub(crate) slip: (f64, f64),
+    /// ∫ e dx, m².
+    pub(crate) integral: f64,
+    /// ∫ (g − g_inner) e dx, m³.
+    pub(crate) moment: f64,
+}
+
+impl SlipPiece {
+    /// The slip between two radii next to each other, of which radius, image and slip are given.
+    pub(crate) fn between((x0, g0, e0): (f64, f64, f64), (x1, g1, e1): (f64, f64, f64)) -> Self {
+        let width = x1 - x0;
+        let moment = width * (g1 - g0) * (e0 / 6.0 + e1 / 3.0);
+        Self { image: (g0, g1), slip: (e0, e1), integral: 0.5 * width * (e0 + e1), moment }
+    }
+
+    /// ∫ (d − g) e dx under a depth d, m³.
+    pub(crate) fn overlap_moment(&self, depth: f64) -> f64 {
+        (depth - self.image.0) * self.integral - self.moment
+    }
+
+    /// The slip over an interval between two images.
+    pub(crate) fn over(image: (f64, f64), slip: (f64, f64), interval: &Interval) -> Self {
+        let integral = interval.linear(slip.0, slip.1);
+        Self { image, slip, integral, moment: interval.product((0.0, interval.rise), slip) }
+    }
+}
+
+/// Hinges of one bin.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Hinge {
+    bin: i64,
+    /// Σ C.
+    sum: f64,
+    /// Σ C y of their places y = reference − g, m.
+    moment: f64,
+    /// Least and largest y, m.
+    range: (f64, f64),
+}
+
+/// Slip under one indentation depth.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct Level {
+    bin: i64,
+    /// Σ ∫ e dx, m².
+    slip: f64,
+    /// Σ d ∫ e dx, m³.
+    moment: f64,
+    /// Slip of a spring at the reference depth, m, as the innermost springs go on.
+    constant: f64,
+    /// dE/dg of the innermost springs.
+    slope: f64,
+    /// In the order of their bins.
+    hinges: Vec<Hinge>,
+}
+
+/// Slip and friction work since the last profile update.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(crate) struct WearBacklog {
+    /// Depth at the first slip, m: images are counted from here.
+    reference: f64,
+    /// In the order of their bins.
+    levels: Vec<Level>,
+    /// Friction work, J.
+    pub(crate) work: f64,
+    /// Largest contact radius, m.
+    pub(crate) radius: f64,
+    /// Direction of motion, 0 before the first.
+    pub(crate) direction: f64,
+    /// The springs at the last update, as long as the body has not turned since.
+    pub(crate) start: Option<Springs>,
+}
+
+/// A motion that repeats at constant load, and how much of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RepeatedMotion {
+    pub(crate) sliding: Sliding,
+    /// Cycles or metres, as its kind has it.
+    pub(crate) amount: f64,
+}
+
+/// Relative difference of two places of hinges, or of two slips, that are taken for one.
+const SAME: f64 = 1e-6;
+
+/// Share of the largest slope below which a sum of slopes is the rounding of those that cancel.
+const CANCELLED: f64 = 1e-10;
+
+/// Share of a slip that is rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// Bin of a value that may be of either sign; those below the least are one.
+fn bin(value: f64, least: i64) -> i64 {
+    let index = (value.abs().to_bits() >> BIN_SHIFT) as i64 - least;
+    if index <= 0 { 0 } else if value > 0.0 { index } else { -index }
+}
+
+impl WearBacklog {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.levels.is_empty()
+    }
+
+    /// Whether all slip was under one depth (m).
+    pub(crate) fn is_at(&self, depth: f64) -> bool {
+        match &self.levels[..] {
+            [] => true,
+            [level] => (level.moment - depth * level.slip).abs() <= SAME * (depth * level.slip).abs(),
+            _ => false,
+        }
+    }
+
+    /// Adds friction work (J) done while the body moves in a direction.
+    pub(crate) fn add_work(&mut self, work: f64, direction: f64) {
+        if direction != 0.0 && direction != self.direction {
+            if self.work > 0.0 {
+                self.start = None;
+            }
+            self.direction = direction;
+        }
+        self.work += work;
+    }
+
+    /// Numbers that a backlog can have.
+    pub(crate) fn is_sound(&self) -> bool {
+        let amount = |value: f64| value >= 0.0 && value.is_finite();
+        fn rises(mut bins: impl Iterator<Item = i64>) -> bool {
+            let mut last = i64::MIN;
+            bins.all(|bin| std::mem::replace(&mut last, bin) < bin)
+        }
+        let level = |level: &Level| {
+            let numbers = [level.moment, level.constant, level.slope];
+            amount(level.slip)
+                && level.slip > 0.0
+                && numbers.iter().all(|value| value.is_finite())
+                && level.bin.abs() < MOST_BINS
+                && level.hinges.len() < MOST_BINS as usize
+                && rises(level.hinges.iter().map(|hinge| hinge.bin))
+                && level.hinges.iter().all(|h| {
+                    let numbers = [h.sum, h.moment, h.range.0, h.range.1];
+                    h.bin.abs() < MOST_BINS && numbers.iter().all(|value| value.is_finite())
+                })
+        };
+        amount(self.work)
+            && amount(self.radius)
+            && [-1.0, 0.0, 1.0].contains(&self.direction)
+            && self.reference.is_finite()
+            && self.levels.len() < MOST_BINS as usize
+            && rises(self.levels.iter().map(|level| level.bin))
+            && self.levels.iter().all(level)
+    }
+
+    /// Lowest bin of lengths for a contact of a given depth over the tip.
+    fn least(overlap: f64) -> i64 {
+        ((overlap.abs().to_bits() >> BIN_SHIFT) as i64 - 8 * OCTAVES).max(0)
+    }
+
+    /// Adds the slip of a straight line between two contacts. `overlap_moment` is ∫ (d − g) e dx with d at the instant at which a
+    /// spring slips, m³, which is the work over 2μE*; `tip` is the image at the axis, m.
+    pub(crate) fn record(
+        &mut self,
+        pieces: &[SlipPiece],
+        overlap_moment: f64,
+        (from, to): (&Contact, &Contact),
+        tip: f64,
+    ) {
+        let slip: f64 = pieces.iter().map(|piece| piece.integral).sum();
+        if !(slip > 0.0) {
+            return;
+        }
+        let depth = if from.depth == to.depth {
+            to.depth
+        } else {
+            let image: f64 = pieces.iter().map(|piece| piece.image.0 * piece.integral + piece.moment).sum();
+            ((image + overlap_moment) / slip).clamp(from.depth.min(to.depth), from.depth.max(to.depth))
+        };
+        self.radius = self.radius.max(from.radius).max(to.radius);
+        if self.levels.is_empty() {
+            self.reference = to.depth.max(from.depth);
+        }
+        let least = Self::least(self.reference - tip);
+        let reference = self.reference;
+        let index = bin(depth - tip, least);
+        let place = match self.levels.binary_search_by_key(&index, |level| level.bin) {
+            Ok(place) => place,
+            Err(place) => {
+                self.levels.insert(place, Level { bin: index, slip: 0.0, moment: 0.0, constant: 0.0, slope: 0.0, hinges: Vec::new() });
+                place
+            }
+        };
+        let level = &mut self.levels[place];
+        level.slip += slip;
+        level.moment += slip * depth;
+        // the slope of E between knots, and the hinges where it changes
+        let (mut slope, mut end) = (0.0, f64::NEG_INFINITY);
+        let flat = 1e-13 * (reference - tip).abs();
+        for (k, piece) in pieces.iter().enumerate() {
+            let ((g0, g1), (e0, e1)) = (piece.image, piece.slip);
+            let next = if g1 - g0 > flat { (e1 - e0) / (g1 - g0) } else { 0.0 };
+            if k == 0 && g0 <= tip + flat {
+                level.constant += e0 + next * (reference - g0);
+                level.slope += next;
+            } else {
+                if k > 0 && g0 > end + flat {
+                    level.hinge(-slope, reference - end, least);
+                    slope = 0.0;
+                }
+                level.hinge(next - slope, reference - g0, least);
+            }
+            (slope, end) = (next, g1);
+        }
+    }
+
+    /// The slip path under each depth, m, as functions of g.
+    pub(crate) fn law(&self) -> Vec<SlipAtDepth> {
+        self.levels.iter().map(|level| level.law(self.reference)).collect()
+    }
+}
+
+impl Level {
+    fn hinge(&mut self, slope: f64, place: f64, least: i64) {
+        if slope == 0.0 {
+            return;
+        }
+        let index = bin(place, least);
+        match self.hinges.binary_search_by_key(&index, |hinge| hinge.bin) {
+            Ok(k) => {
+                self.hinges[k].sum += slope;
+                self.hinges[k].moment += slope * place;
+                let (low, high) = self.hinges[k].range;
+                self.hinges[k].range = (low.min(place), high.max(place));
+            }
+            Err(k) => {
+                let hinge = Hinge { bin: index, sum: slope, moment: slope * place, range: (place, place) };
+                self.hinges.insert(k, hinge);
+            }
+        }
+    }
+
+    fn law(&self, reference: f64) -> SlipAtDepth {
+        let mut hinges: Vec<(f64, f64)> = Vec::with_capacity(self.hinges.len() + 2);
+        // what strokes that cancel leave in their bins is rounding
+        let largest = self.hinges.iter().map(|hinge| hinge.sum.abs()).fold(self.slope.abs(), f64::max);
+        let rounding = CANCELLED * largest;
+        for hinge in &self.hinges {
+            let (low, high) = hinge.range;
+            let mean = hinge.moment / hinge.sum;
+            let slack = SAME * low.abs().max(high.abs());
+            if hinge.sum.abs() > rounding && mean >= low - slack && mean <= high + slack {
+                hinges.push((reference - mean.clamp(low, high), hinge.sum));
+            } else if high - low > slack {
+                // slopes that nearly cancel have no place of their own: the ends of their range carry sum and moment
+                let outer = (hinge.moment - hinge.sum * low) / (high - low);
+                for (place, slope) in [(low, hinge.sum - outer), (high, outer)] {
+                    if slope.abs() > rounding {
+                        hinges.push((reference - place, slope));
+                    }
+                }
+            }
+        }
+        hinges.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut knots = Vec::with_capacity(hinges.len());
+        let (mut slope, mut offset) = (self.slope, self.constant - self.slope * reference);
+        let first = (slope, offset);
+        for (place, change) in hinges {
+            slope += change;
+            offset -= change * place;
+            knots.push((place, slope, offset));
+        }
+        SlipAtDepth::new(self.moment / self.slip, first, knots)
+    }
+}
+
+/// The slip path of springs under one indentation depth, piecewise linear in g.
+#[derive(Debug, Clone)]
+pub(crate) struct SlipAtDepth {
+    /// m.
+    pub(crate) depth: f64,
+    /// Slip that is rounding, m.
+    least: f64,
+    /// Slope and value at g = 0 before the first knot.
+    first: (f64, f64),
+    /// Place, and slope and value at g = 0 behind it.
+    knots: Vec<(f64, f64, f64)>,
+}
+
+impl SlipAtDepth {
+    /// Slip path of the springs of an image and its slope there, m and 1.
+    pub(crate) fn at(&self, image: f64) -> (f64, f64) {
+        let above = self.knots.partition_point(|knot| knot.0 < image);
+        let (slope, offset) = match above {
+            0 => self.first,
+            k => (self.knots[k - 1].1, self.knots[k - 1].2),
+        };
+        let slip = offset + slope * image;
+        // a spring at the front slips by the rounding of its place
+        if slip > self.least { (slip, slope) } else { (0.0, 0.0) }
+    }
+
+    fn new(depth: f64, first: (f64, f64), knots: Vec<(f64, f64, f64)>) -> Self {
+        let largest = knots.iter().map(|knot| knot.2.abs()).fold(first.1.abs(), f64::max);
+        Self { depth, least: ROUNDING * largest, first, knots }
+    }
+
+    /// Cycles of an amplitude U₀, E = 4N (U₀ − m (d − g))₊, or sliding onward, E = s, under a depth d, m.
+    pub(crate) fn of_motion(sliding: Sliding, amount: f64, depth: f64, bound_slope: f64) -> Self {
+        match sliding {
+            Sliding::Onward => Self::new(depth, (0.0, amount), Vec::new()),
+            Sliding::Cycles(amplitude) => {
+                let front = depth - amplitude / bound_slope;
+                let slope = 4.0 * amount * bound_slope;
+                Self::new(depth, (0.0, 0.0), vec![(front, slope, -slope * front)])
+            }
+        }
+    }
+
+    /// The motion that makes this law, where it is one that repeats in the contact of its depth; `tip` is the image at the axis.
+    pub(crate) fn repeated_motion(&self, bound_slope: f64, tip: f64) -> Option<RepeatedMotion> {
+        let (slope, offset) = match (self.first, &self.knots[..]) {
+            (first, []) => first,
+            ((0.0, 0.0), knots) => {
+                // hinges of rounding may stand beside the one
+                let &(_, slope, offset) = knots.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+                let overlap = |g: f64| (self.depth - g).abs();
+                let front = -offset / slope;
+                let at_front = |place: f64| (place - front).abs() <= 1e-3 * SAME.sqrt() * overlap(front);
+                let alone = knots.iter().all(|k| at_front(k.0) || (k.1 - slope).abs() <= SAME * slope || k.1.abs() <= SAME * slope);
+                if !alone {
+                    return None;
+                }
+                (slope, offset)
+            }
+            _ => return None,
+        };
+        let at = |g: f64| offset + slope * g;
+        let whole = at(self.depth);
+        if !(whole > 0.0) {
+            return None;
+        }
+        if (at(tip) - whole).abs() <= SAME * whole && self.knots.is_empty() {
+            return Some(RepeatedMotion { sliding: Sliding::Onward, amount: whole });
+        }
+        // E(d) = 4 N U₀ and dE/dg = 4 N m
+        let amount = slope / (4.0 * bound_slope);
+        let amplitude = whole / (4.0 * amount);
+        (amount > 0.0).then_some(RepeatedMotion { sliding: Sliding::Cycles(amplitude), amount })
+    }
+
+    /// Image of the innermost spring that slips, m.
+    pub(crate) fn front(&self) -> f64 {
+        if self.first != (0.0, 0.0) { f64::NEG_INFINITY } else { self.knots.first().map_or(f64::INFINITY, |k| k.0) }
+    }
+}
