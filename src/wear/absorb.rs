@@ -17,7 +17,6 @@ use crate::quadrature::GAUSS;
 use crate::surface::{Nodes, outer_weight};
 use crate::transform::{self, dot};
 use nalgebra::{DMatrix, DVector};
-use std::f64::consts::PI;
 
 /// Steps of one backlog at the most.
 const MOST_STEPS: u32 = 1000;
@@ -88,6 +87,7 @@ struct Level {
 }
 
 struct Problem<'a> {
+    nodes: &'a Nodes,
     x: &'a [f64],
     unworn: Vec<f64>,
     operator: &'a Operator,
@@ -96,12 +96,6 @@ struct Problem<'a> {
     loads: Option<Vec<f64>>,
     /// κE* times the factor that makes the first rate that of the springs' work.
     factor: f64,
-}
-
-/// ∫ 2πr w dr of depths (m) linear in r² between radii, m³.
-fn depth_volume(x: &[f64], depth: &[f64]) -> f64 {
-    let rings = x.windows(2).zip(depth.windows(2));
-    0.5 * PI * rings.map(|(x, w)| (w[0] + w[1]) * (x[1] - x[0]) * (x[1] + x[0])).sum::<f64>()
 }
 
 /// Rate at one state, with what its Jacobian needs.
@@ -210,7 +204,7 @@ impl<'a> Problem<'a> {
         }
         // the product at the nodes has the work of the springs but for its quadrature
         let work: f64 = rate.levels.iter().map(|(level, law)| self.work(&image, level, law)).sum();
-        let found = depth_volume(self.x, &rate.growth);
+        let found = self.nodes.volume(&rate.growth);
         if found > 0.0 {
             let share = self.factor * work / found;
             rate.growth.iter_mut().for_each(|growth| *growth *= share);
@@ -293,6 +287,7 @@ impl<'a> Problem<'a> {
     ) -> Option<Self> {
         let x = nodes.x();
         let mut problem = Self {
+            nodes,
             x,
             unworn: x.iter().map(|x| profile.image(*x)).collect(),
             operator,
@@ -313,9 +308,9 @@ impl<'a> Problem<'a> {
 
     /// The rate at the start, scaled to the volume that the springs' work wears, m³. `None` where
     /// nothing of it is on the nodes.
-    fn first_rate(&mut self, nodes: &Nodes, volume: f64) -> Option<Option<Rate<'a>>> {
-        let mut rate = self.rate(nodes.worn_image())?;
-        let found = nodes.volume(&rate.growth);
+    fn first_rate(&mut self, volume: f64) -> Option<Option<Rate<'a>>> {
+        let mut rate = self.rate(self.nodes.worn_image())?;
+        let found = self.nodes.volume(&rate.growth);
         if found <= 0.0 {
             return Some(None);
         }
@@ -343,7 +338,7 @@ pub(crate) fn absorb(
     let mut depth = nodes.depth().to_vec();
     let lost = || Error::NotFinite { what: "the worn depth", normal: law[0].depth, displacement: 0.0 };
     let mut problem = Problem::new((nodes, profile), operator, law, constants).ok_or_else(lost)?;
-    let Some(mut rate) = problem.first_rate(nodes, volume).ok_or_else(lost)? else {
+    let Some(mut rate) = problem.first_rate(volume).ok_or_else(lost)? else {
         return Ok(Absorbed { worn: (worn, depth), volume: 0.0, clipped: 0.0 });
     };
     let first = rate.growth.iter().position(|growth| *growth != 0.0).unwrap_or(0);

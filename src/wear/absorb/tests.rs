@@ -145,7 +145,7 @@ impl Scene {
         self.surface.contact(NormalControl::Indentation, depth, 1.0).expect("a ball can be pressed")
     }
 
-    fn slip_to(&mut self, to: Contact, displacement: f64) -> Vec<SlipPiece> {
+    fn slip_to(&mut self, to: Contact, displacement: f64) {
         let path = Path {
             surface: &self.surface,
             control: NormalControl::Indentation,
@@ -166,7 +166,6 @@ impl Scene {
         };
         self.gather(&slips, overlap, (self.contact, to));
         (self.springs, self.contact, self.displacement) = (springs, to, displacement);
-        slips
     }
 
     fn gather(&mut self, slips: &[SlipPiece], overlap: f64, (from, to): (Contact, Contact)) {
