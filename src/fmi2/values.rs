@@ -90,7 +90,7 @@ fn not_writable(variable: &Variable, value: &dyn Debug) -> Box<Refusal> {
         | Access::Tunable(_)
         | Access::Number(_)
         | Access::Text(_) => Refusal::Fixed { name, value },
-        Access::Output(_) | Access::Slip(_) | Access::Field { .. } => {
+        Access::Output(_) | Access::Slip(_) | Access::SlipNumber(_) | Access::Field { .. } => {
             Refusal::ReadOnly { name, value, causality: variable.causality() }
         }
     }
@@ -162,7 +162,7 @@ impl Component {
         for &reference in references {
             computed |= matches!(
                 table.find(reference, Asked::Real)?.access,
-                Access::Output(_) | Access::Field { .. }
+                Access::Output(_) | Access::SlipNumber(_) | Access::Field { .. }
             );
         }
         if computed {
@@ -179,6 +179,7 @@ impl Component {
                     staged.deepest_read
                 }
                 (Access::Output(output), Some(contact)) => (output.read)(contact),
+                (Access::SlipNumber(read), Some(contact)) => read(contact).number().into(),
                 (Access::Field { probe, read }, Some(contact)) => {
                     let radii = radii.get_or_insert_with(|| contact.probe_radii());
                     read(contact, radii[probe])

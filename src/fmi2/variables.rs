@@ -27,6 +27,8 @@ pub struct Variable {
     pub description: &'static str,
     /// Type with unit and range.
     pub data_type: DataType,
+    /// The unit in which tools show it, one of those of its unit; the calls of FMI keep to the unit itself.
+    pub display_unit: Option<DisplayUnit>,
     /// Where the value lives.
     pub(super) access: Access,
     /// Names of the variables on which it depends at the end of the initialization, if it is an output.
@@ -79,19 +81,38 @@ pub struct Unit {
     pub name: &'static str,
     /// Attribute names of BaseUnit with their exponents.
     pub base: &'static [(&'static str, i32)],
+    /// Units in which tools may show its values; the first is the default.
+    pub display: &'static [DisplayUnit],
+}
+
+/// A unit for display: shown value = `factor` · value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DisplayUnit {
+    /// Name in modelDescription.xml.
+    pub name: &'static str,
+    /// Shown value of 1 unit.
+    pub factor: f64,
+}
+
+const fn shown(name: &'static str, factor: f64) -> DisplayUnit {
+    DisplayUnit { name, factor }
 }
 
 /// Every unit that a variable may have.
 pub const UNITS: [Unit; 9] = [
-    Unit { name: "1", base: &[] },
-    Unit { name: "Hz", base: &[("s", -1)] },
-    Unit { name: "J", base: &[("kg", 1), ("m", 2), ("s", -2)] },
-    Unit { name: "N", base: &[("kg", 1), ("m", 1), ("s", -2)] },
-    Unit { name: "N/m", base: &[("kg", 1), ("s", -2)] },
-    Unit { name: "Pa", base: &[("kg", 1), ("m", -1), ("s", -2)] },
-    Unit { name: "m", base: &[("m", 1)] },
-    Unit { name: "m3", base: &[("m", 3)] },
-    Unit { name: "rad", base: &[("rad", 1)] },
+    Unit { name: "1", base: &[], display: &[] },
+    Unit { name: "Hz", base: &[("s", -1)], display: &[] },
+    Unit { name: "J", base: &[("kg", 1), ("m", 2), ("s", -2)], display: &[shown("mJ", 1e3)] },
+    Unit { name: "N", base: &[("kg", 1), ("m", 1), ("s", -2)], display: &[] },
+    Unit { name: "N/m", base: &[("kg", 1), ("s", -2)], display: &[shown("N/um", 1e-6)] },
+    Unit {
+        name: "Pa",
+        base: &[("kg", 1), ("m", -1), ("s", -2)],
+        display: &[shown("MPa", 1e-6), shown("GPa", 1e-9)],
+    },
+    Unit { name: "m", base: &[("m", 1)], display: &[shown("um", 1e6), shown("mm", 1e3)] },
+    Unit { name: "m3", base: &[("m", 3)], display: &[shown("mm3", 1e9), shown("um3", 1e18)] },
+    Unit { name: "rad", base: &[("rad", 1)], display: &[shown("deg", 180.0 / std::f64::consts::PI)] },
 ];
 
 /// Accepted values of a real variable; they are finite, but where the upper bound itself is infinite.
@@ -152,6 +173,8 @@ pub(super) enum Access {
     Text(fn(&mut Settings) -> &mut CString),
     Output(Output),
     Slip(fn(&FrettingContact) -> SlipState),
+    /// The number of the state as a Real, for importers that read only these.
+    SlipNumber(fn(&FrettingContact) -> SlipState),
     /// The value of a field at one of the probe radii.
     Field {
         probe: usize,
@@ -200,7 +223,7 @@ impl Variable {
             Access::Input(_) => "input",
             Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => "parameter",
             Access::Output(_) | Access::Slip(_) => "output",
-            Access::Field { .. } => "local",
+            Access::Field { .. } | Access::SlipNumber(_) => "local",
         }
     }
 
@@ -210,7 +233,7 @@ impl Variable {
             Access::Parameter(_) | Access::Number(_) | Access::Text(_) => "fixed",
             Access::Tunable(_) => "tunable",
             Access::Input(_) | Access::Output(_) | Access::Field { .. } => "continuous",
-            Access::Slip(_) => "discrete",
+            Access::Slip(_) | Access::SlipNumber(_) => "discrete",
         }
     }
 
@@ -219,7 +242,9 @@ impl Variable {
         match self.access {
             Access::Input(_) => None,
             Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => Some("exact"),
-            Access::Output(_) | Access::Slip(_) | Access::Field { .. } => Some("calculated"),
+            Access::Output(_) | Access::Slip(_) | Access::SlipNumber(_) | Access::Field { .. } => {
+                Some("calculated")
+            }
         }
     }
 
@@ -231,7 +256,7 @@ impl Variable {
             Access::Parameter(field) | Access::Tunable(field) => Some(Start::Real(*field(&mut settings))),
             Access::Number(field) => Some(Start::Integer(*field(&mut settings))),
             Access::Text(field) => Some(Start::Text(field(&mut settings).to_string_lossy().into_owned())),
-            Access::Output(_) | Access::Slip(_) | Access::Field { .. } => None,
+            Access::Output(_) | Access::Slip(_) | Access::SlipNumber(_) | Access::Field { .. } => None,
         }
     }
 }
