@@ -10,7 +10,7 @@ import matplotlib
 matplotlib.use("Agg")  # draws to files; needs no display
 matplotlib.rcParams["svg.hashsalt"] = "fretting"  # the same picture from the same numbers
 
-import matplotlib.pyplot as plt
+import matplotlib.pyplot as plt  # noqa: E402, the backend is chosen first
 
 # Okabe–Ito: told apart with every common colour blindness
 COLOURS = ["#0072B2", "#56B4E9", "#009E73", "#E69F00"]
