@@ -1,5 +1,5 @@
-//! Derivatives through the C interface: of outputs with respect to inputs and to time, and the dependencies that
-//! modelDescription.xml declares.
+//! Derivatives through the C interface: of outputs with respect to inputs and to time, and the
+//! dependencies that modelDescription.xml declares.
 #![cfg(feature = "fmi2")]
 
 mod host;
@@ -50,8 +50,8 @@ fn started_behind(rig_stiffness: f64, loading: i32, control: i32, wear: f64) -> 
     })
 }
 
-/// Central differences along the motion, by steps of no length from a saved state. Without wear the cycles of cyclic loading
-/// leave the contact as it was, so that it can be moved to and fro.
+/// Central differences along the motion, by steps of no length from a saved state. Without wear the
+/// cycles of cyclic loading leave the contact as it was, so that it can be moved to and fro.
 #[test]
 fn directional_derivatives_are_those_of_steps() {
     for (loading, control, normal, value) in SCENES {
@@ -117,7 +117,8 @@ fn a_seed_is_a_linear_combination_and_lists_may_be_empty() {
     assert_eq!(fmu.bits(), before, "asking changes nothing");
 }
 
-/// In initialization mode the body is pressed down wherever it is; only where that is follows the displacement.
+/// In initialization mode the body is pressed down wherever it is; only where that is follows the
+/// displacement.
 #[test]
 fn during_the_initialization_nothing_else_follows_the_displacement() {
     let fmu = Fmu::new();
@@ -192,8 +193,8 @@ fn cycles_wear_at_a_rate() {
     }
 }
 
-/// Every output depends on every input in some scene, as the ModelStructure says, but for those that it leaves out: by friction, through a
-/// rig, in the plane or both or, through wear, in time.
+/// Every output depends on every input in some scene, as the ModelStructure says, but for those
+/// that it leaves out: by friction, through a rig, in the plane or both or, through wear, in time.
 #[test]
 fn every_declared_dependency_is_one() {
     let inputs: Vec<_> = variables().iter().filter(|v| v.causality() == "input").map(|v| v.name).collect();

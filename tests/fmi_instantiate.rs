@@ -15,7 +15,8 @@ use std::ffi::CString;
 /// fmi2Instantiate with callbacks that are overwritten and gone when it returns.
 fn instantiate(name: *const c_char, kind: u32, guid: *const c_char, logging_on: i32) -> fmi2Component {
     let mut functions = Box::new(callbacks());
-    // SAFETY: every string is null or ends with a null character, and the callbacks are alive during the call.
+    // SAFETY: every string is null or ends with a null character, and the callbacks are alive
+    // during the call.
     let component =
         unsafe { fmi2Instantiate(name, kind, guid, null(), &raw const *functions, 0, logging_on) };
     functions.logger = None;
@@ -88,7 +89,8 @@ fn events_are_told_under_logging_only() {
 fn no_logger_and_no_callbacks_are_tolerated() {
     let (guid, silent) = (guid(), fmi2CallbackFunctions { logger: None, ..callbacks() });
     for functions in [null(), &raw const silent] {
-        // SAFETY: the strings are alive; the callbacks are null or alive; the instance is freed last.
+        // SAFETY: the strings are alive; the callbacks are null or alive; the instance is freed
+        // last.
         unsafe {
             let none = fmi2Instantiate(c"silent".as_ptr(), 0, guid.as_ptr(), null(), functions, 0, 1);
             assert!(none.is_null());
@@ -118,7 +120,8 @@ fn a_profile_is_found_in_the_resources() {
     }
 }
 
-/// One sphere in three units, as files of instruments: the same contact; a height on the axis is reported.
+/// One sphere in three units, as files of instruments: the same contact; a height on the axis is
+/// reported.
 #[test]
 fn a_profile_file_in_other_units_is_the_same_body() {
     let folder = tempfile::tempdir().unwrap();

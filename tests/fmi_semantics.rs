@@ -253,7 +253,8 @@ fn steps_of_no_length() {
     }
 }
 
-/// However a master divides its way, also below the rounding of its time, the contact ends at the same place.
+/// However a master divides its way, also below the rounding of its time, the contact ends at the
+/// same place.
 #[test]
 fn communication_points_need_not_add_up() {
     let end = |steps: &[f64]| {

@@ -6,7 +6,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Headline:
-    """One number, and what it ought to be, if that is known."""
+    """One number, with its expected value, if that is known."""
 
     name: str
     value: float

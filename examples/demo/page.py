@@ -1,6 +1,6 @@
 """The page: the demo's tables as one HTML file to look at and play with, which needs no network and no other file.
 
-python page.py target/demo       # draws it anew from the CSV files in a folder
+python page.py target/demo       # draws it again from the CSV files in a folder
 
 The numbers come from the CSV files, rounded to six digits. Pictures are drawn in the browser by Vega-Lite, which vl-convert brings.
 """
@@ -183,7 +183,7 @@ def mass(folder):
 
 
 def numbers(path):
-    """Rows of an HTML table: what came out and what it ought to be."""
+    """Rows of an HTML table: results and expected values."""
     with open(path, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     lines, case = [], None

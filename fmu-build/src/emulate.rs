@@ -1,4 +1,5 @@
-//! Loading and stepping the libraries of an FMU that are for other machines, each under its emulator.
+//! Loading and stepping the libraries of an FMU that are for other machines, each under its
+//! emulator.
 
 use crate::check::Archive;
 use crate::cross::Outcome;
@@ -8,7 +9,8 @@ use anyhow::{Context, Result};
 use std::fs;
 use std::path::Path;
 
-/// What became of each library that the FMU has for another machine and that has an emulator; an error if one does not run as it should.
+/// What became of each library that the FMU has for another machine and that has an emulator; an
+/// error if one does not run as it should.
 pub(crate) fn try_out(workspace: &Workspace, fmu: &Path) -> Result<Vec<(&'static str, Outcome)>> {
     let archive = Archive::open(fmu)?;
     let own = Platform::own()?;

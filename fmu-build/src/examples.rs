@@ -1,4 +1,5 @@
-//! `cargo fmu examples`: runs each example as a user would, shows what it says and how long it took.
+//! `cargo fmu examples`: runs each example as a user would, shows what it says and how long it
+//! took.
 
 use crate::check::Archive;
 use crate::process;
@@ -95,7 +96,8 @@ fn unpack(fmu: &Path, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Runs them one after the other with their output shown; ends with a table of times. An error if any fails, after all have run.
+/// Runs them one after the other with their output shown; ends with a table of times. An error if
+/// any fails, after all have run.
 pub(crate) fn run(examples: Vec<Example>) -> Result<()> {
     let mut times: Vec<(String, Duration, bool)> = Vec::new();
     for Example { name, command } in examples {

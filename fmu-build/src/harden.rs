@@ -103,7 +103,7 @@ fn library(workspace: &Workspace, environment: &Environment, tool: Tool) -> Resu
         cargo.args(["--crate-type", "cdylib", "--target", &host, "--target-dir"]).arg(&directory);
         cargo.envs(environment.iter().map(|(name, value)| (name, value)));
         if tool == Tool::Sanitizer {
-            // not stable in Rust; the compiler is told to allow it all the same
+            // not stable in Rust: this variable makes the compiler allow it
             cargo.env("RUSTC_BOOTSTRAP", "1").env_remove("CARGO_ENCODED_RUSTFLAGS");
             cargo.env("RUSTFLAGS", "-Zsanitizer=address -Cdebug-assertions");
         }

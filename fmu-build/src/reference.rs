@@ -1,8 +1,9 @@
-//! extra/org.fmi-standard.fmi-ls-ref/: experiments with reference results (FMI layered standard References, 1.0.0-beta.1),
-//! for whoever wants to know that an importer runs the FMU as it should.
+//! extra/org.fmi-standard.fmi-ls-ref/: experiments with reference results (FMI layered standard
+//! References, 1.0.0-beta.1), for anyone who wants to know that an importer runs the FMU as it
+//! should.
 //!
-//! The results are closed forms, not what the FMU computes: Mindlin's loop, and the final state of wear at constant depth. Start
-//! values are those of modelDescription.xml.
+//! The results are closed forms, not what the FMU computes: Mindlin's loop, and the final state of
+//! wear at constant depth. Start values are those of modelDescription.xml.
 
 use anyhow::{Context, Result};
 use roxmltree::Document;
@@ -54,7 +55,8 @@ life   One step of 1 s and 1e7 cycles at constant indentation depth. The stick r
 /// Displacements at the rests of the loop, in units of that of full slip.
 const LOOP: [f64; 10] = [0.3, 0.6, 0.8, 0.4, 0.0, -0.5, -0.8, -0.2, 0.5, 0.8];
 
-/// Stick radius of the life, in contact radii, its worn volume in a² d and its final force in that of the start (a parabola's).
+/// Stick radius of the life, in contact radii, its worn volume in a² d and its final force in that
+/// of the start (a parabola's).
 const STICK: f64 = 0.4;
 const LIFE_VOLUME: f64 = 1.131108;
 const LIFE_FORCE: f64 = 0.568;
@@ -115,7 +117,8 @@ impl Ball {
         Ok(Self { force, friction, shear, contact_radius, depth, full_slip })
     }
 
-    /// Tangential force on first loading to a displacement, in units of the friction limit and of that of full slip.
+    /// Tangential force on first loading to a displacement, in units of the friction limit and of
+    /// that of full slip.
     fn first_loading(theta: f64) -> f64 {
         theta.signum() * (1.0 - (1.0 - theta.abs()).powf(1.5))
     }
@@ -144,7 +147,8 @@ impl Ball {
         (stimuli, results)
     }
 
-    /// Force on the present branch. The reversals of [`LOOP`] have equal amplitudes, so that one is remembered.
+    /// Force on the present branch. The reversals of [`LOOP`] have equal amplitudes, so that one is
+    /// remembered.
     fn branch(turn: Option<f64>, at_turn: f64, theta: f64) -> f64 {
         match turn {
             None => Self::first_loading(theta),
@@ -209,7 +213,8 @@ mod tests {
         assert!((force(10) - top).abs() < 1e-9, "{}", force(10));
     }
 
-    /// F∞ = 2E* ∫ (d − g) dx over the stick disc, and F₀ the same over the contact: (3/2) (s − s³/3), s = c/a.
+    /// F∞ = 2E* ∫ (d − g) dx over the stick disc, and F₀ the same over the contact: (3/2) (s −
+    /// s³/3), s = c/a.
     #[test]
     fn the_final_force_is_what_the_stick_disc_carries() {
         assert!((1.5 * (STICK - STICK.powi(3) / 3.0) - LIFE_FORCE).abs() < 1e-12);

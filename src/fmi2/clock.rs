@@ -3,8 +3,9 @@
 use super::refusal::{Checked, Refusal};
 use serde::{Deserialize, Serialize};
 
-/// Two times are the same when they differ by less than this, relative to the larger of the time and the longest step so
-/// far: masters add up step sizes, and their sums differ in the last digits, also where they come back to 0.
+/// Two times are the same when they differ by less than this, relative to the larger of the time
+/// and the longest step so far: masters add up step sizes, and their sums differ in the last
+/// digits, also where they come back to 0.
 const SAME: f64 = 1e-9;
 
 /// Or by less than this, relative to the step: some masters round their clock to nanoseconds or to
@@ -103,7 +104,8 @@ impl Clock {
         Ok(())
     }
 
-    /// Refuses a communication point that differs from the end of the last step by more than rounding.
+    /// Refuses a communication point that differs from the end of the last step by more than
+    /// rounding.
     #[cold]
     fn check_point(&self, point: f64, length: f64) -> Checked {
         // written so that it also refuses a point that is not a number

@@ -1,4 +1,4 @@
-//! One instance of the FMU: the model, where it is in its life, and how it speaks to the importer.
+//! One instance of the FMU: the model, where it is in its life, and how it reports to the importer.
 
 use super::lifecycle::Call;
 use super::logger::Logger;
@@ -16,7 +16,8 @@ use crate::profile::Profile;
 use core::ffi::CStr;
 use fmi_sys::fmi2::{fmi2FMUstate, fmi2Type, fmi2Type_fmi2CoSimulation};
 
-/// Below this the materials count as elastically similar: it is round-off of the two sides of the paper's eq. (6).
+/// Below this the materials count as elastically similar: it is round-off of the two sides of the
+/// paper's eq. (6).
 const SIMILAR: f64 = 1e-9;
 
 /// What an importer's fmi2Component points to.
@@ -58,7 +59,8 @@ impl Component {
         }
     }
 
-    /// fmi2Instantiate, once the arguments are safe to look at; the error is what to tell the importer.
+    /// fmi2Instantiate, once the arguments are safe to look at; the error is what to tell the
+    /// importer.
     pub(super) fn instantiate(
         logger: Logger,
         kind: fmi2Type,
@@ -124,7 +126,7 @@ impl Component {
         let failure = format!("an internal failure in {} ({text})", call.name);
         self.logger.log(
             Status::Error,
-            &format!("{}: internal failure: {text}; call fmi2Reset to start anew", call.name),
+            &format!("{}: internal failure: {text}; call fmi2Reset to start again", call.name),
         );
         self.failure = Some(failure);
         self.state = State::Failed;

@@ -18,8 +18,8 @@ pub const CATEGORIES: [(&CStr, &str); 6] = [
 
 const ALL: usize = CATEGORIES.len() - 1;
 
-/// The importer's callback with what it needs. The struct of callbacks is copied, since the importer may drop its
-/// own after fmi2Instantiate.
+/// The importer's callback with what it needs. The struct of callbacks is copied, since the
+/// importer may drop its own after fmi2Instantiate.
 pub(super) struct Logger {
     callback: fmi2CallbackLogger,
     environment: *mut c_void,
@@ -69,8 +69,8 @@ impl Logger {
         let text = CString::new(text).unwrap_or_default();
         let category = CATEGORIES[category(status)].0;
         let name = self.instance_name.as_ptr();
-        // SAFETY: the importer vouches for its callback until fmi2FreeInstance; every string ends with a null and
-        // outlives the call, and the one conversion in the format has its argument.
+        // SAFETY: the importer vouches for its callback until fmi2FreeInstance; every string ends
+        // with a null and outlives the call, and the one conversion in the format has its argument.
         unsafe {
             callback(
                 self.environment,

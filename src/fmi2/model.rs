@@ -1,4 +1,5 @@
-//! The contact behind one instance: what the importer has set, and the engine that is built from it when needed.
+//! The contact behind one instance: what the importer has set, and the engine that is built from it
+//! when needed.
 
 use super::clock::Clock;
 use super::enumerations::Loading;
@@ -83,7 +84,7 @@ impl Model {
         &mut self.staged
     }
 
-    /// The parameters, to change one; the contact will be built anew.
+    /// The parameters, to change one; the contact will be built again.
     pub(super) fn change_settings(&mut self) -> &mut Settings {
         self.contact = None;
         self.staged.started = false;
@@ -110,8 +111,8 @@ impl Model {
         self.staged.initialized
     }
 
-    /// The contact in its present state. During initialization that is the start which follows from what has been
-    /// set so far.
+    /// The contact in its present state. During initialization that is the start which follows from
+    /// what has been set so far.
     #[inline]
     pub(super) fn contact(&mut self, resources: &Resources) -> Checked<&FrettingContact> {
         if !self.staged.started {
@@ -123,7 +124,8 @@ impl Model {
     #[cold]
     fn start(&mut self, resources: &Resources) -> Checked {
         let Self { staged: Staged { settings, inputs, started, .. }, contact } = self;
-        // Dropped where it cannot start, so that a profile file that has been corrected is read again.
+        // Dropped where it cannot start, so that a profile file that has been corrected is read
+        // again.
         let built = match contact.take() {
             Some(contact) => contact,
             None => build(settings, resources)?,

@@ -1,4 +1,5 @@
-//! Access to variables by value reference. A call is checked as a whole before any of it is carried out.
+//! Access to variables by value reference. A call is checked as a whole before any of it is carried
+//! out.
 
 use super::component::Component;
 use super::enumerations::Items;
@@ -298,7 +299,7 @@ impl Component {
         references.iter().try_for_each(|&reference| table.find(reference, Asked::Boolean).map(|_| ()))
     }
 
-    /// The strings belong to the instance and hold until they are set anew.
+    /// The strings belong to the instance and hold until they are set again.
     pub(super) fn get_string(
         &mut self,
         references: &[u32],

@@ -1,5 +1,5 @@
-//! The variable table: name, type, unit, range, meaning and access of every variable, in one place. A variable's value
-//! reference is its position. modelDescription.xml is written from it.
+//! The variable table: name, type, unit, range, meaning and access of every variable, in one place.
+//! A variable's value reference is its position. modelDescription.xml is written from it.
 
 mod table;
 
@@ -27,11 +27,13 @@ pub struct Variable {
     pub description: &'static str,
     /// Type with unit and range.
     pub data_type: DataType,
-    /// The unit in which tools show it, one of those of its unit; the calls of FMI keep to the unit itself.
+    /// The unit in which tools show it, one of those of its unit; the calls of FMI keep to the unit
+    /// itself.
     pub display_unit: Option<DisplayUnit>,
     /// Where the value lives.
     pub(super) access: Access,
-    /// Names of the variables on which it depends at the end of the initialization, if it is an output.
+    /// Names of the variables on which it depends at the end of the initialization, if it is an
+    /// output.
     pub initial_dependencies: &'static [&'static str],
     /// Names of the inputs on which it never depends, if it is an output.
     pub independent_of: &'static [&'static str],
@@ -115,7 +117,8 @@ pub const UNITS: [Unit; 9] = [
     Unit { name: "rad", base: &[("rad", 1)], display: &[shown("deg", 180.0 / std::f64::consts::PI)] },
 ];
 
-/// Accepted values of a real variable; they are finite, but where the upper bound itself is infinite.
+/// Accepted values of a real variable; they are finite, but where the upper bound itself is
+/// infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Lower bound.
@@ -187,10 +190,11 @@ pub(super) enum Access {
 pub(super) struct Output {
     pub(super) read: fn(&FrettingContact) -> f64,
     pub(super) gradient: fn(&FrettingContact) -> Gradient,
-    /// What a cycle of a given amplitude (m) adds, for outputs that grow with the cycles of cyclic loading.
+    /// What a cycle of a given amplitude (m) adds, for outputs that grow with the cycles of cyclic
+    /// loading.
     pub(super) per_cycle: Option<fn(&FrettingContact, f64) -> f64>,
-    /// Which direction's displacement it is, x or y, at which the contact is pressed on at the start in transient loading; nothing else
-    /// follows that.
+    /// Which direction's displacement it is, x or y, at which the contact is pressed on at the
+    /// start in transient loading; nothing else follows that.
     pub(super) starts_anywhere: Option<Direction>,
     /// Whether it is the wear depth, of which the largest value read so far is given.
     pub(super) never_falls: bool,
@@ -300,7 +304,8 @@ mod tests {
                 101.0,
             ];
             for value in probes {
-                // A dimension counts only for the profiles that use it: refused by one of them is refused.
+                // A dimension counts only for the profiles that use it: refused by one of them is
+                // refused.
                 let by_engine = (1..=6).all(|profile| {
                     let mut settings = Settings { profile, ..Settings::default() };
                     *field(&mut settings) = value;

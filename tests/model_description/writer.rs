@@ -167,7 +167,8 @@ fn type_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
     attributes
 }
 
-/// Outputs follow the inputs through the steps, but for those that the table names; at the start they follow what the table says.
+/// Outputs follow the inputs through the steps, but for those that the table names; at the start
+/// they follow what the table says.
 fn structure(xml: &mut Xml) -> io::Result<()> {
     let inputs: Vec<_> = variables().iter().filter(|v| v.causality() == "input").map(|v| v.name).collect();
     xml.create_element("Outputs").write_inner_content(|xml| {

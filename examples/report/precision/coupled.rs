@@ -8,14 +8,16 @@ use fretting_contact::Error;
 use masters::{Master, Outcome, drive, mass_for, rest};
 
 const NAME: &str = "mass on a spring, ball";
-/// k/(2G*a), and hω with 200 steps a period: the mass swings freely, too, which no damped step may hide.
+/// k/(2G*a), and hω with 200 steps a period: the mass swings freely, too, which no damped step may
+/// hide.
 const RATIO: f64 = 1.0;
 const STIFFNESS: f64 = 0.5;
 /// Steps of a period at the coarsest, and periods of a run.
 const STEPS: u32 = 200;
 const PERIODS: f64 = 3.0;
 const FINER: [u32; 7] = [1, 2, 4, 8, 16, 32, 64];
-/// The truth, and the run that tells its error: explicit, since that master does not damp the free swing.
+/// The truth, and the run that tells its error: explicit, since that master does not damp the free
+/// swing.
 const TRUTH: [u32; 2] = [1024, 512];
 
 pub(crate) fn all() -> Result<(Vec<Point>, Vec<Told>), Error> {

@@ -1,5 +1,5 @@
-//! Without wear: Hertz' pressure, a Mindlin loop, a random history of load and displacement, by the engine and by a plain row of
-//! springs.
+//! Without wear: Hertz' pressure, a Mindlin loop, a random history of load and displacement, by the
+//! engine and by a plain row of springs.
 
 use super::point::{Point, Told, timed};
 use fretting_contact::problems::Problem;
@@ -22,7 +22,8 @@ const MANY: usize = 100_000;
 const SUBSTEPS: usize = 128;
 
 const PLAIN: &str = "plain spring row";
-/// The problem of `hertz` that an independent solver can be asked, too: `examples/report/independent.py`.
+/// The problem of `hertz` that an independent solver can be asked, too:
+/// `examples/report/independent.py`.
 pub(crate) const HERTZ: &str = "Hertz contact, ball";
 
 /// A contact of the ball without wear.
@@ -167,8 +168,8 @@ impl Ball {
         worst
     }
 
-    /// Lines to random loads, from a tenth to all of the largest, and random displacements within 1.2 u_max; and its own
-    /// errors.
+    /// Lines to random loads, from a tenth to all of the largest, and random displacements within
+    /// 1.2 u_max; and its own errors.
     fn random_history(&self) -> Result<(Vec<Point>, [f64; 2]), Error> {
         let name = "random history, ball";
         let (most, slip) = (self.problem.normal, self.start.full_slip());

@@ -1,4 +1,5 @@
-//! Lives of many cycles: the paper's four cases and gross slip, by the engine and by the published procedure.
+//! Lives of many cycles: the paper's four cases and gross slip, by the engine and by the published
+//! procedure.
 
 use super::point::{PATIENCE, Point, Told, timed};
 use super::published::{Published, Scheme, Settings};
@@ -8,17 +9,18 @@ use std::time::Instant;
 
 const RESOLUTIONS: [usize; 4] = [16, 32, 64, 128];
 const TOLERANCES: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
-/// A run that may stand for the truth: resolution, tolerance, and calls in which it is made, since one call is limited in its
-/// steps.
+/// A run that may stand for the truth: resolution, tolerance, and calls in which it is made, since
+/// one call is limited in its steps.
 type Tight = (usize, f64, u32);
-/// What stands for the truth where no closed form is known, and the runs whose largest difference from it tells its error;
-/// the next three where the engine refuses one.
+/// What stands for the truth where no closed form is known, and the runs whose largest difference
+/// from it tells its error; the next three where the engine refuses one.
 const TIGHT: [[Tight; 3]; 3] = [
     [(256, 1e-6, 40), (192, 1e-6, 30), (160, 1e-6, 20)],
     [(256, 1e-5, 40), (192, 1e-5, 30), (160, 1e-5, 20)],
     [(128, 1e-5, 40), (112, 1e-5, 30), (96, 1e-5, 20)],
 ];
-/// Points per a₀ of the published procedure; the next is left out where one takes longer than [`PATIENCE`].
+/// Points per a₀ of the published procedure; the next is left out where one takes longer than
+/// [`PATIENCE`].
 const POINTS: [usize; 4] = [50, 100, 200, 400];
 /// Displacement increments per cycle of the published procedure.
 const INCREMENTS: usize = 20;

@@ -1,5 +1,6 @@
-//! Error against run time: lives, histories, a loop; on the same axes the published procedure, a plain spring row and, where it
-//! has been asked, an independent solver. Writes `reports/error_against_time.csv` and `.md`.
+//! Error against run time: lives, histories, a loop; on the same axes the published procedure, a
+//! plain spring row and, where it has been asked, an independent solver. Writes
+//! `reports/error_against_time.csv` and `.md`.
 //!
 //! `cargo run --release --no-default-features --example precision [-- folder]`
 

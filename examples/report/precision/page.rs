@@ -1,4 +1,5 @@
-//! The page: first which settings give which error in which time, then what it is taken against, then every point.
+//! The page: first which settings give which error in which time, then what it is taken against,
+//! then every point.
 
 use super::machine;
 use super::point::{Point, Told};
@@ -17,7 +18,8 @@ fn fastest<'a>(points: &'a [Point], problem: &str, target: f64, measure: Measure
     fitting.min_by(|a, b| a.time[0].total_cmp(&b.time[0]))
 }
 
-/// What the other methods cost, each at its most exact and at its finest, against the engine with at most that error.
+/// What the other methods cost, each at its most exact and at its finest, against the engine with
+/// at most that error.
 fn against_others(points: &[Point], problem: &str, measure: Measure) -> String {
     let mut said = Vec::new();
     for method in ["published", "plain spring row", "boundary elements"] {

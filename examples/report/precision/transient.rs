@@ -10,7 +10,8 @@ use rand::{RngExt, SeedableRng};
 /// Lines of the random history, and N₀ there: some 0.4 d₀ is worn at the end.
 const LINES: u32 = 60;
 const SEED_CYCLES: f64 = 60.0;
-/// Resolution, tolerance and parts of each line of the run that stands for the truth, and of that which tells its error.
+/// Resolution, tolerance and parts of each line of the run that stands for the truth, and of that
+/// which tells its error.
 const TIGHT: [(usize, f64, u32); 2] = [(128, 1e-4, 4), (96, 1e-4, 2)];
 /// N/N₀ at the end of the life on a table: what is left to wear is below all errors.
 const END: f64 = 9.0;
@@ -95,8 +96,8 @@ fn random_history() -> (Vec<Point>, Vec<Told>) {
     (points, vec![about(source, errors(&next))])
 }
 
-/// The cone at constant depth as a table of ever more points, between which no table follows it exactly: its final state is the
-/// cone's.
+/// The cone at constant depth as a table of ever more points, between which no table follows it
+/// exactly: its final state is the cone's.
 fn tables() -> (Vec<Point>, Told) {
     let name = "table of a cone at constant depth";
     let cone = Problem::partial_slip(CONE, NormalControl::Indentation, STICK_RATIO);

@@ -16,7 +16,8 @@ conforming! {
     fmi2GetDirectionalDerivative: fmi2GetDirectionalDerivativeTYPE,
 }
 
-/// Saves everything that makes the instance, parameters and inputs included; into an earlier state if given one.
+/// Saves everything that makes the instance, parameters and inputs included; into an earlier state
+/// if given one.
 ///
 /// # Safety
 /// See the [module](super); what `state` points to is null or a handle.
