@@ -76,9 +76,9 @@ pub(crate) fn set_up(workspace: &Workspace) -> Result<Setup<'_>> {
 }
 
 impl Setup<'_> {
-    /// Builds, packages and checks the FMU for some platforms; returns its path. A package with a
-    /// fault stays beside it under another name. Libraries for other machines are tried out under
-    /// an emulator, where there is one.
+    /// Builds, packages and checks the FMU for some platforms; returns its path. A faulty package
+    /// is kept beside it under another name. Libraries for other machines are loaded and stepped
+    /// under an emulator, if there is one.
     pub(crate) fn build(&self, platforms: &[&Platform]) -> Result<PathBuf> {
         self.build_with(platforms, None)
     }
@@ -152,7 +152,7 @@ impl Setup<'_> {
         examples::run(examples::all(self.workspace, &self.venv, fmu, sweep)?)
     }
 
-    /// Measures what the pages under `reports` say, and draws their pictures: some five minutes,
+    /// Measures what the pages under `reports` state, and draws their pictures: some five minutes,
     /// each scene within its budget.
     pub(crate) fn report(&self) -> Result<()> {
         self.report_script("Independent solution", "independent.py")?;
@@ -222,8 +222,8 @@ impl Setup<'_> {
         rust_result.and(python_result)
     }
 
-    /// Installs requirements that not every machine has wheels for; what needs them does without
-    /// and says so. Whether they are there.
+    /// Installs requirements for which not every machine has wheels. Without them the parts that
+    /// need them are skipped, with a message. Returns whether they are installed.
     fn install_if_possible(&self, (what, requirements): (&str, &str)) -> bool {
         let installed = Venv::with(self.workspace, &[self.workspace.file(requirements)]);
         if let Err(problem) = &installed {

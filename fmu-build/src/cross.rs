@@ -92,7 +92,7 @@ impl Route {
         let output = command.output().with_context(|| format!("cannot run {}", self.compiler))?;
         let text = String::from_utf8_lossy(&output.stderr).into_owned();
         let found = searched(&text);
-        ensure!(!found.is_empty(), "{} does not tell where its headers are", self.compiler);
+        ensure!(!found.is_empty(), "{} does not report where its headers are", self.compiler);
         Ok(found)
     }
 
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_numbers_are_told() {
+    fn wrong_numbers_are_reported() {
         assert!(check_numbers("-59.9 1e-16").unwrap_err().to_string().contains("-60"));
         assert!(check_numbers("-6.0e1 1e-16").unwrap_err().to_string().contains("m3"));
         assert!(check_numbers("").is_err());

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 const TARGETS: [(&str, u32); 3] = [("calls", 513), ("states", 4096), ("profiles", 512)];
 
 /// Coverage that libFuzzer reads, and the sanitizer. Debug assertions catch what a release build
-/// would let pass.
+/// would not report.
 const FLAGS: [&str; 9] = [
     "-Cpasses=sancov-module",
     "-Cllvm-args=-sanitizer-coverage-level=4",
@@ -28,7 +28,7 @@ const FLAGS: [&str; 9] = [
 ];
 
 /// Without stacks of every allocation the sanitizer is several times as fast. A report gives the
-/// input, which tells the rest.
+/// input, from which the rest follows.
 const SANITIZER: &str = "malloc_context_size=0:detect_stack_use_after_return=0";
 
 /// A single input that takes longer counts as hanging, s. The slowest known ones, with wear, take

@@ -53,7 +53,7 @@ fn has_sanitizer() -> bool {
     output.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).trim().starts_with('/'))
 }
 
-/// Runs all tasks under both tools, or says plainly which could not be.
+/// Runs all tasks under both tools, or reports which could not be run.
 pub(crate) fn run(workspace: &Workspace, environment: &Environment) -> Result<()> {
     let mut skipped = Vec::new();
     for tool in [Tool::Valgrind, Tool::Sanitizer] {

@@ -28,7 +28,7 @@ pub(crate) fn build(
         Some(old) => old.cargo(workspace, platform, own)?,
         None => workspace.cargo(),
     };
-    // As a cdylib alone: beside an rlib cargo would leave link-time optimisation out.
+    // As a cdylib alone: together with an rlib cargo would skip link-time optimisation.
     cargo.args(["rustc", "--release", "--locked", "--package", PACKAGE, "--lib", "--crate-type", "cdylib"]);
     cargo.args(["--message-format", "json-render-diagnostics"]);
     cargo.args(["--config", "profile.release.strip=\"debuginfo\""]);
@@ -78,7 +78,7 @@ impl OldGlibc<'_> {
         let path = std::env::var_os("PATH").unwrap_or_default();
         let paths = std::iter::once(self.programs.clone()).chain(std::env::split_paths(&path));
         cargo.env("PATH", std::env::join_paths(paths)?);
-        // bindgen would else look for the headers of C where zig keeps none
+        // otherwise bindgen would look for the C headers where zig has none
         let clang = match platform.route {
             Some(route) if !own => route.clang_arguments()?,
             _ => {
@@ -104,7 +104,7 @@ impl OldGlibc<'_> {
     }
 }
 
-/// The library's path, if the message of cargo tells of it.
+/// The library's path, if a message of cargo names it.
 fn library_of(message: &str, extension: &str) -> Option<PathBuf> {
     let message: Value = serde_json::from_str(message).ok()?;
     if message["reason"] != "compiler-artifact" || message["target"]["name"] != PACKAGE {

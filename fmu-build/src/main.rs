@@ -76,7 +76,7 @@ enum Task {
     /// Build, then drive the FMU through the worked example; pictures, CSV and a page (index.html)
     /// go to target/demo
     Demo,
-    /// Build, then run every example; shows what each says and how long it takes
+    /// Build, then run every example; shows the output and time of each
     Examples,
     /// Make a profile table for the FMU from a measured line scan; a picture goes beside it
     #[command(disable_help_flag = true)]
@@ -121,7 +121,8 @@ enum Task {
         /// Files of tests, such as fmi_bad_input; all tests of the library if none is given
         tests: Vec<String>,
     },
-    /// Make what is published, under target/dist: FMU for three platforms, presets, notes, checksums
+    /// Make what is published, under target/dist: FMU for three platforms, presets, notes,
+    /// checksums
     Release,
     /// Check formatting, lints, spelling and wording; any finding is an error
     Lint,

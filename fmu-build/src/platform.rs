@@ -125,8 +125,8 @@ impl Platform {
     }
 
     /// Folders that get this platform's library in an FMU for these platforms. FMPy 0.3.32 on ARM
-    /// Linux looks into linux64, against the standard; a copy there harms nobody where no x86
-    /// library takes the place.
+    /// Linux looks into linux64, against the standard; a copy there does no harm if the FMU has no
+    /// x86 library.
     pub(crate) fn package_folders(&self, all: &[&Self]) -> Vec<&'static str> {
         let taken = all.iter().any(|platform| platform.folder == "linux64");
         if self.folder == "aarch64-linux" && !taken {

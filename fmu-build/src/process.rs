@@ -43,8 +43,8 @@ fn without_cargo_directories(value: &OsStr) -> Option<std::ffi::OsString> {
     if kept.is_empty() { None } else { std::env::join_paths(kept).ok() }
 }
 
-/// Runs to the end with output hidden; its last line goes to the spinner, and a failure shows what
-/// it said. Returns the output.
+/// Runs to the end with output hidden; its last line goes to the spinner, and a failure shows its
+/// last lines. Returns the output.
 pub(crate) fn run_quietly(step: &Step, command: Command) -> Result<String> {
     let name = describe(&command);
     let (status, output) = capture(step, command)?;

@@ -1,6 +1,5 @@
 //! extra/org.fmi-standard.fmi-ls-ref/: experiments with reference results (FMI layered standard
-//! References, 1.0.0-beta.1), for anyone who wants to know that an importer runs the FMU as it
-//! should.
+//! References, 1.0.0-beta.1), to test that an importer runs the FMU correctly.
 //!
 //! The results are closed forms, not what the FMU computes: Mindlin's loop, and the final state of
 //! wear at constant depth. Start values are those of modelDescription.xml.
@@ -26,12 +25,12 @@ const MANIFEST: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 "#;
 
 const EXPERIMENTS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
-<Experiments name="Closed forms" description="What the model is known to give, by formulas and not by the FMU">
-  <Experiment name="loop" description="Ball under constant load, moved to and fro in partial slip" startTime="0.0" stopTime="20.0" stepSize="1.0" tolerance="1e-6">
+<Experiments name="Closed forms" description="Exact results of the model, from formulas and not from the FMU">
+  <Experiment name="loop" description="Ball under constant load, moved back and forth in partial slip" startTime="0.0" stopTime="20.0" stepSize="1.0" tolerance="1e-6">
     <Stimuli source="loop-in.csv"/>
     <References source="loop-ref.csv"/>
   </Experiment>
-  <Experiment name="life" description="Ball held in depth, worn by cycles until nothing wears any more" startTime="0.0" stopTime="1.0" stepSize="1.0" tolerance="0.005">
+  <Experiment name="life" description="Ball held in depth, worn by cycles until the wear ends" startTime="0.0" stopTime="1.0" stepSize="1.0" tolerance="0.005">
     <Parameters source="life.ssv"/>
     <Stimuli source="life-in.csv"/>
     <References source="life-ref.csv"/>
@@ -41,13 +40,13 @@ const EXPERIMENTS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 
 const ABOUT: &str = "Reference results in extra/org.fmi-standard.fmi-ls-ref
 
-closed-forms.exp has two experiments. The reference results are closed forms and not what this FMU has computed; an
-importer that runs the FMU as it should comes to them within the tolerance of each experiment, relative to the
-largest value of each column.
+closed-forms.exp has two experiments. The reference results are closed forms, not results of this FMU. An importer that
+runs the FMU correctly reproduces them within the tolerance of each experiment, relative to the largest value of each
+column.
 
 loop   Steps of 1 s with nothing set. The displacement rises or falls for one second and rests for the next. The results stand at
        the ends of the rests, so that they hold for importers that set inputs at the start of a step as well as for those
-       that let them arrive at its end. Formulas: Mindlin and Deresiewicz (1953) for a sphere.
+       whose inputs reach their values at its end. Formulas: Mindlin and Deresiewicz (1953) for a sphere.
 life   One step of 1 s and 1e7 cycles at constant indentation depth. The stick radius stays, and wear ends when the ring around it
        carries nothing: Popov (2014); Dimaki, Dmitriev, Chai, Popov (2014).
 ";

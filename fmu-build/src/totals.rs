@@ -8,7 +8,7 @@ pub(crate) struct Totals {
     passed: u64,
     failed: u64,
     skipped: u64,
-    /// Whether the program that ran them ended well.
+    /// Whether the program that ran them succeeded.
     ended_well: bool,
 }
 

@@ -123,8 +123,8 @@ fn needed_libraries(bytes: &[u8]) -> Result<Vec<String>> {
     needed.map(name).collect()
 }
 
-/// Directories of this machine, which say more of it than its users have to know, and make every
-/// build another.
+/// Directories of this machine. They would disclose its folders and user names, and make each build
+/// different.
 fn path_problems(entry: &Entry) -> Vec<String> {
     let home = std::env::home_dir().filter(|home| home.components().count() > 1);
     let root = Workspace::of_this_program().root().to_path_buf();

@@ -1,4 +1,4 @@
-//! Checks of a packaged FMU: what an importer relies on and common validators let pass.
+//! Checks of a packaged FMU: what an importer relies on and common validators do not check.
 
 mod archive;
 mod companions;
