@@ -13,7 +13,7 @@ const SAME: f64 = 1e-9;
 /// is repeated or left out is far from it.
 const SAME_OF_STEP: f64 = 1e-3;
 
-/// Where an instance stands in time, s.
+/// The present time of an instance, s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Clock {
     time: f64,

@@ -59,7 +59,7 @@ impl Component {
         }
     }
 
-    /// fmi2Instantiate, once the arguments are safe to look at; the error is what to tell the
+    /// fmi2Instantiate, once the arguments are checked; the error is the message for the
     /// importer.
     pub(super) fn instantiate(
         logger: Logger,
@@ -106,7 +106,7 @@ impl Component {
         })
     }
 
-    /// The status of a call with this result; a refusal is told to the importer.
+    /// The status of a call with this result; a refusal is reported to the importer.
     #[inline]
     pub(super) fn conclude(&mut self, call: &Call, result: Checked) -> Status {
         match result {
@@ -233,8 +233,8 @@ impl Component {
         result
     }
 
-    /// A step that is asked for again, with all as it was when it was discarded, would be discarded
-    /// again: some masters repeat it without end.
+    /// A step that is requested again, in the same state in which it was discarded, would be
+    /// discarded again: some masters repeat it without end.
     #[cold]
     fn step_after_a_discard(&mut self, point: f64, length: f64) -> Checked {
         if let Some(discarded) = &self.discarded
@@ -302,7 +302,7 @@ impl Component {
         }
         (self.state, self.last_step, self.failure) = (saved.state, saved.last_step, None);
         self.discarded = None;
-        // a run that has begun goes on to the stop time of this instance's experiment
+        // a run that has begun continues to the stop time of this instance's experiment
         if self.state != State::Instantiated {
             let staged = self.model.staged();
             staged.clock = staged.clock.in_experiment_of(&experiment);

@@ -3,10 +3,10 @@
 //! Those of the engine ([`crate::engine::FrettingContact::tangential_force_gradient`] and its like)
 //! in the present sliding direction, with the profile as it is. In cyclic loading the displacement
 //! is the amplitude, and what accumulates does not follow the inputs but grows with the cycles.
-//! Before the end of the initialization the contact is pressed on again wherever it stands, so that
-//! nothing depends on the displacement but the displacement of the contact itself. Until then there
-//! are derivatives with respect to parameters, too, since InitialUnknowns declares that outputs
-//! depend on them.
+//! Before the end of the initialization the normal contact is computed again at any displacement,
+//! so that nothing depends on the displacement but the displacement of the contact itself. Until
+//! then there are derivatives with respect to parameters, too, since InitialUnknowns declares that
+//! outputs depend on them.
 
 use super::component::Component;
 use super::enumerations::Loading;
@@ -21,7 +21,7 @@ use core::mem::MaybeUninit;
 /// then count alike.
 const DIFFERENCE: f64 = 6e-6;
 
-/// How the inputs change, per unit of whatever they change with.
+/// How the inputs change, per unit of the variable of differentiation.
 struct Change {
     normal: f64,
     displacement: f64,

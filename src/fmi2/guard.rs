@@ -1,5 +1,5 @@
-//! The one way in from C: null components, order of calls, panics, status and message are dealt
-//! with here.
+//! The single entry from C: handles null components, the order of calls, panics, status and
+//! message.
 
 use super::component::Component;
 use super::lifecycle::Call;
@@ -10,9 +10,9 @@ use fmi_sys::fmi2::{fmi2Component, fmi2Status, fmi2Status_fmi2Error};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Runs `body` on the instance behind `component` if `call` is allowed in its state, and turns
-/// whatever happens into a status, with one message to the logger if it is not fmi2OK. Nothing
-/// unwinds out of it.
+/// Runs `body` on the instance behind `component` if `call` is allowed in its state, and turns the
+/// result into a status, with one message to the logger if it is not fmi2OK. Nothing unwinds out of
+/// it.
 ///
 /// # Safety
 /// `component` is null or comes from [`new_component`], has not been freed and is not in use

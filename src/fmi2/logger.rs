@@ -6,7 +6,8 @@ use core::ffi::{CStr, c_void};
 use fmi_sys::fmi2::{fmi2CallbackFunctions, fmi2CallbackLogger};
 use std::ffi::CString;
 
-/// Name and meaning of the log categories, as in modelDescription.xml. The last one stands for all.
+/// Name and meaning of the log categories, as in modelDescription.xml. The last one means all of
+/// them.
 pub const CATEGORIES: [(&CStr, &str); 6] = [
     (c"logEvents", "what the instance does: creation, initialization, termination"),
     (c"logStatusWarning", "messages of calls that return fmi2Warning"),

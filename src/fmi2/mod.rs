@@ -3,7 +3,7 @@
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`exports`] | the 34 C functions, each a few lines: take the arguments over, hand them to the instance |
+//! | [`exports`] | the 34 C functions, each a few lines: check the arguments, pass them to the instance |
 //! | `guard` | the one way in from C: null, order of calls, panics, status, message |
 //! | `lifecycle` | which function is allowed in which state, as data |
 //! | `logger` | messages to the importer |
@@ -14,14 +14,14 @@
 //! | `status`, `refusal` | what a call returns, and every reason to refuse one, with its numbers |
 //! | `warnings` | likely mistakes, each sent once |
 //!
-//! # What the standard leaves to the FMU, and how it is settled here
+//! # What does this FMU do where the standard leaves a choice?
 //!
 //! - **Status.** A call that cannot be carried out returns fmi2Error and changes nothing. A step
 //!   that the model cannot do, for instance to a load beyond its profile table, returns
 //!   fmi2Discard: nothing has changed, the last successful time is that before it, and a master may
 //!   repeat it with other inputs or another step size without a saved state. A status that this FMU
 //!   cannot report is a discard, too. fmi2Warning goes with dissimilar materials, once.
-//! - **Repeated discard.** The same step asked for again, with nothing changed and no state
+//! - **Repeated discard.** The same step requested again, with nothing changed and no state
 //!   restored since its discard, returns fmi2Error: it would be discarded without end, and some
 //!   masters ask without end. After fmi2Error the standard lets a master restore a state, reset or
 //!   free the instance. This one also stays in the state before the step, as after every refused
@@ -47,8 +47,8 @@
 //! - **Derivatives of outputs** are those of the law in the present sliding direction, one-sided
 //!   where it has a kink (see [`crate::engine::Gradient`]), at the profile as it is: tangents at
 //!   the end of the last step, not averages along it. Those with respect to time hold there, too,
-//!   for inputs that go on as they moved; of order 2 and more they are 0. In initialization mode
-//!   there are directional derivatives with respect to parameters, too.
+//!   for inputs that continue to change at the same rates; of order 2 and more they are 0. In
+//!   initialization mode there are directional derivatives with respect to parameters, too.
 //! - **Tunable parameters.** friction_coefficient and wear_coefficient may be changed between
 //!   steps, but not switched on or off. The next step begins with the new ones; springs that are
 //!   then beyond their bound slip back to it.
@@ -79,9 +79,8 @@ mod warnings;
 
 pub use logger::CATEGORIES;
 
-// fmi-sys exports a function of its own, and link-time optimisation leaves no archive whose symbols
-// the linker could be told to drop. The strictest visibility that any object asks for is the one
-// that holds.
+// fmi-sys exports a function of its own, and after link-time optimisation there is no archive whose
+// symbols the linker could drop. The strictest visibility that any object requests applies.
 #[cfg(target_os = "linux")]
 core::arch::global_asm!(".hidden callback_log");
 

@@ -24,7 +24,7 @@ pub(super) struct Staged {
     /// Largest wear depth that has been read, m. What the engine gives may fall in its sixth digit
     /// where the profile is updated, but wear never heals.
     pub(super) deepest_read: f64,
-    /// Whether the contact still has to take over tunable parameters.
+    /// Whether tunable parameters have changed and the contact does not have them yet.
     retune: bool,
     /// Whether the contact has been brought to its initial state with the present inputs.
     started: bool,
@@ -60,7 +60,7 @@ pub(super) struct Model {
     contact: Option<FrettingContact>,
 }
 
-/// A step that is asked for, with all that decides whether the contact can do it.
+/// A requested step, with everything on which its success depends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Attempt {
     point: f64,

@@ -2,7 +2,7 @@
 //!
 //! A fixed header, then the state: magic number, version of this format, GUID of the FMU, length of
 //! what follows and its CRC-32, numbers with the least byte first. The bytes are not trusted: a
-//! checksum that fits says nothing about who made it, so that everything in a state is checked
+//! correct checksum does not prove who made it, so that everything in a state is checked
 //! before a handle is given out, down to whether the springs obey friction.
 
 use super::GUID;

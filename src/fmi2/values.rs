@@ -43,7 +43,7 @@ impl Table {
         Self(variables())
     }
 
-    /// The variable with this reference, if it is of the type asked for.
+    /// The variable with this reference, if it has the requested type.
     #[inline]
     pub(super) fn find(self, reference: u32, asked: Asked) -> Checked<&'static Variable> {
         match self.0.get(reference as usize) {
@@ -192,7 +192,7 @@ impl Component {
     }
 
     pub(super) fn set_real(&mut self, references: &[u32], values: &[f64]) -> Checked {
-        // inputs are set while the list is checked, and put back if it is refused
+        // inputs are set while the list is checked, and restored if it is refused
         let before = self.model.staged().inputs;
         let parameters =
             self.set_inputs(references, values).inspect_err(|_| self.model.staged().inputs = before)?;
@@ -205,7 +205,7 @@ impl Component {
         Ok(())
     }
 
-    /// Checks a list and sets the inputs in it. Says whether there are parameters, too.
+    /// Checks a list and sets the inputs in it. Returns whether there are parameters, too.
     #[inline]
     fn set_inputs(&mut self, references: &[u32], values: &[f64]) -> Checked<bool> {
         let table = Table::get();
@@ -252,7 +252,7 @@ impl Component {
         }
         let (name, value) = (variable.name.to_string(), format!("{value:?}"));
         let requirement = format!(
-            "it is {present:?} since the initialization, and 0 is for good; call fmi2Reset to switch it on or off"
+            "it is {present:?} since the initialization, and cannot change to or from 0; call fmi2Reset to switch it on or off"
         );
         Err(Refusal::Value { name, value, requirement }.into())
     }
@@ -319,7 +319,7 @@ impl Component {
         Ok(())
     }
 
-    /// None stands for a null pointer.
+    /// `None` is a null pointer.
     pub(super) fn set_string(&mut self, references: &[u32], values: &[Option<&CStr>]) -> Checked {
         let table = Table::get();
         for (&reference, value) in references.iter().zip(values) {

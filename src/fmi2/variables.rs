@@ -23,7 +23,7 @@ pub fn variables() -> &'static [Variable] {
 pub struct Variable {
     /// Name in the structured naming convention.
     pub name: &'static str,
-    /// Meaning, for people.
+    /// Meaning, for the user.
     pub description: &'static str,
     /// Type with unit and range.
     pub data_type: DataType,
@@ -46,7 +46,7 @@ pub enum DataType {
     Real {
         /// One of [`UNITS`]; none where the unit depends on another parameter.
         unit: Option<Unit>,
-        /// A usual size, where 1 is none.
+        /// A usual size, if 1 is not usual.
         nominal: Option<f64>,
         /// Accepted values.
         range: Range,

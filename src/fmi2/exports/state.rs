@@ -82,7 +82,7 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     }
 }
 
-/// Writes a saved state into as many bytes as fmi2SerializedFMUstateSize says.
+/// Writes a saved state into as many bytes as fmi2SerializedFMUstateSize returns.
 ///
 /// # Safety
 /// See the [module](super). The handle may be anything.

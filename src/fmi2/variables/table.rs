@@ -66,7 +66,7 @@ macro_rules! at_every_probe {
     };
 }
 
-/// All rows; what came later stands at the end, so that the references before it stay.
+/// All rows. Later variables are at the end, so that existing value references do not change.
 pub(super) static TABLE: [Variable; COUNT] = {
     let parts = [
         &inputs() as &[Variable],
