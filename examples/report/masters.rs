@@ -84,7 +84,7 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// Whether the run stayed near the truth.
+    /// Whether the run stayed near the reference.
     pub(crate) fn stable(&self) -> bool {
         self.growth < 1.5 && self.work_error.abs() < 0.5
     }

@@ -129,7 +129,8 @@ impl Route {
             bail!("under {emulator} the library fails: {text}{}", String::from_utf8_lossy(&done.stderr));
         }
         check_numbers(&text).with_context(|| format!("under {emulator}"))?;
-        Ok(Outcome::Ran(format!("loaded and stepped under {emulator}")))
+        let name = Path::new(emulator).file_name().unwrap_or_default().display();
+        Ok(Outcome::Ran(format!("loaded and stepped under {name}")))
     }
 }
 
