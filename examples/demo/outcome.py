@@ -1,4 +1,4 @@
-"""What a case of the demo hands back: the files it wrote and the numbers worth reading."""
+"""What a case of the demo returns: the files it wrote and its main results."""
 
 from dataclasses import dataclass, field
 from pathlib import Path

@@ -75,7 +75,7 @@ def closed_form(load, amplitude):
 
 
 def boundaries(loads):
-    """Amplitudes at which slip has eaten 1 − STICKS of the radius, and all of it, m."""
+    """Amplitudes at which 1 − STICKS of the radius slips, and all of it, m."""
     slides = np.array([Sphere(load).full_slip for load in loads])
     return (1 - STICKS**2) * slides, slides
 

@@ -12,7 +12,7 @@ matplotlib.rcParams["svg.hashsalt"] = "fretting"  # the same picture from the sa
 
 import matplotlib.pyplot as plt  # noqa: E402, the backend is chosen first
 
-# Okabe–Ito: told apart with every common colour blindness
+# Okabe–Ito: distinct with every common colour blindness
 COLOURS = ["#0072B2", "#56B4E9", "#009E73", "#E69F00"]
 OTHERS = {
     "published": ("#D55E00", "s"),

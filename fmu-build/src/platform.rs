@@ -87,7 +87,7 @@ impl Platform {
             };
             if let Some(missing) = platform.missing_on(own) {
                 bail!(
-                    "--platforms: {name} cannot be built on this {} machine: {missing}; or run `cargo fmu build` on a {name} \
+                    "{name} cannot be built on this {} machine: {missing}; or run `cargo fmu build` on a {name} \
                      machine and join the FMUs by `cargo fmu merge`",
                     own.folder
                 );
