@@ -162,10 +162,10 @@ fn derivatives_with_respect_to_time_continue_the_last_step() {
         }
     }
     let [first, _, slopes, last] = forces[..] else { panic!("three steps") };
-    for (seen, told) in
+    for (seen, expected) in
         [(last.0 - first.0, slopes.0), (last.1 - first.1, slopes.1), (last.2 - first.2, slopes.2)]
     {
-        assert!((seen / (2.0 * h) / told - 1.0).abs() < 1e-4, "{seen} {told}");
+        assert!((seen / (2.0 * h) / expected - 1.0).abs() < 1e-4, "{seen} {expected}");
     }
     // a step that holds the inputs, or has no length, ends at rest
     fmu.step_with(&[], 3.0 * h, h);
@@ -179,7 +179,8 @@ fn cycles_wear_at_a_rate() {
     for control in [1, 2] {
         let fmu = started(2, control, 3.2e-4);
         fmu.step_with(&[("frequency", 10.0)], 0.0, 100.0);
-        let told = ["wear_volume", "dissipated_energy", "wear_depth"].map(|name| fmu.output_slope(name, 1).0);
+        let expected =
+            ["wear_volume", "dissipated_energy", "wear_depth"].map(|name| fmu.output_slope(name, 1).0);
         let read = || ["wear_volume", "dissipated_energy", "wear_depth"].map(|name| fmu.real(name));
         let before = read();
         fmu.step_with(&[], 100.0, 0.5);
@@ -188,7 +189,11 @@ fn cycles_wear_at_a_rate() {
             let rate = (after[i] - before[i]) / 0.5;
             // the depth at one node is as exact as the mesh
             let tolerance = if i == 2 { 2e-2 } else { 1e-3 };
-            assert!((rate / told[i] - 1.0).abs() < tolerance, "control {control}, {i}: {rate} {}", told[i]);
+            assert!(
+                (rate / expected[i] - 1.0).abs() < tolerance,
+                "control {control}, {i}: {rate} {}",
+                expected[i]
+            );
         }
     }
 }

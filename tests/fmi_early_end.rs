@@ -71,12 +71,12 @@ impl Scene {
 
     /// The first `count` steps of 1 s, and what the instance tells after each.
     fn run(&self, fmu: &Fmu, count: usize) -> Vec<Vec<u64>> {
-        let mut told = vec![fmu.bits()];
+        let mut states = vec![fmu.bits()];
         for (k, inputs) in self.steps[..count].iter().enumerate() {
             fmu.step_with(inputs, START + k as f64, 1.0);
-            told.push(fmu.bits());
+            states.push(fmu.bits());
         }
-        told
+        states
     }
 
     /// All that a fresh instance tells.
@@ -86,7 +86,7 @@ impl Scene {
         self.run(&fmu, self.steps.len())
     }
 
-    /// The instance ends now, having told `last` after `count` steps, and starts again as if
+    /// The instance ends now, having reported `last` after `count` steps, and starts again as if
     /// nothing had been.
     fn end_and_start_again(&self, fmu: &Fmu, count: usize, status: i32, alone: &[Vec<u64>]) {
         let time = START + count as f64;

@@ -62,7 +62,7 @@ fn the_callbacks_are_copied() {
 }
 
 #[test]
-fn events_are_told_under_logging_only() {
+fn events_are_logged_under_logging_only() {
     let component = instantiate(c"events".as_ptr(), 1, guid().as_ptr(), 1);
     // SAFETY: the instance is alive until it is freed.
     unsafe {
@@ -147,11 +147,11 @@ fn a_profile_file_in_other_units_is_the_same_body() {
     }
 }
 
-/// Not needed but by a table: told under logging, not refused.
+/// Needed by a table only: reported under logging, not refused.
 #[test]
-fn a_resource_location_that_is_no_folder_is_told() {
+fn a_resource_location_that_is_no_folder_is_reported() {
     let (guid, functions) = (guid(), callbacks());
-    for (logging_on, told) in [(1, 1), (0, 0)] {
+    for (logging_on, expected) in [(1, 1), (0, 0)] {
         // SAFETY: the strings and callbacks are alive; the instance is freed last.
         unsafe {
             let uri = c"http://example.org/resources".as_ptr();
@@ -169,7 +169,7 @@ fn a_resource_location_that_is_no_folder_is_told() {
                 .iter()
                 .filter(|text| text.contains("http://example.org/resources is no folder"))
                 .count();
-            assert_eq!(count, told, "{messages:?}");
+            assert_eq!(count, expected, "{messages:?}");
             assert_eq!(fmi2EnterInitializationMode(component), OK);
             fmi2FreeInstance(component);
         }

@@ -154,7 +154,7 @@ fn derivatives_of_inputs_aim_at_the_end_of_the_step() {
 }
 
 #[test]
-fn dissimilar_materials_are_told_once_and_not_refused() {
+fn dissimilar_materials_are_reported_once_and_not_refused() {
     let fmu = Fmu::new();
     fmu.set_real("youngs_modulus_2", 70e9);
     fmu.set_real("poisson_ratio_2", 0.33);

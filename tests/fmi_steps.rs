@@ -62,20 +62,20 @@ fn a_step_may_end_an_ulp_beyond_the_stop_time() {
             let middle = start + 0.5 * way;
             // the step that comes out there, as far as a sum can
             fmu.step_with(&[(X, 2e-6)], middle, beyond - middle);
-            let (end, told) = (fmu.last_successful_time(), fmu.bits());
+            let (end, expected) = (fmu.last_successful_time(), fmu.bits());
             assert_eq!(end, middle + (beyond - middle));
             assert!((end - stop).abs() <= 4.0 * (stop.next_up() - stop).max(way * f64::EPSILON));
             // the rest that rounding leaves, if any, and nothing at all
             fmu.step_with(&[], end, f64::max(stop - end, 0.0));
             fmu.step_with(&[], stop, 0.0);
-            assert_eq!(fmu.bits(), told);
+            assert_eq!(fmu.bits(), expected);
             if start < 1e8 {
                 fmu.refused(fmu.do_step(stop, 0.01 * way), &["passes the stop time"]);
             } else {
                 // 1e-9 of the time is half a second here
                 fmu.refused(fmu.do_step(stop, way), &["passes the stop time"]);
             }
-            assert_eq!((fmu.bits(), fmu.last_successful_time()), (told, stop));
+            assert_eq!((fmu.bits(), fmu.last_successful_time()), (expected, stop));
             assert_eq!(fmu.terminate(), OK);
         }
     }

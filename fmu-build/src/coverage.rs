@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_next_to_each_other_are_told_together() {
+    fn consecutive_numbers_are_reported_as_ranges() {
         assert_eq!(ranges([3, 5, 6, 7, 9].into_iter()), "3, 5-7, 9");
     }
 }

@@ -122,7 +122,7 @@ mod tests {
     use super::is_libclang;
 
     #[test]
-    fn libclang_is_told_from_its_neighbours() {
+    fn libclang_is_distinguished_from_its_neighbours() {
         for name in [
             "libclang.so",
             "libclang.so.1",

@@ -222,7 +222,7 @@ mod tests {
 
     /// A message may be a string, made at run time or not, or no text at all.
     #[test]
-    fn what_a_panic_said_is_told() {
+    fn the_text_of_a_panic_is_reported() {
         let number = std::hint::black_box(42);
         for (payload, text) in [
             (Box::new(format!("made of {number}")) as Box<dyn Any + Send>, "made of 42"),

@@ -47,7 +47,7 @@ struct Host {
     model: Model,
     slots: Slots,
     wearing_steps: usize,
-    /// Whether contacts wear unless told otherwise, and steps with wear are taken. One sequence in
+    /// Whether contacts wear unless set otherwise, and steps with wear are taken. One sequence in
     /// 256 does, by a sum of its bytes, so that a fuzzer does not spend its time on the slow ones.
     wears: bool,
 }
