@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 /// Ñ before, and measured.
 const LIVES: (f64, f64) = (0.05, 0.45);
 
-/// Runs are repeated until they have taken this, five times at the most.
+/// Runs are repeated until they have taken this, at most five times.
 const ENOUGH: Duration = Duration::from_secs(1);
 
 fn main() {

@@ -27,8 +27,8 @@
 //! those of the former.
 //!
 //! # Limits of validity
-//! Bodies of revolution, half-spaces, small slopes; one contact disc; elastic similarity (a pair that misses it is
-//! computed all the same, [`material::Pair::similarity_defect`] says by how much it does);
+//! Bodies of revolution, half-spaces, small slopes; one contact disc; elastic similarity (other pairs are computed
+//! as if they were similar, [`material::Pair::similarity_defect`] gives the deviation);
 //! no debris, no temperature, no rate effects.
 
 pub mod engine;

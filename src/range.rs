@@ -17,7 +17,7 @@ use std::ops::RangeInclusive;
 pub(crate) const LENGTH: RangeInclusive<f64> = 1e-30..=1e30;
 /// Moduli and hardness, Pa.
 pub(crate) const STRESS: RangeInclusive<f64> = 1e-30..=1e30;
-/// Slope of a cone, rad; its upper bound is π/2, which is none of them.
+/// Slope of a cone, rad; its upper bound π/2 is excluded.
 pub(crate) const LEAST_SLOPE: f64 = 1e-30;
 /// Coefficient of a power law, whose size means nothing without its exponent.
 pub(crate) const COEFFICIENT: RangeInclusive<f64> = 1e-300..=1e300;

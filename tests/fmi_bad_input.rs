@@ -1,4 +1,5 @@
-//! Bad input one by one: the status, a message with the name and the value, and an instance that is usable afterwards.
+//! Bad input one by one: the status, a message with the name and the value, and an instance that is
+//! usable afterwards.
 #![cfg(feature = "fmi2")]
 #![allow(unsafe_code, reason = "the C interface is what is tested")]
 
@@ -225,7 +226,8 @@ fn strings_that_are_null_or_not_utf8() {
     assert_eq!(fmu.get_string("profile_file"), "");
 }
 
-/// Tries to initialize with a profile file of this content, which must fail with these texts; then repairs it.
+/// Tries to initialize with a profile file of this content, which must fail with these texts; then
+/// repairs it.
 fn profile_refused(content: &str, texts: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("tip 100%s.txt");

@@ -1,4 +1,5 @@
-//! Random sequences of calls on the C interface against the reference model of the standard's state machine.
+//! Random sequences of calls on the C interface against the reference model of the standard's state
+//! machine.
 #![cfg(feature = "fmi2")]
 
 mod calls;

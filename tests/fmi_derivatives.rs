@@ -1,5 +1,5 @@
-//! Derivatives through the C interface: of outputs with respect to inputs and to time, and the dependencies that
-//! modelDescription.xml declares.
+//! Derivatives through the C interface: of outputs with respect to inputs and to time, and the
+//! dependencies that modelDescription.xml declares.
 #![cfg(feature = "fmi2")]
 
 mod host;
@@ -50,8 +50,8 @@ fn started_behind(rig_stiffness: f64, loading: i32, control: i32, wear: f64) -> 
     })
 }
 
-/// Central differences along the motion, by steps of no length from a saved state. Without wear the cycles of cyclic loading
-/// leave the contact as it was, so that it can be moved to and fro.
+/// Central differences along the motion, by steps of no length from a saved state. Without wear the
+/// cycles of cyclic loading leave the contact as it was, so that it can be moved to and fro.
 #[test]
 fn directional_derivatives_are_those_of_steps() {
     for (loading, control, normal, value) in SCENES {
@@ -117,7 +117,8 @@ fn a_seed_is_a_linear_combination_and_lists_may_be_empty() {
     assert_eq!(fmu.bits(), before, "asking changes nothing");
 }
 
-/// In initialization mode the body is pressed down wherever it is; only where that is follows the displacement.
+/// In initialization mode the body is pressed down wherever it is; only where that is follows the
+/// displacement.
 #[test]
 fn during_the_initialization_nothing_else_follows_the_displacement() {
     let fmu = Fmu::new();
@@ -161,10 +162,10 @@ fn derivatives_with_respect_to_time_continue_the_last_step() {
         }
     }
     let [first, _, slopes, last] = forces[..] else { panic!("three steps") };
-    for (seen, told) in
+    for (seen, expected) in
         [(last.0 - first.0, slopes.0), (last.1 - first.1, slopes.1), (last.2 - first.2, slopes.2)]
     {
-        assert!((seen / (2.0 * h) / told - 1.0).abs() < 1e-4, "{seen} {told}");
+        assert!((seen / (2.0 * h) / expected - 1.0).abs() < 1e-4, "{seen} {expected}");
     }
     // a step that holds the inputs, or has no length, ends at rest
     fmu.step_with(&[], 3.0 * h, h);
@@ -178,7 +179,8 @@ fn cycles_wear_at_a_rate() {
     for control in [1, 2] {
         let fmu = started(2, control, 3.2e-4);
         fmu.step_with(&[("frequency", 10.0)], 0.0, 100.0);
-        let told = ["wear_volume", "dissipated_energy", "wear_depth"].map(|name| fmu.output_slope(name, 1).0);
+        let expected =
+            ["wear_volume", "dissipated_energy", "wear_depth"].map(|name| fmu.output_slope(name, 1).0);
         let read = || ["wear_volume", "dissipated_energy", "wear_depth"].map(|name| fmu.real(name));
         let before = read();
         fmu.step_with(&[], 100.0, 0.5);
@@ -187,13 +189,17 @@ fn cycles_wear_at_a_rate() {
             let rate = (after[i] - before[i]) / 0.5;
             // the depth at one node is as exact as the mesh
             let tolerance = if i == 2 { 2e-2 } else { 1e-3 };
-            assert!((rate / told[i] - 1.0).abs() < tolerance, "control {control}, {i}: {rate} {}", told[i]);
+            assert!(
+                (rate / expected[i] - 1.0).abs() < tolerance,
+                "control {control}, {i}: {rate} {}",
+                expected[i]
+            );
         }
     }
 }
 
-/// Every output depends on every input in some scene, as the ModelStructure says, but for those that it leaves out: by friction, through a
-/// rig, in the plane or both or, through wear, in time.
+/// Every output depends on every input in some scene, as the ModelStructure says, but for those
+/// that it leaves out: by friction, through a rig, in the plane or both or, through wear, in time.
 #[test]
 fn every_declared_dependency_is_one() {
     let inputs: Vec<_> = variables().iter().filter(|v| v.causality() == "input").map(|v| v.name).collect();

@@ -1,5 +1,5 @@
-//! Simulations that end before their stop time: at any point, after a step that was discarded or refused; and the new
-//! simulation that the same instance begins afterwards.
+//! Simulations that end before their stop time: at any point, after a step that was discarded or
+//! refused; and the new simulation that the same instance begins afterwards.
 #![cfg(feature = "fmi2")]
 
 mod host;
@@ -21,7 +21,8 @@ struct Scene {
     impossible: (&'static str, f64),
 }
 
-/// Every way in which a contact keeps a history: springs along a line and in the plane, wear by strokes and by cycles, a rig.
+/// Every way in which a contact keeps a history: springs along a line and in the plane, wear by
+/// strokes and by cycles, a rig.
 const SCENES: [Scene; 4] = [
     Scene {
         name: "strokes",
@@ -70,12 +71,12 @@ impl Scene {
 
     /// The first `count` steps of 1 s, and what the instance tells after each.
     fn run(&self, fmu: &Fmu, count: usize) -> Vec<Vec<u64>> {
-        let mut told = vec![fmu.bits()];
+        let mut states = vec![fmu.bits()];
         for (k, inputs) in self.steps[..count].iter().enumerate() {
             fmu.step_with(inputs, START + k as f64, 1.0);
-            told.push(fmu.bits());
+            states.push(fmu.bits());
         }
-        told
+        states
     }
 
     /// All that a fresh instance tells.
@@ -85,8 +86,9 @@ impl Scene {
         self.run(&fmu, self.steps.len())
     }
 
-    /// The instance ends now, having told `last` after `count` steps, and begins anew as if nothing had been.
-    fn end_and_begin_anew(&self, fmu: &Fmu, count: usize, status: i32, alone: &[Vec<u64>]) {
+    /// The instance ends now, having reported `last` after `count` steps, and starts again as if
+    /// nothing had been.
+    fn end_and_start_again(&self, fmu: &Fmu, count: usize, status: i32, alone: &[Vec<u64>]) {
         let time = START + count as f64;
         fmu.messages();
         assert_eq!((fmu.terminate(), fmu.messages()), (OK, vec![]), "{}", self.name);
@@ -115,7 +117,8 @@ impl Scene {
     }
 }
 
-/// After the initialization alone, and after each of the steps, on one instance that begins anew each time.
+/// After the initialization alone, and after each of the steps, on one instance that starts again
+/// each time.
 #[test]
 fn a_simulation_may_end_at_any_point() {
     for scene in SCENES {
@@ -124,13 +127,14 @@ fn a_simulation_may_end_at_any_point() {
         for count in 0..=scene.steps.len() {
             scene.begin(&fmu);
             assert_eq!(scene.run(&fmu, count), alone[..=count]);
-            scene.end_and_begin_anew(&fmu, count, OK as i32, &alone);
+            scene.end_and_start_again(&fmu, count, OK as i32, &alone);
             assert_eq!(fmu.reset(), OK);
         }
     }
 }
 
-/// The input that could not be reached is forgotten, and so are a slope and a parameter that no step has taken over.
+/// The input that could not be reached is forgotten, and so are a slope and a parameter that no
+/// step has taken over.
 #[test]
 fn a_simulation_may_end_at_a_step_that_was_discarded() {
     for scene in SCENES {
@@ -141,7 +145,7 @@ fn a_simulation_may_end_at_a_step_that_was_discarded() {
             assert_eq!((fmu.set_real(name, value), fmu.set_slope(X, 1, 1e-6)), (OK, OK));
             assert_eq!(fmu.set_real("friction_coefficient", 0.3), OK);
             assert_eq!(fmu.do_step(START + count as f64, 1.0), DISCARD, "{}", scene.name);
-            scene.end_and_begin_anew(&fmu, count, DISCARD as i32, &alone);
+            scene.end_and_start_again(&fmu, count, DISCARD as i32, &alone);
         }
     }
 }
@@ -157,14 +161,14 @@ fn a_simulation_may_end_after_an_error() {
             fmu.refused(fmu.do_step(time, -1.0), &["communicationStepSize = -1.0"]);
             fmu.refused(fmu.do_step(time + 0.5, 1.0), &["currentCommunicationPoint"]);
             fmu.refused(fmu.do_step(time, STOP), &["stop time 12.5"]);
-            scene.end_and_begin_anew(&fmu, count, ERROR as i32, &alone);
+            scene.end_and_start_again(&fmu, count, ERROR as i32, &alone);
         }
     }
 }
 
 /// Without fmi2Terminate, too: an importer whose simulation broke off may reset at once.
 #[test]
-fn a_simulation_that_broke_off_begins_anew() {
+fn a_simulation_that_was_aborted_can_start_again() {
     for scene in SCENES {
         let (fmu, alone) = (Fmu::new(), scene.alone());
         for count in 0..scene.steps.len() {
@@ -174,7 +178,7 @@ fn a_simulation_that_broke_off_begins_anew() {
             assert_eq!(fmu.do_step(START + count as f64, 1.0), DISCARD);
             assert_eq!(fmu.reset(), OK);
         }
-        // also amid the initialization, which the importer gave up
+        // also during the initialization, which the importer gave up
         assert_eq!((fmu.setup(0.0, None), fmu.enter_initialization()), (OK, OK));
         assert_eq!((fmu.set_real("radius", 0.05), fmu.reset()), (OK, OK));
         scene.begin(&fmu);
@@ -184,7 +188,7 @@ fn a_simulation_that_broke_off_begins_anew() {
 
 /// What comes with a warning comes with it again.
 #[test]
-fn a_new_simulation_warns_anew() {
+fn a_new_simulation_warns_again() {
     let fmu = Fmu::new();
     for _ in 0..2 {
         assert_eq!((fmu.set_real("youngs_modulus_2", 70e9), fmu.enter_initialization()), (OK, OK));

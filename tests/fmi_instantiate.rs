@@ -15,7 +15,8 @@ use std::ffi::CString;
 /// fmi2Instantiate with callbacks that are overwritten and gone when it returns.
 fn instantiate(name: *const c_char, kind: u32, guid: *const c_char, logging_on: i32) -> fmi2Component {
     let mut functions = Box::new(callbacks());
-    // SAFETY: every string is null or ends with a null character, and the callbacks are alive during the call.
+    // SAFETY: every string is null or ends with a null character, and the callbacks are alive
+    // during the call.
     let component =
         unsafe { fmi2Instantiate(name, kind, guid, null(), &raw const *functions, 0, logging_on) };
     functions.logger = None;
@@ -61,7 +62,7 @@ fn the_callbacks_are_copied() {
 }
 
 #[test]
-fn events_are_told_under_logging_only() {
+fn events_are_logged_under_logging_only() {
     let component = instantiate(c"events".as_ptr(), 1, guid().as_ptr(), 1);
     // SAFETY: the instance is alive until it is freed.
     unsafe {
@@ -88,7 +89,8 @@ fn events_are_told_under_logging_only() {
 fn no_logger_and_no_callbacks_are_tolerated() {
     let (guid, silent) = (guid(), fmi2CallbackFunctions { logger: None, ..callbacks() });
     for functions in [null(), &raw const silent] {
-        // SAFETY: the strings are alive; the callbacks are null or alive; the instance is freed last.
+        // SAFETY: the strings are alive; the callbacks are null or alive; the instance is freed
+        // last.
         unsafe {
             let none = fmi2Instantiate(c"silent".as_ptr(), 0, guid.as_ptr(), null(), functions, 0, 1);
             assert!(none.is_null());
@@ -118,7 +120,8 @@ fn a_profile_is_found_in_the_resources() {
     }
 }
 
-/// One sphere in three units, as files of instruments: the same contact; a height on the axis is reported.
+/// One sphere in three units, as files of instruments: the same contact; a height on the axis is
+/// reported.
 #[test]
 fn a_profile_file_in_other_units_is_the_same_body() {
     let folder = tempfile::tempdir().unwrap();
@@ -144,11 +147,11 @@ fn a_profile_file_in_other_units_is_the_same_body() {
     }
 }
 
-/// Not needed but by a table: told under logging, not refused.
+/// Needed by a table only: reported under logging, not refused.
 #[test]
-fn a_resource_location_that_is_no_folder_is_told() {
+fn a_resource_location_that_is_no_folder_is_reported() {
     let (guid, functions) = (guid(), callbacks());
-    for (logging_on, told) in [(1, 1), (0, 0)] {
+    for (logging_on, expected) in [(1, 1), (0, 0)] {
         // SAFETY: the strings and callbacks are alive; the instance is freed last.
         unsafe {
             let uri = c"http://example.org/resources".as_ptr();
@@ -166,7 +169,7 @@ fn a_resource_location_that_is_no_folder_is_told() {
                 .iter()
                 .filter(|text| text.contains("http://example.org/resources is no folder"))
                 .count();
-            assert_eq!(count, told, "{messages:?}");
+            assert_eq!(count, expected, "{messages:?}");
             assert_eq!(fmi2EnterInitializationMode(component), OK);
             fmi2FreeInstance(component);
         }

@@ -44,8 +44,9 @@ fn bring_into(state: &str) -> Fmu {
 
 type Function = fn(fmi2Component) -> fmi2Status;
 
-/// Every function that acts on an instance and returns a status, with empty or harmless arguments, and the states in
-/// which the standard allows it: I(nstantiated), M (initialization mode), C (step complete), T(erminated).
+/// Every function that acts on an instance and returns a status, with empty or harmless arguments,
+/// and the states in which the standard allows it: I(nstantiated), M (initialization mode), C (step
+/// complete), T(erminated).
 // SAFETY: the components are alive or null; empty arrays may be null, and single results have room.
 const FUNCTIONS: [(&str, Function, &str); 30] = unsafe {
     [

@@ -1,5 +1,5 @@
-//! Masters of a stiff system through the C interface: with rollback and derivatives from the FMU they come to the same bits as
-//! with the library.
+//! Masters of a stiff system through the C interface: with rollback and derivatives from the FMU
+//! they come to the same bits as with the library.
 #![cfg(feature = "fmi2")]
 #![allow(unsafe_code, reason = "the C interface is what is tested")]
 

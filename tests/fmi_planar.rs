@@ -38,7 +38,8 @@ fn an_orbit_is_that_of_the_engine() {
     }
 }
 
-/// A straight line at 30° is the line along x: T of a ball on the first loading, μF_N (1 − (1 − θ)^1.5).
+/// A straight line at 30° is the line along x: T of a ball on the first loading, μF_N (1 − (1 −
+/// θ)^1.5).
 #[test]
 fn a_line_at_an_angle_has_the_closed_form() {
     let fmu = Fmu::started(|_| {});
@@ -65,7 +66,8 @@ fn a_contact_may_be_pressed_on_anywhere() {
     assert!((along_x[0] - 31.70).abs() < 0.01 && along_x[1] == 0.0, "{along_x:?}");
 }
 
-/// The four derivatives of the force by displacement, and those by the load, are those of differences.
+/// The four derivatives of the force by displacement, and those by the load, are those of
+/// differences.
 #[test]
 fn directional_derivatives_are_a_matrix() {
     let fmu = Fmu::started(|fmu| {
@@ -114,7 +116,7 @@ fn the_input_may_be_given_by_its_slope() {
     assert_eq!(slope, by_place[0]);
 }
 
-/// A state amid an orbit goes on to the bit, in this instance and, as bytes, in another.
+/// A state saved during an orbit continues bit for bit, in this instance and, as bytes, in another.
 #[test]
 fn a_saved_orbit_goes_on_with_the_same_bits() {
     let (fmu, other) = (Fmu::started(|_| {}), Fmu::started(|_| {}));
@@ -140,8 +142,8 @@ fn a_saved_orbit_goes_on_with_the_same_bits() {
     assert_eq!((fmu.free_saved(&mut saved), other.free_saved(&mut taken)), (OK, OK));
 }
 
-/// Behind a rig both displacements are the drive's: forces, places of the contact and derivatives are those of the engine, and a step taken
-/// back is the same again.
+/// Behind a rig both displacements are the drive's: forces, places of the contact and derivatives
+/// are those of the engine, and a step taken back is the same again.
 #[test]
 fn behind_a_rig_the_drive_is_given_in_both_directions() {
     const RIG: f64 = 2e7;

@@ -22,7 +22,8 @@ fn behind_a_rig(loading: i32) -> Fmu {
     })
 }
 
-/// T of a ball on the first loading, U in u_max: μF_N (1 − (1 − θ)^1.5), and on the way back from θ₀.
+/// T of a ball on the first loading, U in u_max: μF_N (1 − (1 − θ)^1.5), and on the way back from
+/// θ₀.
 fn mindlin(theta: f64) -> f64 {
     60.0 * (1.0 - (1.0 - theta).powf(1.5))
 }

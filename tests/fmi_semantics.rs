@@ -154,7 +154,7 @@ fn derivatives_of_inputs_aim_at_the_end_of_the_step() {
 }
 
 #[test]
-fn dissimilar_materials_are_told_once_and_not_refused() {
+fn dissimilar_materials_are_reported_once_and_not_refused() {
     let fmu = Fmu::new();
     fmu.set_real("youngs_modulus_2", 70e9);
     fmu.set_real("poisson_ratio_2", 0.33);
@@ -253,7 +253,8 @@ fn steps_of_no_length() {
     }
 }
 
-/// However a master divides its way, also below the rounding of its time, the contact ends at the same place.
+/// However a master divides its way, also below the rounding of its time, the contact ends at the
+/// same place.
 #[test]
 fn communication_points_need_not_add_up() {
     let end = |steps: &[f64]| {

@@ -297,10 +297,10 @@ fn mutate(bytes: &[u8], rounds: u32) {
         let mut time = [0.0];
         // SAFETY: there is room for the time.
         #[allow(unsafe_code)]
-        let told = unsafe {
+        let status = unsafe {
             fretting_contact::fmi2::exports::fmi2GetRealStatus(fmu.component, 2, time.as_mut_ptr())
         };
-        if told == OK && fmu.do_step(time[0], 0.5) == OK {
+        if status == OK && fmu.do_step(time[0], 0.5) == OK {
             let force = fmu.real("tangential_force");
             assert!(force.is_finite() && fmu.real("wear_volume").is_finite(), "{round}: {force}");
         }

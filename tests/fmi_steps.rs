@@ -1,5 +1,5 @@
-//! Step control: communication points and stop times that are right up to rounding, steps of no length, steps that are
-//! discarded and repeated.
+//! Step control: communication points and stop times that are right up to rounding, steps of no
+//! length, steps that are discarded and repeated.
 #![cfg(feature = "fmi2")]
 
 mod host;
@@ -23,8 +23,8 @@ fn cyclic(fmu: &Fmu) {
     assert_eq!((fmu.set_real("frequency", 50.0), fmu.set_real("displacement_amplitude", 1.5e-6)), (OK, OK));
 }
 
-/// 0.1 k and sums of 0.1, which drift apart in the last digits: the time is that of the master, and the contact, which
-/// knows nothing of it, gives the same bits.
+/// 0.1 k and sums of 0.1, which drift apart in the last digits: the time is that of the master, and
+/// the contact, which knows nothing of it, gives the same bits.
 #[test]
 fn products_and_sums_are_the_same_communication_points() {
     for (start, set) in [(0.0, cyclic as fn(&Fmu)), (0.0, |_| {}), (1e6, |_| {}), (-50.0, cyclic)] {
@@ -50,7 +50,8 @@ fn products_and_sums_are_the_same_communication_points() {
     }
 }
 
-/// Neighbours of the stop time are the stop time; a step that passes it in earnest is refused and does nothing.
+/// Neighbours of the stop time are the stop time; a step that passes it in earnest is refused and
+/// does nothing.
 #[test]
 fn a_step_may_end_an_ulp_beyond_the_stop_time() {
     for (start, stop) in [(0.0f64, 0.3f64), (-0.3, 0.0), (1e3, 1e3 + 0.3), (5e8, 5e8 + 1.0)] {
@@ -61,20 +62,20 @@ fn a_step_may_end_an_ulp_beyond_the_stop_time() {
             let middle = start + 0.5 * way;
             // the step that comes out there, as far as a sum can
             fmu.step_with(&[(X, 2e-6)], middle, beyond - middle);
-            let (end, told) = (fmu.last_successful_time(), fmu.bits());
+            let (end, expected) = (fmu.last_successful_time(), fmu.bits());
             assert_eq!(end, middle + (beyond - middle));
             assert!((end - stop).abs() <= 4.0 * (stop.next_up() - stop).max(way * f64::EPSILON));
             // the rest that rounding leaves, if any, and nothing at all
             fmu.step_with(&[], end, f64::max(stop - end, 0.0));
             fmu.step_with(&[], stop, 0.0);
-            assert_eq!(fmu.bits(), told);
+            assert_eq!(fmu.bits(), expected);
             if start < 1e8 {
                 fmu.refused(fmu.do_step(stop, 0.01 * way), &["passes the stop time"]);
             } else {
                 // 1e-9 of the time is half a second here
                 fmu.refused(fmu.do_step(stop, way), &["passes the stop time"]);
             }
-            assert_eq!((fmu.bits(), fmu.last_successful_time()), (told, stop));
+            assert_eq!((fmu.bits(), fmu.last_successful_time()), (expected, stop));
             assert_eq!(fmu.terminate(), OK);
         }
     }
@@ -89,8 +90,8 @@ fn a_step_may_end_an_ulp_beyond_the_stop_time() {
     }
 }
 
-/// At the start, between steps and at the stop time. They count no cycles, take inputs over, and use up slopes, which
-/// move nothing in no time.
+/// At the start, between steps and at the stop time. They count no cycles, take inputs over, and
+/// use up slopes, which move nothing in no time.
 #[test]
 fn steps_of_no_length_may_stand_anywhere() {
     for (name, set) in [("strokes", (|_| {}) as fn(&Fmu)), ("cycles", cyclic)] {
@@ -103,7 +104,8 @@ fn steps_of_no_length_may_stand_anywhere() {
             assert_eq!(fmu.do_step(point, 0.0), OK);
             assert_eq!(fmu.last_successful_time(), point);
             if name == "cycles" && point == 0.0 {
-                // the amplitude has been an input from the start and is taken over now: Mindlin's force, and no cycle
+                // the amplitude has been an input from the start and is taken over now: Mindlin's
+                // force, and no cycle
                 let force = 60.0 * (1.0 - (1.0f64 - 1.5e-6 / 2.537_551e-6).powf(1.5));
                 assert!((fmu.real("tangential_force") / force - 1.0).abs() < 1e-6);
                 assert_eq!((fmu.real("wear_volume"), fmu.real("dissipated_energy")), (0.0, 0.0));
@@ -115,7 +117,8 @@ fn steps_of_no_length_may_stand_anywhere() {
             }
             assert_eq!(fmu.bits(), plain.bits(), "{name}: the slopes have been used up");
         }
-        // at the stop time new inputs are taken over; no cycles, no wear, but springs slip as the load falls
+        // at the stop time new inputs are taken over; no cycles, no wear, but springs slip as the
+        // load falls
         let worn = fmu.real("wear_volume");
         fmu.step_with(&[("normal_force", 80.0)], 1.0, 0.0);
         assert_eq!((fmu.real("normal_reaction"), fmu.last_successful_time()), (80.0, 1.0), "{name}");
@@ -128,8 +131,8 @@ fn steps_of_no_length_may_stand_anywhere() {
     }
 }
 
-/// A load that rises beyond the profile's table: a master halves its step until it comes through, and goes on as one that
-/// knew the right step from the start.
+/// A load that rises beyond the profile's table: a master halves its step until it comes through,
+/// and goes on as one that knew the right step from the start.
 #[test]
 fn a_discarded_step_is_repeated_with_a_shorter_one() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! A scene pays only for what it uses: the scenes of `reports/left_out.md`, asserted by counted work, without a clock.
+//! Features that are not used cost nothing: the scenes of `reports/left_out.md`, asserted by counted work, without a clock.
 
 #[path = "host/counting.rs"]
 mod counting;

@@ -14,7 +14,7 @@ use scenes::Scene;
 
 /// Of the scenes every so many-th is run, whatever becomes of it, and all of some kinds.
 const EVERY: usize = 7;
-/// Inputs and parameters at the ends of double precision, and the kinds in which scenes had to be mended.
+/// Inputs and parameters at the ends of double precision, and the kinds of scenes that needed corrections.
 const ALL_OF: [&str; 5] = ["input", "parameter", "fast wear", "one step wears more than d0", "amplitude"];
 
 /// Work of 1e600 J: any number would be a wrong one.

@@ -48,7 +48,7 @@ addLoggerProxy(byref(_callbacks))
 
 
 class ContactError(Exception):
-    """A call that the FMU refused: `function`, FMI `status`, and the FMU's own words in `messages`."""
+    """A call that the FMU refused: `function`, FMI `status`, and the messages of the FMU in `messages`."""
 
     def __init__(self, function, status, messages):
         self.function, self.status, self.messages = function, status, messages
@@ -122,7 +122,7 @@ class ContactFmu:
             self._call(setter, references, [self._encode(variable, values[variable.name]) for variable in group])
 
     def get(self, *names):
-        """Values of variables: one for one name, otherwise a list in the order asked for."""
+        """Values of variables: one for one name, otherwise a list in the requested order."""
         found = {}
         for type_, group in self._by_type(names).items():
             getter = getattr(self.slave, "get" + {"Enumeration": "Integer"}.get(type_, type_))
@@ -135,7 +135,7 @@ class ContactFmu:
         return np.array(self.get(*(f"{name}[{i}]" for i in range(1, PROBES + 1))))
 
     def step(self, size=1e-3, **inputs):
-        """Sets inputs and advances by `size` seconds: the contact walks the straight line to the new inputs."""
+        """Sets inputs and advances by `size` seconds: the contact follows a straight line to the new inputs."""
         if inputs:
             self.set(**inputs)
         self._call(self.slave.doStep, self.time, size)

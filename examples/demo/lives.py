@@ -1,4 +1,4 @@
-"""Case (d): four lives to the end of wear, as in the paper: profile, 1-D image, pressure and traction on the way.
+"""Case (d): four lives to the end of wear, as in the paper: profile, 1-D image, pressure and traction in between.
 
 The counterparts of figures 2 to 5 of Dimaki et al. 2014, at the same Ñ = N/N₀ with N₀ = π a₀² d₀ / ((k/σ₀) μ F_N U₀):
 the amplitude U₀ is such that the unworn contact sticks up to 0.4 a₀. The FMU computes whole cycles at a time
@@ -24,7 +24,7 @@ class Case:
     """One of the paper's figures."""
 
     body: object
-    control: str  # what is held: force or indentation
+    control: str  # what is prescribed: force or indentation
     stops: tuple  # Ñ
     file: str
     volume: float | None = None  # V/(a₀² d₀) at the last stop, where it is known
@@ -100,7 +100,7 @@ def live(fmu, case):
             hardness=HARDNESS,
             wear_coefficient=WEAR_PER_WORK * HARDNESS,
         )
-        # to stand at +U₀ at the first stop, too; this little of a cycle wears nothing that could be seen
+        # to stand at +U₀ at the first stop, too; the wear of this part of a cycle is negligible
         contact.step(1e-6)
         done = 0.0
         for stop in case.stops:
@@ -198,7 +198,7 @@ def draw(life, path):
 
 
 def limit(axes, curves, radii):
-    """Shows the bulk of the curves: where the stick edge has come to stand the field grows beyond any axis."""
+    """Shows the bulk of the curves: at a stick edge that no longer moves the field is singular."""
     finite = [curve[np.isfinite(curve)] for curve in curves]
     top = 1.25 * max(np.percentile(curve, 90) for curve in finite)
     top = max(top, 1.1 * finite[0][1:].max() if finite[0].size == curves[0].size else top)

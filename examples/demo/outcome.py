@@ -1,4 +1,4 @@
-"""What a case of the demo hands back: the files it wrote and the numbers worth reading."""
+"""What a case of the demo returns: the files it wrote and its main results."""
 
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Headline:
-    """One number, and what it ought to be, if that is known."""
+    """One number, with its expected value, if that is known."""
 
     name: str
     value: float

@@ -1,6 +1,6 @@
-"""The page: the demo's tables as one HTML file to look at and play with, which needs no network and no other file.
+"""The page: the demo's tables as one interactive HTML file, which needs no network and no other file.
 
-python page.py target/demo       # draws it anew from the CSV files in a folder
+python page.py target/demo       # draws it again from the CSV files in a folder
 
 The numbers come from the CSV files, rounded to six digits. Pictures are drawn in the browser by Vega-Lite, which vl-convert brings.
 """
@@ -24,7 +24,7 @@ LOOPS_SHOWN = 5  # of the shaken mass
 
 
 class NoLibrary(Exception):
-    """The drawing library is not there."""
+    """The drawing library is not installed."""
 
 
 def write(folder):
@@ -114,7 +114,7 @@ def film(folder):
                     for r, f in zip(rounded(radius * MICRO), rounded(worn_tip.unworn_height(radius) * MICRO))
                 ],
                 "reach": reach * MICRO,
-                # at a pinned stick edge the pressure grows beyond any axis
+                # at a stick edge that no longer moves the pressure is singular
                 "top": float(min(1.05 * max(peaks), max(1.25 * peaks[0], 1.6 * np.median(peaks)))),
             }
         )
@@ -183,7 +183,7 @@ def mass(folder):
 
 
 def numbers(path):
-    """Rows of an HTML table: what came out and what it ought to be."""
+    """Rows of an HTML table: results and expected values."""
     with open(path, encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     lines, case = [], None

@@ -75,7 +75,7 @@ def closed_form(load, amplitude):
 
 
 def boundaries(loads):
-    """Amplitudes at which slip has eaten 1 − STICKS of the radius, and all of it, m."""
+    """Amplitudes at which 1 − STICKS of the radius slips, and all of it, m."""
     slides = np.array([Sphere(load).full_slip for load in loads])
     return (1 - STICKS**2) * slides, slides
 
@@ -97,7 +97,7 @@ def draw(table, loads, amplitudes, path):
     low, high = AMPLITUDES
     for name, left, right in zip(REGIMES, (low, stuck, slides), (stuck, slides, high)):
         place = np.sqrt(left * right), middle * (1 if name != "stick" else 2.2)
-        box = dict(facecolor=PALE, edgecolor="none", boxstyle="round,pad=0.3")
+        box = {"facecolor": PALE, "edgecolor": "none", "boxstyle": "round,pad=0.3"}
         axes.text(*place, name, ha="center", va="center", color=INK, bbox=box)
     axes.set(xscale="log", yscale="log", xlabel="displacement amplitude (µm)", ylabel="normal force (N)")
     axes.set(xlim=AMPLITUDES, ylim=LOADS, title=f"Steel ball, R = 10 mm, μ = 0.6: wear after {CYCLES:,.0f} cycles")

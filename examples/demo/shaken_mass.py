@@ -25,7 +25,7 @@ from theory import Sphere
 JOINT = Sphere(normal_force=100.0)
 WEAR_PER_WORK = 4e-14  # m³/J, 52100 steel on steel
 HARDNESS = 8e9  # Pa
-ACCELERATION_OF_WEAR = 100.0  # one second of shaking stands for a hundred
+ACCELERATION_OF_WEAR = 100.0  # one second of vibration represents a hundred
 
 
 @dataclass(frozen=True)

@@ -45,7 +45,7 @@ class Sphere:
 
     @property
     def full_slip(self):
-        """u_max, m: the displacement at which the last sticking point lets go."""
+        """u_max, m: the displacement at which the last point begins to slip."""
         return self.friction * self.depth * self.plane_modulus / self.shear_modulus
 
     @property

@@ -15,7 +15,8 @@ pub(crate) const STEPS: u32 = 1000;
 const FORCE: f64 = 100.0;
 /// Depth of the same, m.
 const DEPTH: f64 = 3.482_911e-6;
-/// N₀ of wear so slow that the profile need not follow within what is counted, and so fast that it must.
+/// N₀ of wear so slow that the profile need not follow within what is counted, and so fast that it
+/// must.
 const SLOW: f64 = 1e9;
 const FAST: f64 = 1e3;
 
@@ -255,7 +256,8 @@ impl Scene {
     }
 }
 
-/// Counted work between two readings, in the order of [`ALL`]; requests for memory are not among the counters.
+/// Counted work between two readings, in the order of [`ALL`]; requests for memory are not among
+/// the counters.
 fn since(before: &Counters, after: &Counters) -> [u64; ALL.len()] {
     let counts = |c: &Counters| {
         [

@@ -5,10 +5,12 @@ use std::f64::consts::PI;
 
 /// |T| − μF_N allowed, in μF_N: rounding.
 pub(crate) const COULOMB: f64 = 1e-12;
-/// T of a first push against its closed form, relative. Springs are kept to 4ε of the largest bound, which a front within
-/// √(4ε) = 3e-8 of full slip does not exceed; without it T is off by a fourth of that.
+/// T of a first push against its closed form, relative. Springs are kept to 4ε of the largest
+/// bound, which a front within √(4ε) = 3e-8 of full slip does not exceed; without it T is off by a
+/// fourth of that.
 pub(crate) const CLOSED: f64 = 1e-8;
-/// Largest result of splitting a line, in μF_N and in the worn volume: without wear, and with it in tolerances.
+/// Largest result of splitting a line, in μF_N and in the worn volume: without wear, and with it in
+/// tolerances.
 pub(crate) const SPLIT_WITHOUT_WEAR: f64 = 1e-9;
 /// See [`SPLIT_WITHOUT_WEAR`].
 pub(crate) const SPLIT_IN_TOLERANCES: f64 = 10.0;
@@ -72,8 +74,8 @@ impl Judge {
         self.findings.iter().reduce(|worst, other| if other.share() > worst.share() { other } else { worst })
     }
 
-    /// Another contact: its work starts anew.
-    pub(crate) fn anew(&mut self) {
+    /// Another contact: its work starts at 0.
+    pub(crate) fn reset_work(&mut self) {
         (self.work, self.volume) = (0.0, 0.0);
     }
 
@@ -112,7 +114,8 @@ impl Judge {
         (self.work, self.volume) = (work, volume);
         self.size = self.size.max(PI * radius * radius * depth);
         if volume > 0.0 {
-            // the tolerance holds for the image in depths d: over the disc that is a volume, and a life's volume keeps it, too
+            // the tolerance holds for the image in depths d: over the disc that is a volume, and a
+            // life's volume keeps it, too
             let off = (profile - volume).abs() / (volume + self.size);
             self.note("profile volume = (k/s0) work", off, contact.parameters().tolerance);
         }

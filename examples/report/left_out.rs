@@ -1,4 +1,4 @@
-//! Counts what a contact leaves out, scene by scene, and writes `reports/left_out.md` and `.csv`.
+//! Counts the work of features that a scene does not use, and writes `reports/left_out.md` and `.csv`.
 //!
 //! `cargo run --release --no-default-features --example left_out [-- folder]`
 
@@ -70,8 +70,8 @@ fn page(lines: &[(Scene, Measured)]) -> String {
     };
     let stick = time("full stick");
     let mut text = format!(
-        "# What a scene leaves out\n\n**A scene pays only for what it uses**: of {all} kinds of work that these {} scenes have no use \
-         for, {} are left out altogether{}. A step in partial slip takes {:.1} times a step in full stick, {:.1} times with wear too slow \
+        "# Cost of features that are not used\n\n**Features that are not used cost nothing**: of {all} kinds of work that these {} \
+         scenes do not need, {} are not done at all{}. A step in partial slip takes {:.1} times a step in full stick, {:.1} times with wear too slow \
          for the profile to follow, {:.1} times where the load varies, and {:.0} times where the pressure is read at 64 radii.\n\n",
         lines.len(),
         all - broken,

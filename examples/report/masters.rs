@@ -1,16 +1,18 @@
-//! The contact as a part of a stiff system: a mass m on a spring k, driven harmonically by its far end, with the contact
-//! between the mass and the ground, under four masters with a fixed step h.
+//! The contact as a part of a stiff system: a mass m on a spring k, driven harmonically by its far
+//! end, with the contact between the mass and the ground, under four masters with a fixed step h.
 //!
-//! m v' = k (x_d − x) − T(x), x' = v. All masters are of first order and update the velocity first, so that the position at
-//! the end of the step is what the contact is given:
+//! m v' = k (x_d − x) − T(x), x' = v. All masters are of first order and update the velocity first,
+//! so that the position at the end of the step is what the contact is given:
 //!
-//! - **explicit**: m (v⁺ − v)/h = k (x_d − x) − T; one contact step a step. With a linear contact of stiffness k_c it is
-//!   stable for h < 2/ω, ω² = (k + k_c)/m, and no further.
-//! - **half-explicit**: k at the end of the step, T at its start, as where the contact gives no derivative. Stable for
-//!   h² (k_c − k)/m < 4 (the roots of (1 + h²k/m) z² − (2 − h²k_c/m) z + 1 lie in the unit circle).
-//! - **semi-implicit**: k and T at the end of the step, T⁺ = T + (∂T/∂U) h v⁺ with the contact's own derivative: one contact
-//!   step a step, no iteration.
-//! - **iterative**: T⁺ at the end of the step by Newton's method, from the same saved state each time: rollback.
+//! - **explicit**: m (v⁺ − v)/h = k (x_d − x) − T; one contact step a step. With a linear contact
+//!   of stiffness k_c it is stable for h < 2/ω, ω² = (k + k_c)/m, and no further.
+//! - **half-explicit**: k at the end of the step, T at its start, as where the contact gives no
+//!   derivative. Stable for h² (k_c − k)/m < 4 (the roots of (1 + h²k/m) z² − (2 − h²k_c/m) z + 1
+//!   lie in the unit circle).
+//! - **semi-implicit**: k and T at the end of the step, T⁺ = T + (∂T/∂U) h v⁺ with the contact's
+//!   own derivative: one contact step a step, no iteration.
+//! - **iterative**: T⁺ at the end of the step by Newton's method, from the same saved state each
+//!   time: rollback.
 #![allow(dead_code, reason = "the report and the tests each use a part of this")]
 
 use fretting_contact::{Error, FrettingContact, Parameters, Snapshot};
@@ -24,7 +26,7 @@ const STEPS: u32 = 200;
 const PERIODS: u32 = 3;
 /// Displacement amplitude of the mass in the comparison, in u_max: well into partial slip.
 const SLIP_SHARE: f64 = 0.7;
-/// Newton iterations of the iterative master at the most.
+/// Most Newton iterations of the iterative master in a step.
 const MOST_ITERATIONS: u32 = 30;
 
 /// How the contact is coupled.
@@ -82,7 +84,7 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// Whether the run stayed near the truth.
+    /// Whether the run stayed near the reference.
     pub(crate) fn stable(&self) -> bool {
         self.growth < 1.5 && self.work_error.abs() < 0.5
     }
@@ -158,8 +160,8 @@ impl<C: Coupled> System<C> {
         self.contact.advance(x).then(|| self.contact.force())
     }
 
-    /// One step of `h` to the instant at which the drive stands at `drive`, from that at `drive_before`; `None` if the
-    /// contact cannot follow.
+    /// One step of `h` to the instant at which the drive stands at `drive`, from that at
+    /// `drive_before`; `None` if the contact cannot follow.
     fn step(&mut self, master: Master, h: f64, (drive_before, drive): (f64, f64)) -> Option<()> {
         let (k, m, force) = (self.stiffness, self.mass, self.contact.force());
         let pull = k * (drive - self.x) - force;
@@ -176,7 +178,8 @@ impl<C: Coupled> System<C> {
         self.contact_to(self.x).map(drop)
     }
 
-    /// Newton's method on m (v⁺ − v)/h = k (x_d − x⁺) − T(x⁺), kept between ends that are known to be on either side.
+    /// Newton's method on m (v⁺ − v)/h = k (x_d − x⁺) − T(x⁺), kept between ends that are known to
+    /// be on either side.
     fn iterate(&mut self, h: f64, drive: f64) -> Option<()> {
         let (k, m) = (self.stiffness, self.mass);
         let saved = self.contact.save();
@@ -207,8 +210,8 @@ impl<C: Coupled> System<C> {
         Some(())
     }
 
-    /// ∂T/∂U for a motion to the side of `push`: the contact's own derivative where it goes on as before; where it turns, all
-    /// springs stick, as they did at rest.
+    /// ∂T/∂U for a motion to the side of `push`: the contact's own derivative where it goes on as
+    /// before; where it turns, all springs stick, as they did at rest.
     fn slope_towards(&self, push: f64) -> f64 {
         if push * self.v < 0.0 { self.elastic } else { self.contact.slope() }
     }
@@ -221,7 +224,8 @@ pub(crate) fn rest() -> Result<FrettingContact, Error> {
     Ok(contact)
 }
 
-/// Finds the largest stable step of the explicit master for motions so small that the contact sticks.
+/// Finds the largest stable step of the explicit master for motions so small that the contact
+/// sticks.
 pub(crate) fn explicit_limits() -> Result<Vec<Limit>, Error> {
     let contact_stiffness = rest()?.tangential_stiffness();
     let mut limits = Vec::new();
@@ -251,7 +255,8 @@ fn stays_small(stiffness: f64, mass: f64, h: f64) -> Result<bool, Error> {
     let start = 1e-6 * full_slip();
     system.x = start;
     let mut done = system.contact_to(start).map(drop);
-    // next to the limit the motion of a stable step grows to a multiple of its start before it falls again
+    // next to the limit the motion of a stable step grows to a multiple of its start before it
+    // falls again
     for _ in 0..1000 {
         done = done.and_then(|()| system.step(Master::Explicit, h, (0.0, 0.0)));
         if done.is_none() || system.x.abs() > 1e3 * start {

@@ -10,9 +10,9 @@ import matplotlib
 matplotlib.use("Agg")  # draws to files; needs no display
 matplotlib.rcParams["svg.hashsalt"] = "fretting"  # the same picture from the same numbers
 
-import matplotlib.pyplot as plt
+import matplotlib.pyplot as plt  # noqa: E402, the backend is chosen first
 
-# Okabe–Ito: told apart with every common colour blindness
+# Okabe–Ito: distinct with every common colour blindness
 COLOURS = ["#0072B2", "#56B4E9", "#009E73", "#E69F00"]
 OTHERS = {
     "published": ("#D55E00", "s"),
@@ -47,19 +47,19 @@ def series_of(row):
 
 
 def read_points(path):
-    """{problem: {series: [(error, seconds, least, most)]}}, {problem: error of the truth}."""
-    problems, truths = defaultdict(lambda: defaultdict(list)), {}
+    """{problem: {series: [(error, seconds, least, most)]}}, {problem: error of the reference}."""
+    problems, references = defaultdict(lambda: defaultdict(list)), {}
     for row in rows(path):
-        truths[row["problem"]] = float(row["truth_error"])
+        references[row["problem"]] = float(row["reference_error"])
         point = [float(row[name]) for name in ("error", "seconds", "seconds_least", "seconds_most")]
         if point[0] > 0:  # refused points have no error
             problems[row["problem"]][series_of(row)].append(point)
-    return problems, truths
+    return problems, references
 
 
-def draw_points(axes, title, series, truth):
-    if truth > 0:
-        axes.axvline(truth, color="#888888", lw=1, ls=":", label="error of the reference itself")
+def draw_points(axes, title, series, reference):
+    if reference > 0:
+        axes.axvline(reference, color="#888888", lw=1, ls=":", label="error of the reference itself")
     shade = iter(COLOURS)
     for name, points in series.items():
         colour, marker = OTHERS[name] if name in OTHERS else (next(shade, "#222222"), "o")
@@ -74,13 +74,13 @@ def draw_points(axes, title, series, truth):
 
 
 def error_against_time(folder):
-    problems, truths = read_points(folder / "error_against_time.csv")
+    problems, references = read_points(folder / "error_against_time.csv")
     lines = (len(problems) + 1) // 2
     figure, panels = plt.subplots(lines, 2, figsize=(10, 3.4 * lines), constrained_layout=True, squeeze=False)
     for axes in panels.flat[len(problems) :]:
         axes.set_visible(False)
     for axes, (title, series) in zip(panels.flat, problems.items()):
-        draw_points(axes, title, series, truths[title])
+        draw_points(axes, title, series, references[title])
     figure.suptitle("Steel on steel, μ = 0.6; ball and parabola: R = 10 mm; c/a0: stick radius over contact radius at the start", fontsize=10)
     save(figure, folder / "error_against_time")
 

@@ -2,7 +2,8 @@
 //!
 //! `cargo run --release --no-default-features --example stability [-- folder]`
 //!
-//! `… -- --only "shape, flat punch"` runs the scenes whose name holds that text, here, and prints every invariant.
+//! `… -- --only "shape, flat punch"` runs the scenes whose name holds that text, here, and prints
+//! every invariant.
 
 mod coupling;
 mod judge;
@@ -28,7 +29,7 @@ const ONE: &str = "--scene";
 const ONLY: &str = "--only";
 
 /// What the scenes have found: where it was seen, its cause, and what became of it.
-const MENDED: [(&str, &str, &str); 16] = [
+const CORRECTED: [(&str, &str, &str); 16] = [
     (
         "fast wear, N0 = 5 and 1",
         "an unsteady update was accepted after eight iterations whatever its residual: needles at the contact edge, and a call for a cycle that wore nothing",
@@ -63,7 +64,7 @@ const MENDED: [(&str, &str, &str); 16] = [
     (
         "amplitude u_max (1 + 1e-12), depth held",
         "the mesh tells depths by lines of h/x, the nodes by lines of h: with a front next to the axis they differ by 0.7 %",
-        "the depths are told anew when the mesh is left",
+        "the depths are computed again when the mesh is left",
     ),
     (
         "amplitude exactly u_max, depth held",
@@ -150,7 +151,8 @@ fn main() -> std::io::Result<()> {
     Ok(())
 }
 
-/// In a process of its own, so that one that never ends or overflows its stack is a line like any other.
+/// In a process of its own, so that one that never ends or overflows its stack is a line like any
+/// other.
 fn run(index: usize, scene: &Scene) -> std::io::Result<Line> {
     let start = Instant::now();
     let mut child = Command::new(std::env::current_exe()?)
@@ -342,8 +344,8 @@ fn page(lines: &[Line], coupling: &coupling::Coupling) -> String {
         text += &row(line);
         text.push('\n');
     }
-    text += "\n## What had to be mended on the way\n\n| seen in | cause | now |\n| --- | --- | --- |\n";
-    for (seen, cause, now) in MENDED {
+    text += "\n## What has been corrected\n\n| seen in | cause | now |\n| --- | --- | --- |\n";
+    for (seen, cause, now) in CORRECTED {
         let _ = writeln!(text, "| {seen} | {cause} | {now} |");
     }
     let _ = writeln!(text, "\n{}{}", coupling.section(), machine::provenance());

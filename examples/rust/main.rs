@@ -1,4 +1,5 @@
-//! The library by itself, without FMI: a loop of a pressed ball, its wear, and the same seen through a compliant rig.
+//! The library by itself, without FMI: a loop of a pressed ball, its wear, and the same seen
+//! through a compliant rig.
 //!
 //! cargo run --release --no-default-features --example rust
 

@@ -22,7 +22,8 @@ def draw(results, path):
     load, amplitude = np.array(results["load"]), np.array(results["amplitude"])
     volume, regime = np.array(results["wear_volume"]), np.array(results["regime"])
     figure, axes = plt.subplots(figsize=(8, 6), layout="constrained")
-    shades = dict(norm=matplotlib.colors.LogNorm(np.percentile(volume, 2) * 1e15, volume.max() * 1e15), cmap="viridis")
+    scale = matplotlib.colors.LogNorm(np.percentile(volume, 2) * 1e15, volume.max() * 1e15)
+    shades = {"norm": scale, "cmap": "viridis"}
     for name, mark in MARKS.items():
         here = regime == name
         dots = axes.scatter(amplitude[here] * 1e6, load[here], c=volume[here] * 1e15, marker=mark, s=12, **shades)

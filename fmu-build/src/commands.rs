@@ -8,8 +8,8 @@ use crate::process::{run_lines, run_quietly, run_shown};
 use crate::python::Venv;
 use crate::totals::Totals;
 use crate::workspace::Workspace;
-use crate::{emulate, examples, library, package, progress};
-use anyhow::{Result, bail, ensure};
+use crate::{emulate, examples, library, package, presets, progress};
+use anyhow::{Context, Result, bail, ensure};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -24,7 +24,8 @@ const ZIG: &str = "fmu-build/zig-requirements.txt";
 /// What the demo's page of pictures needs beyond the rest.
 const PAGE: (&str, &str) = ("The page of pictures", "examples/demo/page-requirements.txt");
 
-/// What some tests need beyond the rest: the page and a driver for browsers, the other masters, and the sweep on Dask.
+/// What some tests need beyond the rest: the page and a driver for browsers, the other masters, and
+/// the sweep on Dask.
 const EXTRAS: [(&str, &str); 4] = [
     PAGE,
     SWEEP,
@@ -34,10 +35,12 @@ const EXTRAS: [(&str, &str); 4] = [
 
 const SWEEP: (&str, &str) = ("The sweep", "examples/sweep/sweep-requirements.txt");
 
-/// A master in Rust: its importer has more dependencies than the library, so that it is a package of its own.
-const RUST_MASTER: &str = "tests/python/masters/rust/Cargo.toml";
+/// A master in Rust: its importer has more dependencies than the library, so that it is a package
+/// of its own.
+pub(crate) const RUST_MASTER: &str = "tests/python/masters/rust/Cargo.toml";
 
-/// Runs `python/fretting_contact/profile.py` with these arguments, in the caller's working directory.
+/// Runs `python/fretting_contact/profile.py` with these arguments, in the caller's working
+/// directory.
 pub(crate) fn profile(workspace: &Workspace, arguments: &[OsString]) -> Result<()> {
     let venv = Venv::with(workspace, &[workspace.file(REQUIREMENTS)])?;
     let mut python = venv.python();
@@ -51,7 +54,7 @@ pub(crate) fn profile(workspace: &Workspace, arguments: &[OsString]) -> Result<(
 
 /// What every command works with, set up on first use.
 pub(crate) struct Setup<'a> {
-    workspace: &'a Workspace,
+    pub(crate) workspace: &'a Workspace,
     venv: Venv<'a>,
     /// For every call of cargo that compiles fmi-sys.
     pub(crate) environment: Environment,
@@ -73,8 +76,9 @@ pub(crate) fn set_up(workspace: &Workspace) -> Result<Setup<'_>> {
 }
 
 impl Setup<'_> {
-    /// Builds, packages and checks the FMU for some platforms; returns its path. A package with a fault stays beside it under
-    /// another name. Libraries for other machines are tried out under an emulator, where there is one.
+    /// Builds, packages and checks the FMU for some platforms; returns its path. A faulty package
+    /// is kept beside it under another name. Libraries for other machines are loaded and stepped
+    /// under an emulator, if there is one.
     pub(crate) fn build(&self, platforms: &[&Platform]) -> Result<PathBuf> {
         self.build_with(platforms, None)
     }
@@ -84,7 +88,7 @@ impl Setup<'_> {
         OldGlibc::numbers(version)?;
         ensure!(cfg!(target_os = "linux"), "--glibc is for Linux");
         let venv = Venv::with(self.workspace, &[self.workspace.file(ZIG)])?;
-        let old = OldGlibc { version, target: Platform::own()?.target, programs: venv.programs() };
+        let old = OldGlibc { version, programs: venv.programs() };
         self.build_with(platforms, Some(&old))
     }
 
@@ -103,6 +107,7 @@ impl Setup<'_> {
             eprintln!("{line}");
         }
         std::fs::rename(&unchecked, &fmu)?;
+        presets::copy(self.workspace, fmu.parent().context("the FMU is in no folder")?)?;
         let folders: Vec<_> =
             platforms.iter().flat_map(|platform| platform.package_folders(platforms)).collect();
         eprintln!("FMU for {}: {}", folders.join(", "), fmu.display());
@@ -147,11 +152,12 @@ impl Setup<'_> {
         examples::run(examples::all(self.workspace, &self.venv, fmu, sweep)?)
     }
 
-    /// Measures what the pages under `reports` say, and draws their pictures: some five minutes, each scene within its budget.
+    /// Measures what the pages under `reports` state, and draws their pictures: some five minutes,
+    /// each scene within its budget.
     pub(crate) fn report(&self) -> Result<()> {
         self.report_script("Independent solution", "independent.py")?;
         for (title, example) in [
-            ("What a scene leaves out", "left_out"),
+            ("Cost of features that are not used", "left_out"),
             ("Stability of extreme scenes", "stability"),
             ("Error against run time", "precision"),
         ] {
@@ -205,7 +211,7 @@ impl Setup<'_> {
         if let Ok(program) = rust_master {
             pytest.env("FRETTING_RUST_MASTER", program);
         }
-        // skipped tests are told by name
+        // skipped tests are listed by name
         pytest.arg("-rs").env("FRETTING_FMU_BUILD", std::env::current_exe()?);
         pytest.env("FRETTING_FMU", fmu).env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
         let mut python = Totals::default();
@@ -216,7 +222,8 @@ impl Setup<'_> {
         rust_result.and(python_result)
     }
 
-    /// Installs requirements that not every machine has wheels for; what needs them does without and says so. Whether they are there.
+    /// Installs requirements for which not every machine has wheels. Without them the parts that
+    /// need them are skipped, with a message. Returns whether they are installed.
     fn install_if_possible(&self, (what, requirements): (&str, &str)) -> bool {
         let installed = Venv::with(self.workspace, &[self.workspace.file(requirements)]);
         if let Err(problem) = &installed {
@@ -236,25 +243,8 @@ impl Setup<'_> {
         Ok(directory.join("debug").join(format!("rust-master{}", std::env::consts::EXE_SUFFIX)))
     }
 
-    /// rustfmt and clippy, any warning being an error.
-    pub(crate) fn lint(&self) -> Result<()> {
-        progress::shown("rustfmt", || {
-            // the fuzz targets are a workspace of their own, and so is the master
-            ["Cargo.toml", "fuzz/Cargo.toml", RUST_MASTER].iter().try_for_each(|manifest| {
-                let mut cargo = self.cargo("fmt");
-                cargo.args(["--all", "--check", "--manifest-path", manifest]);
-                run_shown(cargo)
-            })
-        })?;
-        progress::shown("clippy", || {
-            let mut cargo = self.cargo("clippy");
-            cargo.args(["--workspace", "--all-targets", "--locked", "--", "--deny", "warnings"]);
-            run_shown(cargo)
-        })
-    }
-
     /// Any other call of cargo, with libclang set up for it.
-    fn cargo(&self, subcommand: &str) -> Command {
+    pub(crate) fn cargo(&self, subcommand: &str) -> Command {
         let mut cargo = self.workspace.cargo();
         cargo.arg(subcommand).envs(self.environment.iter().map(|(name, value)| (name, value)));
         cargo

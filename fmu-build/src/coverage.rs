@@ -1,4 +1,5 @@
-//! Lines of the library that its tests run: compiled with counters, run, merged by the LLVM tools of the Rust toolchain.
+//! Lines of the library that its tests run: compiled with counters, run, merged by the LLVM tools
+//! of the Rust toolchain.
 
 use crate::fuzz;
 use crate::libclang::Environment;
@@ -23,8 +24,8 @@ const SKIPPED: &str = "the_library_exports_the_functions_and_nothing_else";
 /// Lines of a file with how often they ran.
 type Lines = BTreeMap<usize, u64>;
 
-/// Runs the tests of the library, or of some of its files of tests; prints the lines that none of them runs, and the shares. An
-/// error below the least, or where a test fails.
+/// Runs the tests of the library, or of some of its files of tests; prints the lines that none of
+/// them runs, and the shares. An error below the least, or where a test fails.
 pub(crate) fn run(workspace: &Workspace, environment: &Environment, files: &[String]) -> Result<()> {
     let (merge, export) = (tool("llvm-profdata")?, tool("llvm-cov")?);
     let directory = workspace.product("coverage");
@@ -64,7 +65,8 @@ pub(crate) fn run(workspace: &Workspace, environment: &Environment, files: &[Str
         let mut command = process::command(&merge);
         command.args(["merge", "--sparse", "--output"]).arg(&merged).arg(&profiles);
         run_quietly(step, command)?;
-        // one program at a time: of a function that two programs hold in different versions a common listing shows one
+        // one program at a time: of a function that two programs hold in different versions a
+        // common listing shows one
         let mut files = BTreeMap::new();
         for program in &programs {
             let mut command = process::command(&export);
@@ -107,8 +109,8 @@ fn report(files: &BTreeMap<String, Lines>) -> Result<()> {
     Ok(())
 }
 
-/// Adds the lines by file of what llvm-cov exports, without modules of tests: files named so, and what follows `#[cfg(test)]` at
-/// the end of a file. The largest count of a line is kept.
+/// Adds the lines by file of what llvm-cov exports, without modules of tests: files named so, and
+/// what follows `#[cfg(test)]` at the end of a file. The largest count of a line is kept.
 fn add_files(files: &mut BTreeMap<String, Lines>, export: &str, root: &Path) -> Result<()> {
     let (mut file, mut end) = (String::new(), usize::MAX);
     for line in export.lines() {
@@ -165,7 +167,8 @@ fn program_of(line: &str) -> Vec<PathBuf> {
     files.into_iter().flatten().filter_map(path).filter(shared).collect()
 }
 
-/// One of the LLVM tools that belong to the compiler: those of the system may be too old for its counters.
+/// One of the LLVM tools that belong to the compiler: those of the system may be too old for its
+/// counters.
 fn tool(name: &str) -> Result<PathBuf> {
     let rustc = std::env::var_os("RUSTC").map_or_else(|| PathBuf::from("rustc"), PathBuf::from);
     let output = process::command(rustc).args(["--print", "sysroot"]).output().context("cannot run rustc")?;
@@ -212,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_next_to_each_other_are_told_together() {
+    fn consecutive_numbers_are_reported_as_ranges() {
         assert_eq!(ranges([3, 5, 6, 7, 9].into_iter()), "3, 5-7, 9");
     }
 }

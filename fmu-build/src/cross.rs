@@ -1,4 +1,5 @@
-//! Building for another platform with the cross compilers of Debian and Ubuntu, and running what was built under an emulator.
+//! Building for another platform with the cross compilers of Debian and Ubuntu, and running what
+//! was built under an emulator.
 
 use crate::process;
 use crate::workspace::Workspace;
@@ -71,12 +72,17 @@ impl Route {
     /// Environment for cargo: linker, C compiler, and the target's headers for bindgen.
     pub(crate) fn environment(&self) -> Result<Vec<(String, OsString)>> {
         let name = self.target.replace('-', "_");
-        let headers: Vec<_> = self.headers()?.iter().map(|path| format!("-I{path}")).collect();
         Ok(vec![
             (format!("CARGO_TARGET_{}_LINKER", name.to_uppercase()), self.compiler.into()),
             (format!("CC_{name}"), self.compiler.into()),
-            (format!("BINDGEN_EXTRA_CLANG_ARGS_{name}"), headers.join(" ").into()),
+            (format!("BINDGEN_EXTRA_CLANG_ARGS_{name}"), self.clang_arguments()?.into()),
         ])
+    }
+
+    /// The target's headers, as arguments for the clang that bindgen runs.
+    pub(crate) fn clang_arguments(&self) -> Result<String> {
+        let headers: Vec<_> = self.headers()?.iter().map(|path| format!("-I{path}")).collect();
+        Ok(headers.join(" "))
     }
 
     /// Where the compiler looks for headers.
@@ -86,12 +92,12 @@ impl Route {
         let output = command.output().with_context(|| format!("cannot run {}", self.compiler))?;
         let text = String::from_utf8_lossy(&output.stderr).into_owned();
         let found = searched(&text);
-        ensure!(!found.is_empty(), "{} does not tell where its headers are", self.compiler);
+        ensure!(!found.is_empty(), "{} does not report where its headers are", self.compiler);
         Ok(found)
     }
 
-    /// Loads a library under the emulator and steps it. Returns what was run, or why nothing was. What it makes stays beside
-    /// the library; `description` is the FMU's modelDescription.xml.
+    /// Loads a library under the emulator and steps it. Returns what was run, or why nothing was.
+    /// What it makes stays beside the library; `description` is the FMU's modelDescription.xml.
     pub(crate) fn try_out(
         &self,
         workspace: &Workspace,
@@ -123,7 +129,8 @@ impl Route {
             bail!("under {emulator} the library fails: {text}{}", String::from_utf8_lossy(&done.stderr));
         }
         check_numbers(&text).with_context(|| format!("under {emulator}"))?;
-        Ok(Outcome::Ran(format!("loaded and stepped under {emulator}")))
+        let name = Path::new(emulator).file_name().unwrap_or_default().display();
+        Ok(Outcome::Ran(format!("loaded and stepped under {name}")))
     }
 }
 
@@ -158,8 +165,9 @@ fn loader_arguments(description: &str) -> Result<Vec<String>> {
     ])
 }
 
-/// In gross slip under the default load: T = −μF_N at the last of eight strokes, and V = (k/σ₀) μF_N (path − 0.8 u_max for
-/// the first push and 1.6 for each return), Popov and Heß; wear itself changes that by far less than 1e-6.
+/// In gross slip under the default load: T = −μF_N at the last of eight strokes, and V = (k/σ₀)
+/// μF_N (path − 0.8 u_max for the first push and 1.6 for each return), Popov and Heß; wear itself
+/// changes that by far less than 1e-6.
 fn check_numbers(text: &str) -> Result<()> {
     let numbers: Vec<f64> = text.split_whitespace().filter_map(|word| word.parse().ok()).collect();
     let [force, volume] = numbers[..] else { bail!("the loader said {text:?}") };
@@ -215,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn wrong_numbers_are_told() {
+    fn wrong_numbers_are_reported() {
         assert!(check_numbers("-59.9 1e-16").unwrap_err().to_string().contains("-60"));
         assert!(check_numbers("-6.0e1 1e-16").unwrap_err().to_string().contains("m3"));
         assert!(check_numbers("").is_err());

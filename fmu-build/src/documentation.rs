@@ -1,4 +1,5 @@
-//! documentation/index.html: a written page, with the tables of variables taken from modelDescription.xml.
+//! documentation/index.html: a written page, with the tables of variables taken from
+//! modelDescription.xml.
 
 use crate::xml::escape;
 use anyhow::{Context, Result};

@@ -1,4 +1,5 @@
-//! Loading and stepping the libraries of an FMU that are for other machines, each under its emulator.
+//! Loading and stepping the libraries of an FMU that are for other machines, each under its
+//! emulator.
 
 use crate::check::Archive;
 use crate::cross::Outcome;
@@ -8,7 +9,8 @@ use anyhow::{Context, Result};
 use std::fs;
 use std::path::Path;
 
-/// What became of each library that the FMU has for another machine and that has an emulator; an error if one does not run as it should.
+/// The outcome for each library of the FMU that is for another machine and has an emulator; an
+/// error if a library fails.
 pub(crate) fn try_out(workspace: &Workspace, fmu: &Path) -> Result<Vec<(&'static str, Outcome)>> {
     let archive = Archive::open(fmu)?;
     let own = Platform::own()?;
@@ -46,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_was_not_run_is_told() {
+    fn what_was_not_run_is_reported() {
         let outcomes = [
             ("win64", Outcome::NotRun("no wine64".to_owned())),
             ("aarch64-linux", Outcome::Ran("ran".to_owned())),

@@ -1,4 +1,4 @@
-//! `cargo fmu examples`: runs each example as a user would, shows what it says and how long it took.
+//! `cargo fmu examples`: runs each example as a user would, shows its output and its time.
 
 use crate::check::Archive;
 use crate::process;
@@ -56,7 +56,7 @@ pub(crate) fn all(workspace: &Workspace, venv: &Venv<'_>, fmu: &Path, sweep: boo
 /// The Rust example, for cargo's `build` and `run`.
 const RUST: [&str; 6] = ["--quiet", "--release", "--locked", "--no-default-features", "--example", "rust"];
 
-/// Compiles the Rust example, so that its time is its own.
+/// Compiles the Rust example, so that its time does not include compiling.
 pub(crate) fn build_rust(workspace: &Workspace) -> Result<()> {
     progress::quiet("Building the Rust example", |step| {
         let mut cargo = workspace.cargo();
@@ -95,7 +95,8 @@ fn unpack(fmu: &Path, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// Runs them one after the other with their output shown; ends with a table of times. An error if any fails, after all have run.
+/// Runs them one after the other with their output shown; ends with a table of times. An error if
+/// any fails, after all have run.
 pub(crate) fn run(examples: Vec<Example>) -> Result<()> {
     let mut times: Vec<(String, Duration, bool)> = Vec::new();
     for Example { name, command } in examples {
@@ -129,7 +130,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_failure_is_told_after_all_have_run() {
+    fn a_failure_is_reported_after_all_have_run() {
         let of = |name: &str, program: &str| {
             let mut command = process::command(program);
             command.arg("--version");

@@ -1,5 +1,6 @@
-//! The fuzz targets under `fuzz/`: built with AddressSanitizer and run from their corpus, as `cargo fuzz` would, which need not
-//! be installed for it. The sanitizer is not stable in Rust; the compiler is told to allow it all the same.
+//! The fuzz targets under `fuzz/`: built with AddressSanitizer and run from their corpus, as `cargo
+//! fuzz` would, which need not be installed for it. The sanitizer is not stable in Rust;
+//! RUSTC_BOOTSTRAP makes the compiler allow it.
 
 use crate::libclang::Environment;
 use crate::process::{self, run_quietly, run_shown};
@@ -12,7 +13,8 @@ use std::path::{Path, PathBuf};
 /// Targets with the longest input that each is given, bytes.
 const TARGETS: [(&str, u32); 3] = [("calls", 513), ("states", 4096), ("profiles", 512)];
 
-/// Coverage that libFuzzer reads, and the sanitizer. Debug assertions catch what a release build would let pass.
+/// Coverage that libFuzzer reads, and the sanitizer. Debug assertions catch what a release build
+/// would not report.
 const FLAGS: [&str; 9] = [
     "-Cpasses=sancov-module",
     "-Cllvm-args=-sanitizer-coverage-level=4",
@@ -25,10 +27,12 @@ const FLAGS: [&str; 9] = [
     "--cfg=fuzzing",
 ];
 
-/// Without stacks of every allocation the sanitizer is several times as fast. A report gives the input, which tells the rest.
+/// Without stacks of every allocation the sanitizer is several times as fast. A report gives the
+/// input, from which the rest follows.
 const SANITIZER: &str = "malloc_context_size=0:detect_stack_use_after_return=0";
 
-/// A single input that takes longer counts as hanging, s. The slowest known ones, with wear, take some 5 s under the sanitizer.
+/// A single input that takes longer counts as hanging, s. The slowest known ones, with wear, take
+/// some 5 s under the sanitizer.
 const HANGS: u32 = 120;
 
 /// How long to go on.

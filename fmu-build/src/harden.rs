@@ -53,7 +53,7 @@ fn has_sanitizer() -> bool {
     output.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).trim().starts_with('/'))
 }
 
-/// Runs all tasks under both tools, or says plainly which could not be.
+/// Runs all tasks under both tools, or reports which could not be run.
 pub(crate) fn run(workspace: &Workspace, environment: &Environment) -> Result<()> {
     let mut skipped = Vec::new();
     for tool in [Tool::Valgrind, Tool::Sanitizer] {
@@ -103,7 +103,7 @@ fn library(workspace: &Workspace, environment: &Environment, tool: Tool) -> Resu
         cargo.args(["--crate-type", "cdylib", "--target", &host, "--target-dir"]).arg(&directory);
         cargo.envs(environment.iter().map(|(name, value)| (name, value)));
         if tool == Tool::Sanitizer {
-            // not stable in Rust; the compiler is told to allow it all the same
+            // not stable in Rust: this variable makes the compiler allow it
             cargo.env("RUSTC_BOOTSTRAP", "1").env_remove("CARGO_ENCODED_RUSTFLAGS");
             cargo.env("RUSTFLAGS", "-Zsanitizer=address -Cdebug-assertions");
         }

@@ -1,4 +1,5 @@
-//! libclang for bindgen, which fmi-sys runs: the system's own, or a pinned wheel in the virtual environment.
+//! libclang for bindgen, which fmi-sys runs: the system's own, or a pinned wheel in the virtual
+//! environment.
 
 use anyhow::{Context, Result};
 use std::ffi::OsString;
@@ -20,7 +21,8 @@ const KNOWN_DIRECTORIES: [&str; 9] = [
 /// Environment variables that let bindgen find libclang and C headers.
 pub(crate) type Environment = Vec<(&'static str, OsString)>;
 
-/// Environment for the system's libclang; `None` if it has none. A LIBCLANG_PATH of the user is left alone.
+/// Environment for the system's libclang; `None` if it has none. A LIBCLANG_PATH of the user is
+/// left alone.
 pub(crate) fn of_system() -> Option<Environment> {
     if std::env::var_os("LIBCLANG_PATH").is_some() {
         return Some(Vec::new());
@@ -94,7 +96,8 @@ fn holds_libclang(directory: &Path) -> bool {
     names(directory).any(|name| is_libclang(&name))
 }
 
-/// libclang.so, libclang.so.14, libclang-14.so.1 and their like; libclang-cpp.so is another library.
+/// libclang.so, libclang.so.14, libclang-14.so.1 and their like; libclang-cpp.so is another
+/// library.
 fn is_libclang(name: &str) -> bool {
     let Some(rest) = name.strip_prefix("libclang") else { return false };
     let version_end = rest.find(".so").or_else(|| rest.find(".dylib")).or_else(|| rest.find(".dll"));
@@ -119,7 +122,7 @@ mod tests {
     use super::is_libclang;
 
     #[test]
-    fn libclang_is_told_from_its_neighbours() {
+    fn libclang_is_distinguished_from_its_neighbours() {
         for name in [
             "libclang.so",
             "libclang.so.1",

@@ -1,4 +1,5 @@
-//! Building the shared library: one call of cargo, with the paths of this machine left out of the binary.
+//! Building the shared library: one call of cargo, with the paths of this machine left out of the
+//! binary.
 
 use crate::check::newest_glibc;
 use crate::libclang::{self, Environment};
@@ -13,8 +14,8 @@ use std::process::Command;
 /// The crate that the library is made from.
 pub(crate) const PACKAGE: &str = "fretting_contact";
 
-/// Builds the library for a platform in release mode without debug information; returns its path. `old` builds it for an old
-/// glibc, where it is for this machine's own platform.
+/// Builds the library for a platform in release mode without debug information; returns its path.
+/// `old` builds it for an old glibc, if the platform is one of Linux.
 pub(crate) fn build(
     workspace: &Workspace,
     environment: &Environment,
@@ -22,19 +23,19 @@ pub(crate) fn build(
     old: Option<&OldGlibc<'_>>,
 ) -> Result<PathBuf> {
     let own = platform == Platform::own()?;
-    let old = old.filter(|_| own);
+    let old = old.filter(|_| platform.is_linux());
     let mut cargo = match old {
-        Some(old) => old.cargo(workspace)?,
+        Some(old) => old.cargo(workspace, platform, own)?,
         None => workspace.cargo(),
     };
-    // As a cdylib alone: beside an rlib cargo would leave link-time optimisation out.
+    // As a cdylib alone: together with an rlib cargo would skip link-time optimisation.
     cargo.args(["rustc", "--release", "--locked", "--package", PACKAGE, "--lib", "--crate-type", "cdylib"]);
     cargo.args(["--message-format", "json-render-diagnostics"]);
     cargo.args(["--config", "profile.release.strip=\"debuginfo\""]);
     cargo.args(["--config", &remap_paths(workspace)?]);
     cargo.envs(environment.iter().map(|(name, value)| (name, value)));
     if let Some(old) = old {
-        cargo.args(["--target", &format!("{}.{}", old.target, old.version)]);
+        cargo.args(["--target", &format!("{}.{}", platform.target, old.version)]);
     } else if !own {
         let route = platform.route.context("there is no way to build for this platform here")?;
         cargo.args(["--target", route.target]).envs(route.environment()?);
@@ -44,7 +45,7 @@ pub(crate) fn build(
     let extension = platform.library_extension();
     let status = run_lines(cargo, |line| library = library_of(line, extension).or(library.take()))?;
     if !status.success() {
-        bail!("cargo could not build the library {PACKAGE}: mend what it says above");
+        bail!("cargo could not build the library {PACKAGE}: correct the errors that it reports above");
     }
     let library =
         library.context("cargo built no shared library: the package must have the crate type cdylib")?;
@@ -52,12 +53,11 @@ pub(crate) fn build(
     Ok(library)
 }
 
-/// A build that runs on Linux systems with a glibc as old as this: linked by zig, which has all of them.
+/// A build that runs on Linux systems with a glibc as old as this: linked by zig, which has all of
+/// them.
 pub(crate) struct OldGlibc<'a> {
     /// Such as 2.17.
     pub(crate) version: &'a str,
-    /// Rust target.
-    pub(crate) target: &'static str,
     /// Folder with cargo-zigbuild, and the Python that has zig.
     pub(crate) programs: PathBuf,
 }
@@ -72,16 +72,22 @@ impl OldGlibc<'_> {
         }
     }
 
-    fn cargo(&self, workspace: &Workspace) -> Result<Command> {
+    /// cargo with zig as linker; `own` states whether the platform is that of this machine.
+    fn cargo(&self, workspace: &Workspace, platform: &Platform, own: bool) -> Result<Command> {
         let mut cargo = workspace.command(self.programs.join("cargo-zigbuild"));
         let path = std::env::var_os("PATH").unwrap_or_default();
         let paths = std::iter::once(self.programs.clone()).chain(std::env::split_paths(&path));
         cargo.env("PATH", std::env::join_paths(paths)?);
-        // bindgen would else look for the headers of C where zig keeps none
-        let architecture = self.target.split('-').next().unwrap_or_default();
-        let headers = libclang::header_directory()?;
-        let clang = format!("-I{headers} -I/usr/include -I/usr/include/{architecture}-linux-gnu");
-        cargo.env(format!("BINDGEN_EXTRA_CLANG_ARGS_{}", self.target), clang);
+        // otherwise bindgen would look for the C headers where zig has none
+        let clang = match platform.route {
+            Some(route) if !own => route.clang_arguments()?,
+            _ => {
+                let architecture = platform.target.split('-').next().unwrap_or_default();
+                let headers = libclang::header_directory()?;
+                format!("-I{headers} -I/usr/include -I/usr/include/{architecture}-linux-gnu")
+            }
+        };
+        cargo.env(format!("BINDGEN_EXTRA_CLANG_ARGS_{}", platform.target), clang);
         Ok(cargo)
     }
 
@@ -98,7 +104,7 @@ impl OldGlibc<'_> {
     }
 }
 
-/// The library's path, if the message of cargo tells of it.
+/// The library's path, if a message of cargo names it.
 fn library_of(message: &str, extension: &str) -> Option<PathBuf> {
     let message: Value = serde_json::from_str(message).ok()?;
     if message["reason"] != "compiler-artifact" || message["target"]["name"] != PACKAGE {
@@ -109,8 +115,8 @@ fn library_of(message: &str, extension: &str) -> Option<PathBuf> {
     paths.find(|path| path.extension().is_some_and(|found| found == extension))
 }
 
-/// A cargo setting that replaces this machine's directories in panic messages, so that the bytes of the library
-/// do not depend on where it is built.
+/// A cargo setting that replaces this machine's directories in panic messages, so that the bytes of
+/// the library do not depend on where it is built.
 fn remap_paths(workspace: &Workspace) -> Result<String> {
     let cargo_home = std::env::var_os("CARGO_HOME")
         .map(PathBuf::from)

@@ -35,7 +35,7 @@ pub(crate) fn text(workspace: &Workspace) -> Result<String> {
     Ok(result)
 }
 
-/// What cargo tells of each package that is linked into the library, ordered by name and version.
+/// What cargo reports of each package that is linked into the library, ordered by name and version.
 fn linked_packages(workspace: &Workspace) -> Result<Vec<Value>> {
     let mut tree = workspace.cargo();
     tree.args(["tree", "--locked", "--package", PACKAGE, "--edges", "normal,no-proc-macro"]);

@@ -1,8 +1,8 @@
 //! The `cargo fmu` commands: build, check and try out `FrettingContact.fmu`.
 //!
-//! Each command first sets up what it needs: a virtual environment under `target/venv` with pinned packages, and
-//! libclang for the FMI types, taken from the system or from a wheel. This program does not link the library
-//! itself, so it compiles where libclang is not yet found.
+//! Each command first sets up what it needs: a virtual environment under `target/venv` with pinned
+//! packages, and libclang for the FMI types, taken from the system or from a wheel. This program
+//! does not link the library itself, so it compiles where libclang is not yet found.
 
 mod check;
 mod commands;
@@ -16,15 +16,19 @@ mod harden;
 mod libclang;
 mod library;
 mod licences;
+mod lint;
 mod merge;
 mod package;
 mod platform;
+mod presets;
 mod process;
 mod progress;
 mod python;
 mod reference;
+mod release;
 mod terminals;
 mod totals;
+mod wording;
 mod workspace;
 mod xml;
 
@@ -69,9 +73,10 @@ enum Task {
         /// The FMU; target/fmu/FrettingContact.fmu if not given
         path: Option<PathBuf>,
     },
-    /// Build, then drive the FMU through the worked example; pictures, CSV and a page (index.html) go to target/demo
+    /// Build, then drive the FMU through the worked example; pictures, CSV and a page (index.html)
+    /// go to target/demo
     Demo,
-    /// Build, then run every example; shows what each says and how long it takes
+    /// Build, then run every example; shows the output and time of each
     Examples,
     /// Make a profile table for the FMU from a measured line scan; a picture goes beside it
     #[command(disable_help_flag = true)]
@@ -84,7 +89,8 @@ enum Task {
     Report,
     /// Build, then run every test there is: Rust and Python
     Test {
-        /// Platform folders to build the tested FMU for; those of other machines are run under their emulators
+        /// Platform folders to build the tested FMU for; those of other machines are run under
+        /// their emulators
         #[arg(long, value_delimiter = ',', value_name = "FOLDER")]
         platforms: Vec<String>,
     },
@@ -109,14 +115,19 @@ enum Task {
     },
     /// Run a C master with 10,000 instances under valgrind and AddressSanitizer
     Harden,
-    /// Run the tests of the library with counters: lines that none of them runs; an error below 95 %
+    /// Run the tests of the library with counters: lines that none of them runs; an error below 95
+    /// %
     Coverage {
         /// Files of tests, such as fmi_bad_input; all tests of the library if none is given
         tests: Vec<String>,
     },
-    /// Run rustfmt and clippy, warnings being errors
+    /// Make what is published, under target/dist: FMU for three platforms, presets, notes,
+    /// checksums
+    Release,
+    /// Check formatting, lints, spelling and wording; any finding is an error
     Lint,
-    /// Print the environment that plain cargo calls need to find libclang, for `eval "$(cargo fmu env)"`
+    /// Print the environment that plain cargo calls need to find libclang, for `eval "$(cargo fmu
+    /// env)"`
     Env,
 }
 
@@ -181,7 +192,8 @@ fn run(task: Task) -> Result<()> {
         Task::Coverage { tests } => {
             coverage::run(&workspace, &commands::set_up(&workspace)?.environment, &tests)?;
         }
-        Task::Lint => commands::set_up(&workspace)?.lint()?,
+        Task::Release => release::run(&commands::set_up(&workspace)?)?,
+        Task::Lint => lint::run(&commands::set_up(&workspace)?)?,
         Task::Env => print_environment(&workspace)?,
     }
     Ok(())

@@ -1,8 +1,9 @@
-//! The FMU's zip file: which entries it has, and writing them so that equal content gives equal bytes.
+//! The FMU's zip file: which entries it has, and writing them so that equal content gives equal
+//! bytes.
 
 use crate::platform::Platform;
 use crate::workspace::{MODEL_IDENTIFIER, Workspace};
-use crate::{documentation, licences, reference, terminals};
+use crate::{documentation, licences, presets, reference, terminals};
 use anyhow::{Context, Result};
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -40,6 +41,9 @@ pub(crate) fn write(workspace: &Workspace, libraries: &[(&Platform, PathBuf)], f
         .insert("terminalsAndIcons/terminalsAndIcons.xml".to_owned(), terminals::description().into_bytes());
     entries.insert("model.png".to_owned(), icon);
     entries.extend(reference::files(&description)?.into_iter().map(|(name, text)| (name, text.into_bytes())));
+    for (name, content) in presets::files(workspace)? {
+        entries.insert(format!("{}/{name}", presets::FOLDER), content);
+    }
     entries.insert("modelDescription.xml".to_owned(), description.into_bytes());
     write_zip(&entries, fmu)
 }

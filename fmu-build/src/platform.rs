@@ -87,7 +87,7 @@ impl Platform {
             };
             if let Some(missing) = platform.missing_on(own) {
                 bail!(
-                    "--platforms: {name} cannot be built on this {} machine: {missing}; or run `cargo fmu build` on a {name} \
+                    "{name} cannot be built on this {} machine: {missing}; or run `cargo fmu build` on a {name} \
                      machine and join the FMUs by `cargo fmu merge`",
                     own.folder
                 );
@@ -110,6 +110,11 @@ impl Platform {
         }
     }
 
+    /// Whether it is one of Linux.
+    pub(crate) fn is_linux(&self) -> bool {
+        self.os == "linux"
+    }
+
     /// Ending of its shared libraries.
     pub(crate) fn library_extension(&self) -> &'static str {
         match self.os {
@@ -119,8 +124,9 @@ impl Platform {
         }
     }
 
-    /// Folders that get this platform's library in an FMU for these platforms. FMPy 0.3.32 on ARM Linux looks into linux64,
-    /// against the standard; a copy there harms nobody where no x86 library takes the place.
+    /// Folders that get this platform's library in an FMU for these platforms. FMPy 0.3.32 on ARM
+    /// Linux looks into linux64, against the standard; a copy there does no harm if the FMU has no
+    /// x86 library.
     pub(crate) fn package_folders(&self, all: &[&Self]) -> Vec<&'static str> {
         let taken = all.iter().any(|platform| platform.folder == "linux64");
         if self.folder == "aarch64-linux" && !taken {

@@ -32,8 +32,8 @@ pub(crate) fn command(program: impl AsRef<OsStr>) -> Command {
     command
 }
 
-/// A library search path without the toolchain's and the build's own directories, which `cargo run` puts
-/// in front; `None` if nothing is left.
+/// A library search path without the toolchain's and the build's own directories, which `cargo run`
+/// puts in front; `None` if nothing is left.
 fn without_cargo_directories(value: &OsStr) -> Option<std::ffi::OsString> {
     let parent_of = |path: Option<PathBuf>| Some(path?.parent()?.to_path_buf());
     let build = parent_of(std::env::current_exe().ok());
@@ -43,8 +43,8 @@ fn without_cargo_directories(value: &OsStr) -> Option<std::ffi::OsString> {
     if kept.is_empty() { None } else { std::env::join_paths(kept).ok() }
 }
 
-/// Runs to the end with output hidden; its last line goes to the spinner, and a failure shows what it said.
-/// Returns the output.
+/// Runs to the end with output hidden; its last line goes to the spinner, and a failure shows its
+/// last lines. Returns the output.
 pub(crate) fn run_quietly(step: &Step, command: Command) -> Result<String> {
     let name = describe(&command);
     let (status, output) = capture(step, command)?;

@@ -22,7 +22,8 @@ pub(crate) struct Venv<'a> {
 }
 
 impl<'a> Venv<'a> {
-    /// The environment with everything of the requirements files in it; does nothing if it is up to date.
+    /// The environment with everything of the requirements files in it; does nothing if it is up to
+    /// date.
     pub(crate) fn with(workspace: &'a Workspace, requirements: &[PathBuf]) -> Result<Self> {
         let venv = Self { workspace, directory: workspace.product("venv") };
         let mut wanted = Vec::new();
@@ -86,13 +87,14 @@ impl<'a> Venv<'a> {
         self.python().args(arguments).output().is_ok_and(|output| output.status.success())
     }
 
-    /// Makes the environment anew, without packages.
+    /// Makes a new environment, without packages.
     fn create(&self, step: &Step) -> Result<()> {
         if self.directory.exists() {
             fs::remove_dir_all(&self.directory)?;
         }
         let python = find_python()?;
-        // Debian keeps ensurepip, which `venv` needs, in a package of its own; virtualenv brings its own pip.
+        // Debian keeps ensurepip, which `venv` needs, in a package of its own; virtualenv brings
+        // its own pip.
         for module in ["venv", "virtualenv"] {
             let mut make = self.workspace.command(python);
             make.args(["-m", module]).arg(&self.directory);

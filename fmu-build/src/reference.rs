@@ -1,8 +1,8 @@
-//! extra/org.fmi-standard.fmi-ls-ref/: experiments with reference results (FMI layered standard References, 1.0.0-beta.1),
-//! for whoever wants to know that an importer runs the FMU as it should.
+//! extra/org.fmi-standard.fmi-ls-ref/: experiments with reference results (FMI layered standard
+//! References, 1.0.0-beta.1), to test that an importer runs the FMU correctly.
 //!
-//! The results are closed forms, not what the FMU computes: Mindlin's loop, and the final state of wear at constant depth. Start
-//! values are those of modelDescription.xml.
+//! The results are closed forms, not what the FMU computes: Mindlin's loop, and the final state of
+//! wear at constant depth. Start values are those of modelDescription.xml.
 
 use anyhow::{Context, Result};
 use roxmltree::Document;
@@ -25,12 +25,12 @@ const MANIFEST: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 "#;
 
 const EXPERIMENTS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
-<Experiments name="Closed forms" description="What the model is known to give, by formulas and not by the FMU">
-  <Experiment name="loop" description="Ball under constant load, moved to and fro in partial slip" startTime="0.0" stopTime="20.0" stepSize="1.0" tolerance="1e-6">
+<Experiments name="Closed forms" description="Exact results of the model, from formulas and not from the FMU">
+  <Experiment name="loop" description="Ball under constant load, moved back and forth in partial slip" startTime="0.0" stopTime="20.0" stepSize="1.0" tolerance="1e-6">
     <Stimuli source="loop-in.csv"/>
     <References source="loop-ref.csv"/>
   </Experiment>
-  <Experiment name="life" description="Ball held in depth, worn by cycles until nothing wears any more" startTime="0.0" stopTime="1.0" stepSize="1.0" tolerance="0.005">
+  <Experiment name="life" description="Ball held in depth, worn by cycles until the wear ends" startTime="0.0" stopTime="1.0" stepSize="1.0" tolerance="0.005">
     <Parameters source="life.ssv"/>
     <Stimuli source="life-in.csv"/>
     <References source="life-ref.csv"/>
@@ -40,13 +40,13 @@ const EXPERIMENTS: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
 
 const ABOUT: &str = "Reference results in extra/org.fmi-standard.fmi-ls-ref
 
-closed-forms.exp has two experiments. The reference results are closed forms and not what this FMU has computed; an
-importer that runs the FMU as it should comes to them within the tolerance of each experiment, relative to the
-largest value of each column.
+closed-forms.exp has two experiments. The reference results are closed forms, not results of this FMU. An importer that
+runs the FMU correctly reproduces them within the tolerance of each experiment, relative to the largest value of each
+column.
 
 loop   Steps of 1 s with nothing set. The displacement rises or falls for one second and rests for the next. The results stand at
        the ends of the rests, so that they hold for importers that set inputs at the start of a step as well as for those
-       that let them arrive at its end. Formulas: Mindlin and Deresiewicz (1953) for a sphere.
+       whose inputs reach their values at its end. Formulas: Mindlin and Deresiewicz (1953) for a sphere.
 life   One step of 1 s and 1e7 cycles at constant indentation depth. The stick radius stays, and wear ends when the ring around it
        carries nothing: Popov (2014); Dimaki, Dmitriev, Chai, Popov (2014).
 ";
@@ -54,7 +54,8 @@ life   One step of 1 s and 1e7 cycles at constant indentation depth. The stick r
 /// Displacements at the rests of the loop, in units of that of full slip.
 const LOOP: [f64; 10] = [0.3, 0.6, 0.8, 0.4, 0.0, -0.5, -0.8, -0.2, 0.5, 0.8];
 
-/// Stick radius of the life, in contact radii, its worn volume in a² d and its final force in that of the start (a parabola's).
+/// Stick radius of the life, in contact radii, its worn volume in a² d and its final force in that
+/// of the start (a parabola's).
 const STICK: f64 = 0.4;
 const LIFE_VOLUME: f64 = 1.131108;
 const LIFE_FORCE: f64 = 0.568;
@@ -115,7 +116,8 @@ impl Ball {
         Ok(Self { force, friction, shear, contact_radius, depth, full_slip })
     }
 
-    /// Tangential force on first loading to a displacement, in units of the friction limit and of that of full slip.
+    /// Tangential force on first loading to a displacement, in units of the friction limit and of
+    /// that of full slip.
     fn first_loading(theta: f64) -> f64 {
         theta.signum() * (1.0 - (1.0 - theta.abs()).powf(1.5))
     }
@@ -144,7 +146,8 @@ impl Ball {
         (stimuli, results)
     }
 
-    /// Force on the present branch. The reversals of [`LOOP`] have equal amplitudes, so that one is remembered.
+    /// Force on the present branch. The reversals of [`LOOP`] have equal amplitudes, so that one is
+    /// remembered.
     fn branch(turn: Option<f64>, at_turn: f64, theta: f64) -> f64 {
         match turn {
             None => Self::first_loading(theta),
@@ -209,7 +212,8 @@ mod tests {
         assert!((force(10) - top).abs() < 1e-9, "{}", force(10));
     }
 
-    /// F∞ = 2E* ∫ (d − g) dx over the stick disc, and F₀ the same over the contact: (3/2) (s − s³/3), s = c/a.
+    /// F∞ = 2E* ∫ (d − g) dx over the stick disc, and F₀ the same over the contact: (3/2) (s −
+    /// s³/3), s = c/a.
     #[test]
     fn the_final_force_is_what_the_stick_disc_carries() {
         assert!((1.5 * (STICK - STICK.powi(3) / 3.0) - LIFE_FORCE).abs() < 1e-12);

@@ -1,5 +1,5 @@
-//! terminalsAndIcons/terminalsAndIcons.xml (FMI 3.0, section 2.4.9; in FMI 2.0 since 2.0.4): which variables belong to one
-//! connection, and where the icon is drawn.
+//! terminalsAndIcons/terminalsAndIcons.xml (FMI 3.0, section 2.4.9; in FMI 2.0 since 2.0.4): which
+//! variables belong to one connection, and where the icon is drawn.
 
 use crate::xml::escape;
 

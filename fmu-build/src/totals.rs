@@ -8,7 +8,7 @@ pub(crate) struct Totals {
     passed: u64,
     failed: u64,
     skipped: u64,
-    /// Whether the program that ran them ended well.
+    /// Whether the program that ran them succeeded.
     ended_well: bool,
 }
 
@@ -20,7 +20,8 @@ impl Totals {
         }
     }
 
-    /// Counts a line such as `=== 1 failed, 3 passed, 1 skipped in 0.12s ===`, which pytest ends with.
+    /// Counts a line such as `=== 1 failed, 3 passed, 1 skipped in 0.12s ===`, which pytest ends
+    /// with.
     pub(crate) fn add_pytest_line(&mut self, line: &str) {
         let line = line.trim().trim_matches('=').trim();
         if let Some((counts, time)) = line.rsplit_once(" in ")

@@ -1,5 +1,6 @@
-//! Writes the seeds of the target `states`: serialised states of a few scenes, without their headers.
-//! `cargo run --manifest-path fuzz/Cargo.toml --example seeds` in the root of the checkout, after each change of the format.
+//! Writes the seeds of the target `states`: serialised states of a few scenes, without their
+//! headers. `cargo run --manifest-path fuzz/Cargo.toml --example seeds` in the root of the
+//! checkout, after each change of the format.
 
 use core::ptr::{null, null_mut};
 use fmi_sys::fmi2::fmi2Component;
@@ -17,7 +18,8 @@ fn reference(name: &str) -> u32 {
     variables().iter().position(|variable| variable.name == name).expect("it is a variable") as u32
 }
 
-// SAFETY of every call below: the component is alive, results have room and arrays the lengths given.
+// SAFETY of every call below: the component is alive, results have room and arrays the lengths
+// given.
 fn instance() -> fmi2Component {
     let guid = CString::new(GUID).expect("no null");
     // SAFETY: strings end with a null character.

@@ -1,5 +1,5 @@
-//! Sequences of calls on the C interface, beside the reference model of the tests. Any panic, caught at the C interface or not,
-//! ends the run.
+//! Sequences of calls on the C interface, beside the reference model of the tests. Any panic,
+//! caught at the C interface or not, ends the run.
 #![no_main]
 
 #[path = "../../tests/calls/mod.rs"]

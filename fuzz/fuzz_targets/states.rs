@@ -1,4 +1,5 @@
-//! Serialised states: whatever has a header that fits is refused, or can be used like any other state.
+//! Serialised states: whatever has a header that fits is refused, or can be used like any other
+//! state.
 #![no_main]
 
 use core::ptr::{null, null_mut};
@@ -15,7 +16,7 @@ const OUTPUTS: [u32; 11] = [5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
 const RESOLUTION: [u32; 1] = [33];
 /// More cells make a step too slow to fuzz.
 const MOST_CELLS: i32 = 32;
-/// Inputs after which an instance is made anew.
+/// Inputs after which a new instance is made.
 const LIFE: usize = 1000;
 
 /// An instance that takes the states, and the beginning of its own.
@@ -32,7 +33,8 @@ impl Drop for Host {
     }
 }
 
-// SAFETY of every call below: the component is alive, results have room and arrays the lengths given.
+// SAFETY of every call below: the component is alive, results have room and arrays the lengths
+// given.
 impl Host {
     fn new() -> Self {
         let guid = CString::new(GUID).expect("no null");
@@ -60,7 +62,7 @@ impl Host {
         unsafe {
             if fmi2DeSerializeFMUstate(c, bytes.as_ptr().cast(), bytes.len(), &raw mut state) == 0 {
                 assert_eq!(fmi2SetFMUstate(c, state), 0, "what was taken can be used");
-                // one in 16, by a sum of the bytes, so that the fuzzer cannot dwell on slow steps
+                // one in 16, by a sum of the bytes, so that the fuzzer does not spend its time on slow steps
                 let sum = content.iter().fold(0u8, |sum, byte| sum.wrapping_mul(31).wrapping_add(*byte));
                 self.use_it(state, sum >> 4 == 0);
                 assert_eq!(fmi2FreeFMUstate(c, &raw mut state), 0);

@@ -3,8 +3,9 @@
 use super::refusal::{Checked, Refusal};
 use serde::{Deserialize, Serialize};
 
-/// Two times are the same when they differ by less than this, relative to the larger of the time and the longest step so
-/// far: masters add up step sizes, and their sums differ in the last digits, also where they come back to 0.
+/// Two times are the same when they differ by less than this, relative to the larger of the time
+/// and the longest step so far: masters add up step sizes, and their sums differ in the last
+/// digits, also where they come back to 0.
 const SAME: f64 = 1e-9;
 
 /// Or by less than this, relative to the step: some masters round their clock to nanoseconds or to
@@ -12,7 +13,7 @@ const SAME: f64 = 1e-9;
 /// is repeated or left out is far from it.
 const SAME_OF_STEP: f64 = 1e-3;
 
-/// Where an instance stands in time, s.
+/// The present time of an instance, s.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Clock {
     time: f64,
@@ -103,7 +104,8 @@ impl Clock {
         Ok(())
     }
 
-    /// Refuses a communication point that differs from the end of the last step by more than rounding.
+    /// Refuses a communication point that differs from the end of the last step by more than
+    /// rounding.
     #[cold]
     fn check_point(&self, point: f64, length: f64) -> Checked {
         // written so that it also refuses a point that is not a number

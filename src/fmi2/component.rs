@@ -1,4 +1,4 @@
-//! One instance of the FMU: the model, where it is in its life, and how it speaks to the importer.
+//! One instance of the FMU: the model, where it is in its life, and how it reports to the importer.
 
 use super::lifecycle::Call;
 use super::logger::Logger;
@@ -16,7 +16,8 @@ use crate::profile::Profile;
 use core::ffi::CStr;
 use fmi_sys::fmi2::{fmi2FMUstate, fmi2Type, fmi2Type_fmi2CoSimulation};
 
-/// Below this the materials count as elastically similar: it is round-off of the two sides of the paper's eq. (6).
+/// Below this the materials count as elastically similar: it is round-off of the two sides of the
+/// paper's eq. (6).
 const SIMILAR: f64 = 1e-9;
 
 /// What an importer's fmi2Component points to.
@@ -58,7 +59,8 @@ impl Component {
         }
     }
 
-    /// fmi2Instantiate, once the arguments are safe to look at; the error is what to tell the importer.
+    /// fmi2Instantiate, once the arguments are checked; the error is the message for the
+    /// importer.
     pub(super) fn instantiate(
         logger: Logger,
         kind: fmi2Type,
@@ -104,7 +106,7 @@ impl Component {
         })
     }
 
-    /// The status of a call with this result; a refusal is told to the importer.
+    /// The status of a call with this result; a refusal is reported to the importer.
     #[inline]
     pub(super) fn conclude(&mut self, call: &Call, result: Checked) -> Status {
         match result {
@@ -124,7 +126,7 @@ impl Component {
         let failure = format!("an internal failure in {} ({text})", call.name);
         self.logger.log(
             Status::Error,
-            &format!("{}: internal failure: {text}; call fmi2Reset to start anew", call.name),
+            &format!("{}: internal failure: {text}; call fmi2Reset to start again", call.name),
         );
         self.failure = Some(failure);
         self.state = State::Failed;
@@ -231,8 +233,8 @@ impl Component {
         result
     }
 
-    /// A step that is asked for again, with all as it was when it was discarded, would be discarded
-    /// again: some masters repeat it without end.
+    /// A step that is requested again, in the same state in which it was discarded, would be
+    /// discarded again: some masters repeat it without end.
     #[cold]
     fn step_after_a_discard(&mut self, point: f64, length: f64) -> Checked {
         if let Some(discarded) = &self.discarded
@@ -300,7 +302,7 @@ impl Component {
         }
         (self.state, self.last_step, self.failure) = (saved.state, saved.last_step, None);
         self.discarded = None;
-        // a run that has begun goes on to the stop time of this instance's experiment
+        // a run that has begun continues to the stop time of this instance's experiment
         if self.state != State::Instantiated {
             let staged = self.model.staged();
             staged.clock = staged.clock.in_experiment_of(&experiment);

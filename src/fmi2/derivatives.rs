@@ -1,11 +1,12 @@
 //! Derivatives of outputs: with respect to inputs, and with respect to time.
 //!
-//! Those of the engine ([`crate::engine::FrettingContact::tangential_force_gradient`] and its like) in the present sliding
-//! direction, with the profile as it is. In cyclic loading the displacement is the amplitude, and what accumulates does not
-//! follow the inputs but grows with the cycles. Before the end of the initialization the contact is pressed anew wherever it
-//! stands, so that nothing depends on the displacement but the displacement of the contact itself.
-//! Until then there are derivatives with respect to parameters, too, since InitialUnknowns declares
-//! that outputs depend on them.
+//! Those of the engine ([`crate::engine::FrettingContact::tangential_force_gradient`] and its like)
+//! in the present sliding direction, with the profile as it is. In cyclic loading the displacement
+//! is the amplitude, and what accumulates does not follow the inputs but grows with the cycles.
+//! Before the end of the initialization the normal contact is computed again at any displacement,
+//! so that nothing depends on the displacement but the displacement of the contact itself. Until
+//! then there are derivatives with respect to parameters, too, since InitialUnknowns declares that
+//! outputs depend on them.
 
 use super::component::Component;
 use super::enumerations::Loading;
@@ -20,13 +21,13 @@ use core::mem::MaybeUninit;
 /// then count alike.
 const DIFFERENCE: f64 = 6e-6;
 
-/// How the inputs change, per unit of whatever they change with.
+/// How the inputs change, per unit of the variable of differentiation.
 struct Change {
     normal: f64,
     displacement: f64,
     displacement_y: f64,
     loading: Loading,
-    /// Whether the contact may still be pressed on anew.
+    /// Whether the contact may still be pressed on at another place.
     starting: bool,
 }
 

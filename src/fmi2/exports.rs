@@ -5,12 +5,14 @@
 //!
 //! # What every function relies on
 //! An importer promises, as the standard demands:
-//! - a component is null or comes from [`fmi2Instantiate`], has not been freed, and serves one call at a time;
-//! - an array argument is null or has as many elements as its length says; strings end with a null character;
+//! - a component is null or comes from [`fmi2Instantiate`], has not been freed, and serves one call
+//!   at a time;
+//! - an array argument is null or has as many elements as its length says; strings end with a null
+//!   character;
 //! - what a function fills is not used by anyone else meanwhile.
 //!
-//! Null pointers are refused where a value is needed. The signatures are checked against the standard's header when this
-//! is compiled.
+//! Null pointers are refused where a value is needed. The signatures are checked against the
+//! standard's header when this is compiled.
 
 mod common;
 mod state;

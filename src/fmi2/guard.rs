@@ -1,4 +1,5 @@
-//! The one way in from C: null components, order of calls, panics, status and message are dealt with here.
+//! The single entry from C: handles null components, the order of calls, panics, status and
+//! message.
 
 use super::component::Component;
 use super::lifecycle::Call;
@@ -9,21 +10,25 @@ use fmi_sys::fmi2::{fmi2Component, fmi2Status, fmi2Status_fmi2Error};
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Runs `body` on the instance behind `component` if `call` is allowed in its state, and turns whatever happens into
-/// a status, with one message to the logger if it is not fmi2OK. Nothing unwinds out of it.
+/// Runs `body` on the instance behind `component` if `call` is allowed in its state, and turns the
+/// result into a status, with one message to the logger if it is not fmi2OK. Nothing unwinds out of
+/// it.
 ///
 /// # Safety
-/// `component` is null or comes from [`new_component`], has not been freed and is not in use elsewhere.
+/// `component` is null or comes from [`new_component`], has not been freed and is not in use
+/// elsewhere.
 pub(super) unsafe fn enter(
     component: fmi2Component,
     call: &Call,
     body: impl FnOnce(&mut Component) -> Checked,
 ) -> fmi2Status {
-    // SAFETY: by this function's contract the pointer is null or that of a live `Component` in no other use.
+    // SAFETY: by this function's contract the pointer is null or that of a live `Component` in no
+    // other use.
     let Some(component) = (unsafe { component.cast::<Component>().as_mut() }) else {
         return fmi2Status_fmi2Error;
     };
-    // Unwind safety: after a panic the model is marked as failed and replaced before it is used again.
+    // Unwind safety: after a panic the model is marked as failed and replaced before it is used
+    // again.
     let outcome = catch_unwind(AssertUnwindSafe(|| {
         component.admit(call)?;
         body(component)
@@ -48,7 +53,8 @@ pub(super) unsafe fn free_component(component: fmi2Component) {
     if component.is_null() {
         return;
     }
-    // SAFETY: by this function's contract the pointer is that of `new_component`, and this is its last use.
+    // SAFETY: by this function's contract the pointer is that of `new_component`, and this is its
+    // last use.
     let component = unsafe { Box::from_raw(component.cast::<Component>()) };
     // A panic while dropping could only leak memory; there is no instance left to report it.
     let _ = catch_unwind(AssertUnwindSafe(|| drop(component)));
@@ -74,7 +80,8 @@ pub(super) unsafe fn array<'a, T>(
     length: usize,
 ) -> Checked<&'a [T]> {
     check_array(argument, pointer, length)?;
-    // SAFETY: the length is possible and the pointer not null, the rest is this function's contract.
+    // SAFETY: the length is possible and the pointer not null, the rest is this function's
+    // contract.
     Ok(if length == 0 { &[] } else { unsafe { core::slice::from_raw_parts(pointer, length) } })
 }
 
@@ -88,7 +95,8 @@ pub(super) unsafe fn array_out<'a, T>(
     length: usize,
 ) -> Checked<&'a mut [MaybeUninit<T>]> {
     check_array(argument, pointer, length)?;
-    // SAFETY: the length is possible and the pointer not null, the rest is this function's contract.
+    // SAFETY: the length is possible and the pointer not null, the rest is this function's
+    // contract.
     Ok(if length == 0 { &mut [] } else { unsafe { core::slice::from_raw_parts_mut(pointer.cast(), length) } })
 }
 
@@ -147,7 +155,8 @@ mod tests {
         unsafe { enter(component, call, body) }
     }
 
-    /// The column that no importer can reach by itself: after an internal failure only these are let through.
+    /// The column that no importer can reach by itself: after an internal failure only these are
+    /// let through.
     #[test]
     fn a_failed_instance_admits_what_ends_or_mends_it() {
         let component = new_component(Component::new(Logger::new(None, CString::default(), false), None));
@@ -213,7 +222,7 @@ mod tests {
 
     /// A message may be a string, made at run time or not, or no text at all.
     #[test]
-    fn what_a_panic_said_is_told() {
+    fn the_text_of_a_panic_is_reported() {
         let number = std::hint::black_box(42);
         for (payload, text) in [
             (Box::new(format!("made of {number}")) as Box<dyn Any + Send>, "made of 42"),

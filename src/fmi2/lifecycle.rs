@@ -1,7 +1,8 @@
 //! Which function may be called in which state: the co-simulation state machine of FMI 2.0 as data.
 //!
-//! Steps are synchronous and a refused step changes nothing, so the standard's states "step in progress", "step
-//! failed" and "step canceled" do not occur; its state "error" is [`State::Failed`].
+//! Steps are synchronous and a refused step changes nothing, so the standard's states "step in
+//! progress", "step failed" and "step canceled" do not occur; its state "error" is
+//! [`State::Failed`].
 
 use super::refusal::{Checked, Refusal};
 use super::status::State::{self, Failed, InitializationMode, Instantiated, StepComplete, Terminated};
@@ -94,7 +95,8 @@ calls! {
 mod tests {
     use super::*;
 
-    /// Of all sets of states: a call is let through in those and in no other, and the refusal names them.
+    /// Of all sets of states: a call is let through in those and in no other, and the refusal names
+    /// them.
     #[test]
     fn the_gate_lets_through_what_is_in_its_list() {
         const STATES: [State; 5] = [Instantiated, InitializationMode, StepComplete, Terminated, Failed];

@@ -6,7 +6,8 @@ use core::ffi::{CStr, c_void};
 use fmi_sys::fmi2::{fmi2CallbackFunctions, fmi2CallbackLogger};
 use std::ffi::CString;
 
-/// Name and meaning of the log categories, as in modelDescription.xml. The last one stands for all.
+/// Name and meaning of the log categories, as in modelDescription.xml. The last one means all of
+/// them.
 pub const CATEGORIES: [(&CStr, &str); 6] = [
     (c"logEvents", "what the instance does: creation, initialization, termination"),
     (c"logStatusWarning", "messages of calls that return fmi2Warning"),
@@ -18,8 +19,8 @@ pub const CATEGORIES: [(&CStr, &str); 6] = [
 
 const ALL: usize = CATEGORIES.len() - 1;
 
-/// The importer's callback with what it needs. The struct of callbacks is copied, since the importer may drop its
-/// own after fmi2Instantiate.
+/// The importer's callback with what it needs. The struct of callbacks is copied, since the
+/// importer may drop its own after fmi2Instantiate.
 pub(super) struct Logger {
     callback: fmi2CallbackLogger,
     environment: *mut c_void,
@@ -69,8 +70,8 @@ impl Logger {
         let text = CString::new(text).unwrap_or_default();
         let category = CATEGORIES[category(status)].0;
         let name = self.instance_name.as_ptr();
-        // SAFETY: the importer vouches for its callback until fmi2FreeInstance; every string ends with a null and
-        // outlives the call, and the one conversion in the format has its argument.
+        // SAFETY: the importer vouches for its callback until fmi2FreeInstance; every string ends
+        // with a null and outlives the call, and the one conversion in the format has its argument.
         unsafe {
             callback(
                 self.environment,

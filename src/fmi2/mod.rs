@@ -1,8 +1,9 @@
-//! The FMI 2.0 co-simulation interface: the only module that knows C, and the only one with unsafe code.
+//! The FMI 2.0 co-simulation interface: the only module that knows C, and the only one with unsafe
+//! code.
 //!
 //! | module | subject |
 //! | --- | --- |
-//! | [`exports`] | the 34 C functions, each a few lines: take the arguments over, hand them to the instance |
+//! | [`exports`] | the 34 C functions, each a few lines: check the arguments, pass them to the instance |
 //! | `guard` | the one way in from C: null, order of calls, panics, status, message |
 //! | `lifecycle` | which function is allowed in which state, as data |
 //! | `logger` | messages to the importer |
@@ -13,41 +14,48 @@
 //! | `status`, `refusal` | what a call returns, and every reason to refuse one, with its numbers |
 //! | `warnings` | likely mistakes, each sent once |
 //!
-//! # What the standard leaves to the FMU, and how it is settled here
+//! # What does this FMU do where the standard leaves a choice?
 //!
-//! - **Status.** A call that cannot be carried out returns fmi2Error and changes nothing. A step that the model cannot do, for
-//!   instance to a load beyond its profile table, returns fmi2Discard: nothing has changed, the last successful time is
-//!   that before it, and a master may repeat it with other inputs or another step size without a saved state. A status
-//!   that this FMU cannot report is a discard, too. fmi2Warning goes with dissimilar materials, once.
-//! - **Repeated discard.** The same step asked for again, with nothing changed and no state restored
-//!   since its discard, returns fmi2Error: it would be discarded without end, and some masters ask
-//!   without end. After fmi2Error the standard lets a master restore a state, reset or free the
-//!   instance. This one also stays in the state before the step, as after every refused call, and
-//!   takes other inputs, another step or fmi2Terminate.
-//! - **Warnings** of likely mistakes (`warnings`) reach the logger with the status fmi2Warning, each
-//!   once per instance. The call itself returns fmi2OK, since some masters stop at anything else.
+//! - **Status.** A call that cannot be carried out returns fmi2Error and changes nothing. A step
+//!   that the model cannot do, for instance to a load beyond its profile table, returns
+//!   fmi2Discard: nothing has changed, the last successful time is that before it, and a master may
+//!   repeat it with other inputs or another step size without a saved state. A status that this FMU
+//!   cannot report is a discard, too. fmi2Warning goes with dissimilar materials, once.
+//! - **Repeated discard.** The same step requested again, with nothing changed and no state
+//!   restored since its discard, returns fmi2Error: it would be discarded without end, and some
+//!   masters ask without end. After fmi2Error the standard lets a master restore a state, reset or
+//!   free the instance. This one also stays in the state before the step, as after every refused
+//!   call, and takes other inputs, another step or fmi2Terminate.
+//! - **Warnings** of likely mistakes (`warnings`) reach the logger with the status fmi2Warning,
+//!   each once per instance. The call itself returns fmi2OK, since some masters stop at anything
+//!   else.
 //! - **Time.** A communication point is the end of the last step if it differs from it by less than
-//!   1e-3 of the step (clocks rounded to nanoseconds or single precision) or 1e-9 of the time. A saved
-//!   state has no stop time: that of the instance that takes it holds.
-//! - **Panic.** It returns fmi2Error, not fmi2Fatal, since instances share nothing. The instance refuses
-//!   everything from then on, until fmi2Reset, fmi2SetFMUstate or fmi2FreeInstance.
-//! - **Messages.** Warnings, errors and discards always reach the logger; events only under `loggingOn`, and when their
-//!   category is selected.
-//! - **Start.** Inputs set before fmi2ExitInitializationMode are the state in which the contact begins, with
-//!   unstressed springs. In initialization mode outputs follow parameters and inputs as they are set.
-//! - **Steps.** Inputs set at a communication point are the target at the end of the next step. With
-//!   fmi2SetRealInputDerivatives (order 1) the target is `u + u̇·h`. Derivatives count from the communication
-//!   point at which they are set: they serve one step, after which the input stands where that step ended, so that
-//!   a step with nothing set anew stays there. A step of length zero takes the new inputs without moving time.
-//! - **Derivatives of outputs** are those of the law in the present sliding direction, one-sided where it has a kink (see
-//!   [`crate::engine::Gradient`]), at the profile as it is: tangents at the end of the last step, not
-//!   averages along it. Those with respect to time hold there, too, for inputs that go on as they moved;
-//!   of order 2 and more they are 0. In initialization mode there are directional derivatives with
-//!   respect to parameters, too.
-//! - **Tunable parameters.** friction_coefficient and wear_coefficient may be changed between steps, but not switched on or
-//!   off. The next step begins with the new ones; springs that are then beyond their bound slip back to it.
-//! - **Cyclic loading.** A step makes `h` times the mean frequency cycles; the other inputs count at its end.
-//! - **Tolerance.** The parameter `tolerance` rules; that of fmi2SetupExperiment is noted in the log only.
+//!   1e-3 of the step (clocks rounded to nanoseconds or single precision) or 1e-9 of the time. A
+//!   saved state has no stop time: that of the instance that takes it holds.
+//! - **Panic.** It returns fmi2Error, not fmi2Fatal, since instances share nothing. The instance
+//!   refuses everything from then on, until fmi2Reset, fmi2SetFMUstate or fmi2FreeInstance.
+//! - **Messages.** Warnings, errors and discards always reach the logger; events only under
+//!   `loggingOn`, and when their category is selected.
+//! - **Start.** Inputs set before fmi2ExitInitializationMode are the state in which the contact
+//!   begins, with unstressed springs. In initialization mode outputs follow parameters and inputs
+//!   as they are set.
+//! - **Steps.** Inputs set at a communication point are the target at the end of the next step.
+//!   With fmi2SetRealInputDerivatives (order 1) the target is `u + u̇·h`. Derivatives count from
+//!   the communication point at which they are set: they serve one step, after which the input
+//!   stands where that step ended, so that a step with no new value set stays there. A step of
+//!   length zero takes the new inputs without moving time.
+//! - **Derivatives of outputs** are those of the law in the present sliding direction, one-sided
+//!   where it has a kink (see [`crate::engine::Gradient`]), at the profile as it is: tangents at
+//!   the end of the last step, not averages along it. Those with respect to time hold there, too,
+//!   for inputs that continue to change at the same rates; of order 2 and more they are 0. In
+//!   initialization mode there are directional derivatives with respect to parameters, too.
+//! - **Tunable parameters.** friction_coefficient and wear_coefficient may be changed between
+//!   steps, but not switched on or off. The next step begins with the new ones; springs that are
+//!   then beyond their bound slip back to it.
+//! - **Cyclic loading.** A step makes `h` times the mean frequency cycles; the other inputs count
+//!   at its end.
+//! - **Tolerance.** The parameter `tolerance` rules; that of fmi2SetupExperiment is noted in the
+//!   log only.
 #![allow(unsafe_code)]
 
 mod clock;
@@ -71,8 +79,8 @@ mod warnings;
 
 pub use logger::CATEGORIES;
 
-// fmi-sys exports a function of its own, and link-time optimisation leaves no archive whose symbols the linker
-// could be told to drop. The strictest visibility that any object asks for is the one that holds.
+// fmi-sys exports a function of its own, and after link-time optimisation there is no archive whose
+// symbols the linker could drop. The strictest visibility that any object requests applies.
 #[cfg(target_os = "linux")]
 core::arch::global_asm!(".hidden callback_log");
 

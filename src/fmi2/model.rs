@@ -1,4 +1,5 @@
-//! The contact behind one instance: what the importer has set, and the engine that is built from it when needed.
+//! The contact behind one instance: what the importer has set, and the engine that is built from it
+//! when needed.
 
 use super::clock::Clock;
 use super::enumerations::Loading;
@@ -23,7 +24,7 @@ pub(super) struct Staged {
     /// Largest wear depth that has been read, m. What the engine gives may fall in its sixth digit
     /// where the profile is updated, but wear never heals.
     pub(super) deepest_read: f64,
-    /// Whether the contact still has to take over tunable parameters.
+    /// Whether tunable parameters have changed and the contact does not have them yet.
     retune: bool,
     /// Whether the contact has been brought to its initial state with the present inputs.
     started: bool,
@@ -59,7 +60,7 @@ pub(super) struct Model {
     contact: Option<FrettingContact>,
 }
 
-/// A step that is asked for, with all that decides whether the contact can do it.
+/// A requested step, with everything on which its success depends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Attempt {
     point: f64,
@@ -83,7 +84,7 @@ impl Model {
         &mut self.staged
     }
 
-    /// The parameters, to change one; the contact will be built anew.
+    /// The parameters, to change one; the contact will be built again.
     pub(super) fn change_settings(&mut self) -> &mut Settings {
         self.contact = None;
         self.staged.started = false;
@@ -110,8 +111,8 @@ impl Model {
         self.staged.initialized
     }
 
-    /// The contact in its present state. During initialization that is the start which follows from what has been
-    /// set so far.
+    /// The contact in its present state. During initialization that is the start which follows from
+    /// what has been set so far.
     #[inline]
     pub(super) fn contact(&mut self, resources: &Resources) -> Checked<&FrettingContact> {
         if !self.staged.started {
@@ -123,7 +124,8 @@ impl Model {
     #[cold]
     fn start(&mut self, resources: &Resources) -> Checked {
         let Self { staged: Staged { settings, inputs, started, .. }, contact } = self;
-        // Dropped where it cannot start, so that a profile file that has been corrected is read again.
+        // Dropped where it cannot start, so that a profile file that has been corrected is read
+        // again.
         let built = match contact.take() {
             Some(contact) => contact,
             None => build(settings, resources)?,

@@ -1,20 +1,21 @@
-//! Every reason to refuse a call. Whoever returns one has changed nothing.
+//! Every reason to refuse a call. A function that returns one has changed nothing.
 
 use super::status::{State, Status};
 use crate::error::Error;
 use std::path::PathBuf;
 use thiserror::Error as ThisError;
 
-/// What a call or a part of it returns. The reason is boxed, since almost every call succeeds and a step takes a few
-/// hundred nanoseconds.
+/// What a call or a part of it returns. The reason is boxed, since almost every call succeeds and a
+/// step takes a few hundred nanoseconds.
 pub(super) type Checked<T = ()> = Result<T, Box<Refusal>>;
 
-/// Why a call was refused; its text goes to the FMI logger. Values print in their shortest exact form.
+/// Why a call was refused; its text goes to the FMI logger. Values print in their shortest exact
+/// form.
 #[derive(Debug, ThisError)]
 pub(super) enum Refusal {
     #[error("not allowed in state \"{state}\", {}", describe(.allowed))]
     OutOfOrder { state: State, allowed: &'static [State] },
-    #[error("the instance is unusable since {0}: call fmi2Reset to start anew, or fmi2FreeInstance")]
+    #[error("the instance is unusable since {0}: call fmi2Reset to start again, or fmi2FreeInstance")]
     Unusable(String),
     #[error("argument {0} is a null pointer")]
     NullPointer(&'static str),
@@ -94,7 +95,8 @@ pub(super) enum Refusal {
 }
 
 impl Refusal {
-    /// A step that the model cannot do is a discard, and so is a missing status; see the module's documentation.
+    /// A step that the model cannot do is a discard, and so is a missing status; see the module's
+    /// documentation.
     pub(super) fn status(&self) -> Status {
         match self {
             Self::Step { .. } | Self::StatusKind { .. } => Status::Discard,

@@ -13,9 +13,9 @@ pub(super) struct Resources {
 }
 
 impl Resources {
-    /// From the `fmuResourceLocation` of fmi2Instantiate. Importers write the same folder as `file:/a`, `file:///a`
-    /// or `file://localhost/a`, with or without escapes; some give a plain path. None where there is no such folder
-    /// on this machine.
+    /// From the `fmuResourceLocation` of fmi2Instantiate. Importers write the same folder as
+    /// `file:/a`, `file:///a` or `file://localhost/a`, with or without escapes; some give a plain
+    /// path. None where there is no such folder on this machine.
     pub(super) fn from_uri(uri: &str) -> Option<Self> {
         let (path, encoded) = match uri.split_once(':') {
             Some((scheme, rest)) if scheme.eq_ignore_ascii_case("file") => (local_path(rest)?, true),

@@ -1,7 +1,7 @@
 //! Saved states of one instance.
 //!
-//! The importer's handle is the address of a state that the instance owns. It is only compared, never followed, so
-//! that a stale or foreign handle is refused instead of read.
+//! The importer's handle is the address of a state that the instance owns. It is only compared,
+//! never followed, so that a stale handle or one of another instance is refused instead of read.
 
 use super::model::SavedModel;
 use super::refusal::{Checked, Refusal};

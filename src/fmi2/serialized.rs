@@ -1,8 +1,9 @@
 //! Saved states as bytes that any instance of the same FMU can take, in this process or another.
 //!
-//! A fixed header, then the state: magic number, version of this format, GUID of the FMU, length of what follows and its
-//! CRC-32, numbers with the least byte first. The bytes are not trusted: a checksum that fits says nothing about who made
-//! it, so that everything in a state is checked before a handle is given out, down to whether the springs obey friction.
+//! A fixed header, then the state: magic number, version of this format, GUID of the FMU, length of
+//! what follows and its CRC-32, numbers with the least byte first. The bytes are not trusted: a
+//! correct checksum does not prove who made it, so that everything in a state is checked
+//! before a handle is given out, down to whether the springs obey friction.
 
 use super::GUID;
 use super::refusal::{Checked, Refusal};
@@ -79,8 +80,8 @@ mod tests {
     use serde_json::{Value, json};
     use std::ffi::CString;
 
-    /// A state with a part changed and a checksum that fits, as only a forger would make it: after `begin`, behind a rig, since JSON
-    /// has no infinite stiffness.
+    /// A state with a part changed and a checksum that fits, as only a forger would make it: after
+    /// `begin`, behind a rig, since JSON has no infinite stiffness.
     fn forged(begin: bool, place: &str, value: Value) -> String {
         let logger = Logger::new(None, CString::default(), false);
         let mut component = Component::new(logger, None);

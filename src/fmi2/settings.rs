@@ -141,7 +141,8 @@ pub(super) struct Inputs {
 }
 
 impl Default for Inputs {
-    /// 100 N on the default contact, or the indentation depth that belongs to it; the bodies are not displaced.
+    /// 100 N on the default contact, or the indentation depth that belongs to it; the bodies are
+    /// not displaced.
     fn default() -> Self {
         Self {
             normal_force: 100.0,

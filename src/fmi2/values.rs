@@ -1,4 +1,5 @@
-//! Access to variables by value reference. A call is checked as a whole before any of it is carried out.
+//! Access to variables by value reference. A call is checked as a whole before any of it is carried
+//! out.
 
 use super::component::Component;
 use super::enumerations::Items;
@@ -42,7 +43,7 @@ impl Table {
         Self(variables())
     }
 
-    /// The variable with this reference, if it is of the type asked for.
+    /// The variable with this reference, if it has the requested type.
     #[inline]
     pub(super) fn find(self, reference: u32, asked: Asked) -> Checked<&'static Variable> {
         match self.0.get(reference as usize) {
@@ -90,7 +91,7 @@ fn not_writable(variable: &Variable, value: &dyn Debug) -> Box<Refusal> {
         | Access::Tunable(_)
         | Access::Number(_)
         | Access::Text(_) => Refusal::Fixed { name, value },
-        Access::Output(_) | Access::Slip(_) | Access::Field { .. } => {
+        Access::Output(_) | Access::Slip(_) | Access::SlipNumber(_) | Access::Field { .. } => {
             Refusal::ReadOnly { name, value, causality: variable.causality() }
         }
     }
@@ -162,7 +163,7 @@ impl Component {
         for &reference in references {
             computed |= matches!(
                 table.find(reference, Asked::Real)?.access,
-                Access::Output(_) | Access::Field { .. }
+                Access::Output(_) | Access::SlipNumber(_) | Access::Field { .. }
             );
         }
         if computed {
@@ -179,6 +180,7 @@ impl Component {
                     staged.deepest_read
                 }
                 (Access::Output(output), Some(contact)) => (output.read)(contact),
+                (Access::SlipNumber(read), Some(contact)) => read(contact).number().into(),
                 (Access::Field { probe, read }, Some(contact)) => {
                     let radii = radii.get_or_insert_with(|| contact.probe_radii());
                     read(contact, radii[probe])
@@ -190,7 +192,7 @@ impl Component {
     }
 
     pub(super) fn set_real(&mut self, references: &[u32], values: &[f64]) -> Checked {
-        // inputs are set while the list is checked, and put back if it is refused
+        // inputs are set while the list is checked, and restored if it is refused
         let before = self.model.staged().inputs;
         let parameters =
             self.set_inputs(references, values).inspect_err(|_| self.model.staged().inputs = before)?;
@@ -203,7 +205,7 @@ impl Component {
         Ok(())
     }
 
-    /// Checks a list and sets the inputs in it. Says whether there are parameters, too.
+    /// Checks a list and sets the inputs in it. Returns whether there are parameters, too.
     #[inline]
     fn set_inputs(&mut self, references: &[u32], values: &[f64]) -> Checked<bool> {
         let table = Table::get();
@@ -250,7 +252,7 @@ impl Component {
         }
         let (name, value) = (variable.name.to_string(), format!("{value:?}"));
         let requirement = format!(
-            "it is {present:?} since the initialization, and 0 is for good; call fmi2Reset to switch it on or off"
+            "it is {present:?} since the initialization, and cannot change to or from 0; call fmi2Reset to switch it on or off"
         );
         Err(Refusal::Value { name, value, requirement }.into())
     }
@@ -297,7 +299,7 @@ impl Component {
         references.iter().try_for_each(|&reference| table.find(reference, Asked::Boolean).map(|_| ()))
     }
 
-    /// The strings belong to the instance and hold until they are set anew.
+    /// The strings belong to the instance and hold until they are set again.
     pub(super) fn get_string(
         &mut self,
         references: &[u32],
@@ -317,7 +319,7 @@ impl Component {
         Ok(())
     }
 
-    /// None stands for a null pointer.
+    /// `None` is a null pointer.
     pub(super) fn set_string(&mut self, references: &[u32], values: &[Option<&CStr>]) -> Checked {
         let table = Table::get();
         for (&reference, value) in references.iter().zip(values) {

@@ -1,5 +1,5 @@
-//! The variable table: name, type, unit, range, meaning and access of every variable, in one place. A variable's value
-//! reference is its position. modelDescription.xml is written from it.
+//! The variable table: name, type, unit, range, meaning and access of every variable, in one place.
+//! A variable's value reference is its position. modelDescription.xml is written from it.
 
 mod table;
 
@@ -23,13 +23,17 @@ pub fn variables() -> &'static [Variable] {
 pub struct Variable {
     /// Name in the structured naming convention.
     pub name: &'static str,
-    /// Meaning, for people.
+    /// Meaning, for the user.
     pub description: &'static str,
     /// Type with unit and range.
     pub data_type: DataType,
+    /// The unit in which tools show it, one of those of its unit; the calls of FMI keep to the unit
+    /// itself.
+    pub display_unit: Option<DisplayUnit>,
     /// Where the value lives.
     pub(super) access: Access,
-    /// Names of the variables on which it depends at the end of the initialization, if it is an output.
+    /// Names of the variables on which it depends at the end of the initialization, if it is an
+    /// output.
     pub initial_dependencies: &'static [&'static str],
     /// Names of the inputs on which it never depends, if it is an output.
     pub independent_of: &'static [&'static str],
@@ -42,7 +46,7 @@ pub enum DataType {
     Real {
         /// One of [`UNITS`]; none where the unit depends on another parameter.
         unit: Option<Unit>,
-        /// A usual size, where 1 is none.
+        /// A usual size, if 1 is not usual.
         nominal: Option<f64>,
         /// Accepted values.
         range: Range,
@@ -79,22 +83,42 @@ pub struct Unit {
     pub name: &'static str,
     /// Attribute names of BaseUnit with their exponents.
     pub base: &'static [(&'static str, i32)],
+    /// Units in which tools may show its values; the first is the default.
+    pub display: &'static [DisplayUnit],
+}
+
+/// A unit for display: shown value = `factor` · value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DisplayUnit {
+    /// Name in modelDescription.xml.
+    pub name: &'static str,
+    /// Shown value of 1 unit.
+    pub factor: f64,
+}
+
+const fn shown(name: &'static str, factor: f64) -> DisplayUnit {
+    DisplayUnit { name, factor }
 }
 
 /// Every unit that a variable may have.
 pub const UNITS: [Unit; 9] = [
-    Unit { name: "1", base: &[] },
-    Unit { name: "Hz", base: &[("s", -1)] },
-    Unit { name: "J", base: &[("kg", 1), ("m", 2), ("s", -2)] },
-    Unit { name: "N", base: &[("kg", 1), ("m", 1), ("s", -2)] },
-    Unit { name: "N/m", base: &[("kg", 1), ("s", -2)] },
-    Unit { name: "Pa", base: &[("kg", 1), ("m", -1), ("s", -2)] },
-    Unit { name: "m", base: &[("m", 1)] },
-    Unit { name: "m3", base: &[("m", 3)] },
-    Unit { name: "rad", base: &[("rad", 1)] },
+    Unit { name: "1", base: &[], display: &[] },
+    Unit { name: "Hz", base: &[("s", -1)], display: &[] },
+    Unit { name: "J", base: &[("kg", 1), ("m", 2), ("s", -2)], display: &[shown("mJ", 1e3)] },
+    Unit { name: "N", base: &[("kg", 1), ("m", 1), ("s", -2)], display: &[] },
+    Unit { name: "N/m", base: &[("kg", 1), ("s", -2)], display: &[shown("N/um", 1e-6)] },
+    Unit {
+        name: "Pa",
+        base: &[("kg", 1), ("m", -1), ("s", -2)],
+        display: &[shown("MPa", 1e-6), shown("GPa", 1e-9)],
+    },
+    Unit { name: "m", base: &[("m", 1)], display: &[shown("um", 1e6), shown("mm", 1e3)] },
+    Unit { name: "m3", base: &[("m", 3)], display: &[shown("mm3", 1e9), shown("um3", 1e18)] },
+    Unit { name: "rad", base: &[("rad", 1)], display: &[shown("deg", 180.0 / std::f64::consts::PI)] },
 ];
 
-/// Accepted values of a real variable; they are finite, but where the upper bound itself is infinite.
+/// Accepted values of a real variable; they are finite, but where the upper bound itself is
+/// infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Lower bound.
@@ -152,6 +176,8 @@ pub(super) enum Access {
     Text(fn(&mut Settings) -> &mut CString),
     Output(Output),
     Slip(fn(&FrettingContact) -> SlipState),
+    /// The number of the state as a Real, for importers that read only these.
+    SlipNumber(fn(&FrettingContact) -> SlipState),
     /// The value of a field at one of the probe radii.
     Field {
         probe: usize,
@@ -164,10 +190,11 @@ pub(super) enum Access {
 pub(super) struct Output {
     pub(super) read: fn(&FrettingContact) -> f64,
     pub(super) gradient: fn(&FrettingContact) -> Gradient,
-    /// What a cycle of a given amplitude (m) adds, for outputs that grow with the cycles of cyclic loading.
+    /// What a cycle of a given amplitude (m) adds, for outputs that grow with the cycles of cyclic
+    /// loading.
     pub(super) per_cycle: Option<fn(&FrettingContact, f64) -> f64>,
-    /// Which direction's displacement it is, x or y, at which the contact is pressed on at the start in transient loading; nothing else
-    /// follows that.
+    /// Which direction's displacement it is, x or y, at which the contact is pressed on at the
+    /// start in transient loading; nothing else follows that.
     pub(super) starts_anywhere: Option<Direction>,
     /// Whether it is the wear depth, of which the largest value read so far is given.
     pub(super) never_falls: bool,
@@ -200,7 +227,7 @@ impl Variable {
             Access::Input(_) => "input",
             Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => "parameter",
             Access::Output(_) | Access::Slip(_) => "output",
-            Access::Field { .. } => "local",
+            Access::Field { .. } | Access::SlipNumber(_) => "local",
         }
     }
 
@@ -210,7 +237,7 @@ impl Variable {
             Access::Parameter(_) | Access::Number(_) | Access::Text(_) => "fixed",
             Access::Tunable(_) => "tunable",
             Access::Input(_) | Access::Output(_) | Access::Field { .. } => "continuous",
-            Access::Slip(_) => "discrete",
+            Access::Slip(_) | Access::SlipNumber(_) => "discrete",
         }
     }
 
@@ -219,7 +246,9 @@ impl Variable {
         match self.access {
             Access::Input(_) => None,
             Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => Some("exact"),
-            Access::Output(_) | Access::Slip(_) | Access::Field { .. } => Some("calculated"),
+            Access::Output(_) | Access::Slip(_) | Access::SlipNumber(_) | Access::Field { .. } => {
+                Some("calculated")
+            }
         }
     }
 
@@ -231,7 +260,7 @@ impl Variable {
             Access::Parameter(field) | Access::Tunable(field) => Some(Start::Real(*field(&mut settings))),
             Access::Number(field) => Some(Start::Integer(*field(&mut settings))),
             Access::Text(field) => Some(Start::Text(field(&mut settings).to_string_lossy().into_owned())),
-            Access::Output(_) | Access::Slip(_) | Access::Field { .. } => None,
+            Access::Output(_) | Access::Slip(_) | Access::SlipNumber(_) | Access::Field { .. } => None,
         }
     }
 }
@@ -275,7 +304,8 @@ mod tests {
                 101.0,
             ];
             for value in probes {
-                // A dimension counts only for the profiles that use it: refused by one of them is refused.
+                // A dimension counts only for the profiles that use it: refused by one of them is
+                // refused.
                 let by_engine = (1..=6).all(|profile| {
                     let mut settings = Settings { profile, ..Settings::default() };
                     *field(&mut settings) = value;

@@ -144,7 +144,7 @@ fn a_life_can_be_made_short_without_changing_what_happens() {
         problem.advance(&mut contact, 0.1).expect("it can be advanced");
         contact.wear_volume()
     });
-    // the steps are the same, but for the rounding of their control
+    // the steps are the same, except for the rounding of their control
     assert_close(short, long, 1e-7, "V at the same life");
 }
 

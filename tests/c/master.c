@@ -167,7 +167,7 @@ static Result alone[SCENES];
 static fmi2Component *crowd;
 static int count, threads;
 
-/* Every instance of one thread in turn, a step at a time, so that all are alive and amid a run together. */
+/* Every instance of one thread in turn, a step at a time, so that all are active within a run at the same time. */
 static void *drive(void *first) {
     for (int k = 0; k < STEPS; k++)
         for (int i = (int)(size_t)first; i < count; i += threads) {

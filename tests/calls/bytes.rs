@@ -1,4 +1,5 @@
-//! Bytes as calls: records of eight of which every one means something, so that a generator or a fuzzer can make and shrink them.
+//! Bytes as calls: records of eight of which every one means something, so that a generator or a
+//! fuzzer can make and shrink them.
 
 use super::model::{Model, NAMED};
 use fretting_contact::fmi2::variables::{DataType, variables};

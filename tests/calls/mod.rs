@@ -1,4 +1,5 @@
-//! Any sequence of calls on the C interface, beside a reference model that says what each has to return.
+//! Any sequence of calls on the C interface, beside a reference model that says what each has to
+//! return.
 #![allow(unsafe_code, reason = "the C interface is what is tested")]
 
 mod bytes;
@@ -46,8 +47,8 @@ struct Host {
     model: Model,
     slots: Slots,
     wearing_steps: usize,
-    /// Whether contacts wear unless told otherwise, and steps with wear are taken. One sequence in 256 does, by a sum of its
-    /// bytes, so that a fuzzer cannot dwell on the slow ones.
+    /// Whether contacts wear unless set otherwise, and steps with wear are taken. One sequence in
+    /// 256 does, by a sum of its bytes, so that a fuzzer does not spend its time on the slow ones.
     wears: bool,
 }
 
@@ -58,7 +59,8 @@ impl Drop for Host {
     }
 }
 
-/// Carries out the calls that `bytes` stand for. Panics where the component does not do what the model says.
+/// Carries out the calls that `bytes` stand for. Panics where the component does not do what the
+/// model says.
 pub(crate) fn run(bytes: &[u8]) {
     let Some((&first, rest)) = bytes.split_first() else { return };
     let sum = bytes.iter().fold(0u8, |sum, byte| sum.wrapping_mul(31).wrapping_add(*byte));
@@ -82,8 +84,8 @@ pub(crate) fn run(bytes: &[u8]) {
 
 type Called = (Status, Expected);
 
-// SAFETY of every call below: the component is alive until the host is dropped, arrays have the lengths given or are null,
-// single results have room, and strings end with a null character.
+// SAFETY of every call below: the component is alive until the host is dropped, arrays have the
+// lengths given or are null, single results have room, and strings end with a null character.
 impl Host {
     fn new(wears: bool, logs: bool) -> Self {
         let mut host = Self {
@@ -178,7 +180,7 @@ impl Host {
                     self.make_cheap();
                     (status, Expected::Ok)
                 }
-                19 => self.anew(record),
+                19 => self.instantiate_again(record),
                 20 => self.slots.save(c, model, record.index()),
                 21 => {
                     let (status, expected, restored) = self.slots.restore(c, model, record.index());
@@ -205,7 +207,7 @@ impl Host {
     }
 
     /// Frees the instance and makes another one, which may be refused for its arguments.
-    fn anew(&mut self, record: Record) -> Called {
+    fn instantiate_again(&mut self, record: Record) -> Called {
         let (kind, guid) = ([1, 0, 2][record.index() % 3], [&*GUID_TEXT, &*TEXTS[3]][record.index() / 3 % 2]);
         let refused = kind != 1 || guid != &*GUID_TEXT;
         let component = instantiate(kind, guid, record.mode() & 2 != 0);
@@ -222,7 +224,8 @@ impl Host {
     }
 }
 
-/// An instance with logging to the callback of fmi-sys, which formats and drops the messages, or with none.
+/// An instance with logging to the callback of fmi-sys, which formats and drops the messages, or
+/// with none.
 fn instantiate(kind: u32, guid: &CStr, logs: bool) -> fmi2Component {
     let functions = fmi2CallbackFunctions {
         logger: Some(fmi_sys::fmi2::logger::callback_logger_handler),

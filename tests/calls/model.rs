@@ -1,6 +1,6 @@
-//! The state machine of FMI 2.0 for co-simulation, as an importer relies on it: what a call has to return, and what it leaves
-//! behind. It is written from the standard and knows nothing of the code under test but its variable table; of the physics it
-//! says only which calls may refuse a scene.
+//! The state machine of FMI 2.0 for co-simulation, as an importer relies on it: what a call has to
+//! return, and what it leaves behind. It is written from the standard and knows nothing of the code
+//! under test but its variable table; of the physics it says only which calls may refuse a scene.
 
 use fretting_contact::fmi2::variables::{DataType, Start, Variable, variables};
 use std::sync::LazyLock;
@@ -44,7 +44,8 @@ pub(crate) enum Expected {
     Ok,
     Error,
     Discard,
-    /// The scene may be refused: fmi2OK or fmi2Error, also fmi2Warning where it is the end of the initialization.
+    /// The scene may be refused: fmi2OK or fmi2Error, also fmi2Warning where it is the end of the
+    /// initialization.
     Scene,
     /// The contact may not be able to do the step: fmi2OK or fmi2Discard.
     Step,
@@ -91,7 +92,8 @@ pub(crate) enum Group {
     Never,
 }
 
-/// Times are the same to this, relative to the larger of the time and the longest step: the promise of the FMU.
+/// Times are the same to this, relative to the larger of the time and the longest step: the promise
+/// of the FMU.
 const SAME_TIME: f64 = 1e-9;
 
 /// Or to this, relative to the step.

@@ -35,8 +35,8 @@ fn outputs(c: fmi2Component, model: &Model) -> Option<[u64; 11]> {
     readable.then(|| values.map(f64::to_bits))
 }
 
-// SAFETY of every call below: the component is alive, results have room, arrays have the lengths given; handles may be
-// anything.
+// SAFETY of every call below: the component is alive, results have room, arrays have the lengths
+// given; handles may be anything.
 impl Slots {
     /// The states of the former instance are gone; the bytes are not.
     pub(crate) fn forget(&mut self) {

@@ -1,4 +1,5 @@
-//! An allocator that counts what the calling thread asks of it. A test or bench installs it with `#[global_allocator]`.
+//! An allocator that counts what the calling thread asks of it. A test or bench installs it with
+//! `#[global_allocator]`.
 #![allow(
     unsafe_code,
     dead_code,

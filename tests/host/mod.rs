@@ -1,4 +1,5 @@
-//! A small importer for the tests: calls the C functions, knows variables by name and keeps the messages.
+//! A small importer for the tests: calls the C functions, knows variables by name and keeps the
+//! messages.
 #![allow(unsafe_code, dead_code, reason = "the C interface is what is tested; no test uses all of this")]
 
 use core::ffi::{CStr, c_char};
@@ -21,7 +22,8 @@ pub(crate) const ERROR: fmi2Status = 3;
 /// A value reference that no variable has.
 pub(crate) const NOWHERE: u32 = 1_000_000;
 
-/// Messages by instance name. They arrive formatted by C's vsnprintf, through fmi-sys and the `log` crate.
+/// Messages by instance name. They arrive formatted by C's vsnprintf, through fmi-sys and the `log`
+/// crate.
 static MESSAGES: LazyLock<Mutex<HashMap<String, Vec<String>>>> = LazyLock::new(Mutex::default);
 
 struct Capture;
@@ -139,7 +141,8 @@ impl Fmu {
     }
 }
 
-// SAFETY of every call below: the component is alive until the instance is dropped, and all arrays have the lengths given.
+// SAFETY of every call below: the component is alive until the instance is dropped, and all arrays
+// have the lengths given.
 impl Fmu {
     pub(crate) fn setup(&self, start: f64, stop: Option<f64>) -> fmi2Status {
         // SAFETY: see above.

@@ -103,6 +103,43 @@ fn every_real_has_a_declared_unit_except_the_coefficient() {
     });
 }
 
+/// What a tool shows for the start values, in the units of the field.
+#[test]
+fn display_units_belong_to_their_units() {
+    with_document(|root| {
+        let units = child(root, "UnitDefinitions");
+        let mut shown = Vec::new();
+        for (variable, data) in variables(root) {
+            let Some(display) = data.attribute("displayUnit") else { continue };
+            let unit = elements(units).find(|unit| Some(name(*unit)) == data.attribute("unit")).unwrap();
+            let definition = elements(unit).find(|node| node.attribute("name") == Some(display));
+            let definition = definition.unwrap_or_else(|| panic!("{} in {display}", name(variable)));
+            assert!(definition.has_tag_name("DisplayUnit") && !definition.has_attribute("offset"));
+            if let Some(start) = number(data, "start") {
+                let value = start * number(definition, "factor").expect("a factor");
+                shown.push(format!("{} = {value:.3} {display}", name(variable)));
+            }
+        }
+        for start in [
+            "displacement_amplitude = 1.000 um",
+            "radius = 10.000 mm",
+            "cone_slope = 1.146 deg",
+            "youngs_modulus_1 = 210.000 GPa",
+            "hardness = 8.000 GPa",
+        ] {
+            assert!(shown.contains(&start.to_owned()), "{shown:?}");
+        }
+        let factor = |name: &str| {
+            let unit = units
+                .descendants()
+                .find(|node| node.attribute("name") == Some(name))
+                .expect("it is declared");
+            number(unit, "factor")
+        };
+        assert_eq!(["um", "mm3", "N/um"].map(factor), [1e6, 1e9, 1e-6].map(Some));
+    });
+}
+
 #[test]
 fn enumerations_are_declared_and_their_starts_are_items() {
     with_document(|root| {

@@ -1,5 +1,5 @@
-//! modelDescription.xml and docs/variables.md are what the variable table says; the first passes the checks that other tools
-//! do not make.
+//! modelDescription.xml and docs/variables.md are what the variable table says; the first passes
+//! the checks that other tools do not make.
 //!
 //! After a change of the table write both with `BLESS=1 cargo test --test model_description`.
 #![cfg(feature = "fmi2")]

@@ -13,7 +13,9 @@ table write it with `BLESS=1 cargo test --test model_description`.
 All quantities are in SI units. Value references are in
 [modelDescription.xml](../modelDescription.xml). Parameters are set before initialization; those
 marked *tunable* may be changed between two steps. Where a tool sets an enumeration by its number,
-take the number from [the enumerations](variables.md#enumerations).
+take the number from [the enumerations](variables.md#enumerations). A tool that knows display units
+shows lengths in um or mm, volumes in mm3, stresses in MPa or GPa, stiffnesses in N/um, work in mJ
+and angles in deg; the values that it exchanges with the FMU stay in SI units.
 ";
 
 const SECTIONS: [(&str, &str); 4] =

@@ -76,7 +76,11 @@ fn units(xml: &mut Xml) -> io::Result<()> {
             let exponents: Vec<_> =
                 unit.base.iter().map(|(base, exponent)| (*base, exponent.to_string())).collect();
             let attributes = exponents.iter().map(|(base, exponent)| (*base, exponent.as_str()));
-            xml.create_element("BaseUnit").with_attributes(attributes).write_empty().map(drop)
+            xml.create_element("BaseUnit").with_attributes(attributes).write_empty()?;
+            unit.display.iter().try_for_each(|display| {
+                let attributes = [("name", display.name), ("factor", &format!("{:?}", display.factor))];
+                xml.create_element("DisplayUnit").with_attributes(attributes).write_empty().map(drop)
+            })
         })?;
     }
     Ok(())
@@ -133,6 +137,7 @@ fn type_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
     match &variable.data_type {
         DataType::Real { unit, nominal, range: Range { low, high } } => {
             attributes.extend(unit.map(|unit| ("unit", unit.name.to_owned())));
+            attributes.extend(variable.display_unit.map(|unit| ("displayUnit", unit.name.to_owned())));
             // The schema's bounds belong to the range; an open bound cannot be said.
             if let Bound::Included(min) = low {
                 attributes.push(("min", format!("{min:?}")));
@@ -162,7 +167,8 @@ fn type_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
     attributes
 }
 
-/// Outputs follow the inputs through the steps, but for those that the table names; at the start they follow what the table says.
+/// Outputs follow the inputs through the steps, but for those that the table names; at the start
+/// they follow what the table says.
 fn structure(xml: &mut Xml) -> io::Result<()> {
     let inputs: Vec<_> = variables().iter().filter(|v| v.causality() == "input").map(|v| v.name).collect();
     xml.create_element("Outputs").write_inner_content(|xml| {

@@ -1,7 +1,7 @@
-//! Without wear: Hertz' pressure, a Mindlin loop, a random history of load and displacement, by the engine and by a plain row of
-//! springs.
+//! Without wear: Hertz' pressure, a Mindlin loop, a random history of load and displacement, by the
+//! engine and by a plain row of springs.
 
-use super::point::{Point, Told, timed};
+use super::point::{Comparison, Point, timed};
 use fretting_contact::problems::Problem;
 use fretting_contact::reference::springs::PlainSpringRow;
 use fretting_contact::reference::{NormalContact, TangentialContact};
@@ -16,13 +16,15 @@ const LOOPS: u32 = 20;
 /// Lines of the random history.
 const LINES: u32 = 100;
 const SPRINGS: [usize; 6] = [50, 100, 200, 400, 800, 1600];
-/// Springs of the row that stands for the truth of the random history; half of them tell its error.
+/// Springs of the row that is the reference of the random history; its error is estimated with half
+/// of them.
 const MANY: usize = 100_000;
 /// Sub-steps of a line there: the work of a row is right to second order in them.
 const SUBSTEPS: usize = 128;
 
 const PLAIN: &str = "plain spring row";
-/// The problem of `hertz` that an independent solver can be asked, too: `examples/report/independent.py`.
+/// The problem of `hertz` that an independent solver can be asked, too:
+/// `examples/report/independent.py`.
 pub(crate) const HERTZ: &str = "Hertz contact, ball";
 
 /// A contact of the ball without wear.
@@ -31,7 +33,7 @@ struct Ball {
     start: TangentialContact,
 }
 
-pub(crate) fn all() -> Result<(Vec<Point>, Vec<Told>), Error> {
+pub(crate) fn all() -> Result<(Vec<Point>, Vec<Comparison>), Error> {
     let mut problem = Problem::parabola_at_constant_force();
     problem.parameters.wear_coefficient = 0.0;
     let start = problem.start;
@@ -40,17 +42,17 @@ pub(crate) fn all() -> Result<(Vec<Point>, Vec<Told>), Error> {
     points.extend(ball.loops()?);
     let (history, own) = ball.random_history()?;
     points.extend(history);
-    let told = |problem: &str, of, time_of, truth: String, own| Told {
+    let comparisons = |problem: &str, of, time_of, reference: String, own| Comparison {
         problem: problem.into(),
         of,
         time_of,
-        truth,
+        reference,
         own,
     };
-    let truths = vec![
-        told(HERTZ, "pressure on the axis", "a load and the reading", "closed form".into(), [0.0; 2]),
-        told("Mindlin loop, ball", "T on the loop, in μF_N", "a step", "closed form".into(), [0.0; 2]),
-        told(
+    let references = vec![
+        comparisons(HERTZ, "pressure on the axis", "a load and the reading", "closed form".into(), [0.0; 2]),
+        comparisons("Mindlin loop, ball", "T on the loop, in μF_N", "a step", "closed form".into(), [0.0; 2]),
+        comparisons(
             "random history, ball",
             "T after each line, in μ times the largest load",
             "a line",
@@ -60,7 +62,7 @@ pub(crate) fn all() -> Result<(Vec<Point>, Vec<Told>), Error> {
             own,
         ),
     ];
-    Ok((points, truths))
+    Ok((points, references))
 }
 
 impl Ball {
@@ -86,13 +88,13 @@ impl Ball {
     fn hertz(&self) -> Result<Vec<Point>, Error> {
         let loads = [self.problem.normal, 0.5 * self.problem.normal];
         let normal = &self.start.normal;
-        let truths = loads
+        let references = loads
             .map(|load| NormalContact::at_force(normal.shape(), normal.modulus(), load).central_pressure());
         let mut contact = self.problem.begin()?;
         let mut error = 0.0_f64;
         for k in 0..4 {
             contact.advance_to(loads[k % 2], 0.0)?;
-            error = error.max((contact.pressure_at(0.0) / truths[k % 2] - 1.0).abs());
+            error = error.max((contact.pressure_at(0.0) / references[k % 2] - 1.0).abs());
         }
         let pairs = 1000;
         let time = timed(|| {
@@ -167,8 +169,8 @@ impl Ball {
         worst
     }
 
-    /// Lines to random loads, from a tenth to all of the largest, and random displacements within 1.2 u_max; and its own
-    /// errors.
+    /// Lines to random loads, from a tenth to all of the largest, and random displacements within
+    /// 1.2 u_max; and its own errors.
     fn random_history(&self) -> Result<(Vec<Point>, [f64; 2]), Error> {
         let name = "random history, ball";
         let (most, slip) = (self.problem.normal, self.start.full_slip());
@@ -188,11 +190,11 @@ impl Ball {
                 .collect();
             (forces, row.friction_work())
         };
-        let truth = walk_row(MANY, SUBSTEPS);
+        let reference = walk_row(MANY, SUBSTEPS);
         let errors = |(forces, work): &(Vec<f64>, f64)| {
             let limit = self.start.friction * most;
-            let off = forces.iter().zip(&truth.0).map(|(a, b)| (a - b).abs() / limit);
-            [off.fold(0.0, f64::max), (work / truth.1 - 1.0).abs()]
+            let off = forces.iter().zip(&reference.0).map(|(a, b)| (a - b).abs() / limit);
+            [off.fold(0.0, f64::max), (work / reference.1 - 1.0).abs()]
         };
         let own = errors(&walk_row(MANY / 2, SUBSTEPS / 2));
         let lines = f64::from(LINES);

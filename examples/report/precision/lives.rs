@@ -1,6 +1,7 @@
-//! Lives of many cycles: the paper's four cases and gross slip, by the engine and by the published procedure.
+//! Lives of many cycles: the paper's four cases and gross slip, by the engine and by the published
+//! procedure.
 
-use super::point::{PATIENCE, Point, Told, timed};
+use super::point::{Comparison, PATIENCE, Point, timed};
 use super::published::{Published, Scheme, Settings};
 use fretting_contact::problems::Problem;
 use fretting_contact::{Error, FrettingContact};
@@ -8,17 +9,18 @@ use std::time::Instant;
 
 const RESOLUTIONS: [usize; 4] = [16, 32, 64, 128];
 const TOLERANCES: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
-/// A run that may stand for the truth: resolution, tolerance, and calls in which it is made, since one call is limited in its
-/// steps.
+/// A run that may serve as reference: resolution, tolerance, and calls in which it is made,
+/// since one call is limited in its steps.
 type Tight = (usize, f64, u32);
-/// What stands for the truth where no closed form is known, and the runs whose largest difference from it tells its error;
-/// the next three where the engine refuses one.
+/// The reference where no closed form is known, and the runs whose largest difference from it is
+/// taken as its error; the next three where the engine refuses one.
 const TIGHT: [[Tight; 3]; 3] = [
     [(256, 1e-6, 40), (192, 1e-6, 30), (160, 1e-6, 20)],
     [(256, 1e-5, 40), (192, 1e-5, 30), (160, 1e-5, 20)],
     [(128, 1e-5, 40), (112, 1e-5, 30), (96, 1e-5, 20)],
 ];
-/// Points per a₀ of the published procedure; the next is left out where one takes longer than [`PATIENCE`].
+/// Points per a₀ of the published procedure; the next is left out where one takes longer than
+/// [`PATIENCE`].
 const POINTS: [usize; 4] = [50, 100, 200, 400];
 /// Displacement increments per cycle of the published procedure.
 const INCREMENTS: usize = 20;
@@ -35,28 +37,28 @@ struct Truth {
 }
 
 /// All lives of all problems.
-pub(crate) fn all() -> (Vec<Point>, Vec<Told>) {
+pub(crate) fn all() -> (Vec<Point>, Vec<Comparison>) {
     let gross_slip = [Problem::flat_punch_in_gross_slip(), Problem::sphere_in_gross_slip()];
-    let (mut points, mut told) = (Vec::new(), Vec::new());
+    let (mut points, mut comparisons) = (Vec::new(), Vec::new());
     for problem in Problem::published().into_iter().chain(gross_slip) {
         println!("  {} …", problem.name);
-        let about = |truth: String, own| Told {
+        let about = |reference: String, own| Comparison {
             problem: problem.name.clone(),
             of: "worn profile at the end, largest error in d₀",
             time_of: "the whole life",
-            truth,
+            reference,
             own,
         };
-        match truth(&problem) {
-            Ok((truth, source, own)) => {
-                points.extend(of_the_engine(&problem, &truth));
-                points.extend(as_published(&problem, &truth));
-                told.push(about(source, own));
+        match reference(&problem) {
+            Ok((reference, source, own)) => {
+                points.extend(of_the_engine(&problem, &reference));
+                points.extend(as_published(&problem, &reference));
+                comparisons.push(about(source, own));
             }
-            Err(error) => told.push(about(format!("none: {error}"), [f64::NAN; 2])),
+            Err(error) => comparisons.push(about(format!("none: {error}"), [f64::NAN; 2])),
         }
     }
-    (points, told)
+    (points, comparisons)
 }
 
 /// A contact that has lived to the last check point.
@@ -74,8 +76,8 @@ fn last(problem: &Problem) -> f64 {
     problem.checkpoints.last().copied().unwrap_or(1.0)
 }
 
-/// The truth, where it comes from, and its own errors.
-fn truth(problem: &Problem) -> Result<(Truth, String, [f64; 2]), Error> {
+/// The reference, where it comes from, and its own errors.
+fn reference(problem: &Problem) -> Result<(Truth, String, [f64; 2]), Error> {
     if let Some(end) = problem.end {
         let source =
             format!("closed final state; what is left to wear at N/N₀ = {} is in the errors", last(problem));
@@ -106,8 +108,8 @@ fn truth(problem: &Problem) -> Result<(Truth, String, [f64; 2]), Error> {
         let source = format!(
             "engine at resolution {n}, tolerance {tolerance:e}, in {calls} calls; its error: the largest difference from {second} and {third}"
         );
-        let truth = Truth { worn: Box::new(move |r| contact.worn_depth_at(r)), volume, reach };
-        return Ok((truth, source, [own, own_volume]));
+        let reference = Truth { worn: Box::new(move |r| contact.worn_depth_at(r)), volume, reach };
+        return Ok((reference, source, [own, own_volume]));
     }
     refusal.map_or_else(|| unreachable!("there are settings to try"), Err)
 }
@@ -118,13 +120,13 @@ pub(crate) fn sup(reach: f64, depth: f64, one: impl Fn(f64) -> f64, other: impl 
     radii.map(|r| (one(r) - other(r)).abs() / depth).fold(0.0, f64::max)
 }
 
-fn of_the_engine(problem: &Problem, truth: &Truth) -> Vec<Point> {
+fn of_the_engine(problem: &Problem, reference: &Truth) -> Vec<Point> {
     let mut points = Vec::new();
     for settings in RESOLUTIONS.into_iter().flat_map(|n| TOLERANCES.map(|tolerance| (n, tolerance))) {
         let (error, work_error, note) = match lived(problem, settings, 1) {
             Ok(contact) => (
-                sup(truth.reach, problem.depth(), |r| contact.worn_depth_at(r), &truth.worn),
-                (contact.wear_volume() / truth.volume - 1.0).abs(),
+                sup(reference.reach, problem.depth(), |r| contact.worn_depth_at(r), &reference.worn),
+                (contact.wear_volume() / reference.volume - 1.0).abs(),
                 contact.counters().to_string(),
             ),
             Err(refusal) => (f64::NAN, f64::NAN, refusal.to_string()),
@@ -142,7 +144,7 @@ fn of_the_engine(problem: &Problem, truth: &Truth) -> Vec<Point> {
     points
 }
 
-fn as_published(problem: &Problem, truth: &Truth) -> Vec<Point> {
+fn as_published(problem: &Problem, reference: &Truth) -> Vec<Point> {
     let mut points = Vec::new();
     // its grid knows neither the rim of a punch nor gross slip
     if problem.stick_radius() == 0.0 {
@@ -150,7 +152,7 @@ fn as_published(problem: &Problem, truth: &Truth) -> Vec<Point> {
     }
     for count in POINTS {
         let settings = Settings::fewest_cycles(problem, last(problem), Scheme::Causal, count, INCREMENTS);
-        let reach = 1.05 * truth.reach / problem.contact_radius();
+        let reach = 1.05 * reference.reach / problem.contact_radius();
         let begin = || Published::new(problem, last(problem), reach, settings);
         // making its matrices is not counted
         let mut run = begin();
@@ -167,8 +169,8 @@ fn as_published(problem: &Problem, truth: &Truth) -> Vec<Point> {
             problem: problem.name.clone(),
             method: "published",
             settings: format!("{count} points per a0"),
-            error: sup(truth.reach, problem.depth(), |r| run.worn_depth_at(r), &truth.worn),
-            work_error: (run.wear_volume() / truth.volume - 1.0).abs(),
+            error: sup(reference.reach, problem.depth(), |r| run.worn_depth_at(r), &reference.worn),
+            work_error: (run.wear_volume() / reference.volume - 1.0).abs(),
             time,
             note: format!("{} time steps", run.steps()),
         });

@@ -1,5 +1,6 @@
-//! Error against run time: lives, histories, a loop; on the same axes the published procedure, a plain spring row and, where it
-//! has been asked, an independent solver. Writes `reports/error_against_time.csv` and `.md`.
+//! Error against run time: lives, histories, a loop; on the same axes the published procedure, a
+//! plain spring row and, where it has been asked, an independent solver. Writes
+//! `reports/error_against_time.csv` and `.md`.
 //!
 //! `cargo run --release --no-default-features --example precision [-- folder]`
 
@@ -14,27 +15,27 @@ mod point;
 mod published;
 mod transient;
 
-use point::{Point, Told};
+use point::{Comparison, Point};
 use std::path::{Path, PathBuf};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folder = PathBuf::from(std::env::args().nth(1).unwrap_or_else(|| "reports".into()));
     std::fs::create_dir_all(&folder)?;
     println!("without wear …");
-    let (mut points, mut told) = elastic::all()?;
+    let (mut points, mut comparisons) = elastic::all()?;
     println!("in a system …");
     let (more, about) = coupled::all()?;
     points.extend(more);
-    told.extend(about);
+    comparisons.extend(about);
     let others = independent(&folder);
     points.extend(others.0);
     for (what, part) in
-        [("lives", lives::all as fn() -> (Vec<Point>, Vec<Told>)), ("step by step", transient::all)]
+        [("lives", lives::all as fn() -> (Vec<Point>, Vec<Comparison>)), ("step by step", transient::all)]
     {
         println!("{what} …");
         let (more, about) = part();
         points.extend(more);
-        told.extend(about);
+        comparisons.extend(about);
     }
     for point in &points {
         println!(
@@ -42,8 +43,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             point.problem, point.method, point.settings, point.error, point.time[0]
         );
     }
-    std::fs::write(folder.join("error_against_time.csv"), point::csv(&points, &told))?;
-    std::fs::write(folder.join("error_against_time.md"), page::page(&points, &told, &others.1))?;
+    std::fs::write(folder.join("error_against_time.csv"), point::csv(&points, &comparisons))?;
+    std::fs::write(folder.join("error_against_time.md"), page::page(&points, &comparisons, &others.1))?;
     Ok(())
 }
 

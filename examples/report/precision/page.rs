@@ -1,7 +1,8 @@
-//! The page: first which settings give which error in which time, then what it is taken against, then every point.
+//! The page: first which settings give which error in which time, then with what it is compared,
+//! then every point.
 
 use super::machine;
-use super::point::{Point, Told};
+use super::point::{Comparison, Point};
 use std::fmt::Write as _;
 
 /// Errors that the settings are given for.
@@ -17,7 +18,8 @@ fn fastest<'a>(points: &'a [Point], problem: &str, target: f64, measure: Measure
     fitting.min_by(|a, b| a.time[0].total_cmp(&b.time[0]))
 }
 
-/// What the other methods cost, each at its most exact and at its finest, against the engine with at most that error.
+/// What the other methods cost, each at its most exact and at its finest, against the engine with
+/// at most that error.
 fn against_others(points: &[Point], problem: &str, measure: Measure) -> String {
     let mut said = Vec::new();
     for method in ["published", "plain spring row", "boundary elements"] {
@@ -67,8 +69,14 @@ fn time(seconds: f64) -> String {
     }
 }
 
-fn answers(text: &mut String, points: &[Point], told: &[Told], measure: Measure, own: fn(&Told) -> f64) {
-    for about in told {
+fn answers(
+    text: &mut String,
+    points: &[Point],
+    comparisons: &[Comparison],
+    measure: Measure,
+    own: fn(&Comparison) -> f64,
+) {
+    for about in comparisons {
         let problem = &about.problem;
         if !points.iter().any(|p| p.problem == *problem && measure(p).is_finite()) {
             continue;
@@ -76,7 +84,7 @@ fn answers(text: &mut String, points: &[Point], told: &[Told], measure: Measure,
         let cells = TARGETS.map(|target| {
             let own = own(about);
             if own > 0.5 * target || own.is_nan() {
-                return format!("not known: the truth is good to {own:.0e}");
+                return format!("not known: the reference is accurate to {own:.0e}");
             }
             fastest(points, problem, target, measure)
                 .map_or("not reached".into(), |p| format!("{}: **{}**", p.settings, time(p.time[0])))
@@ -85,20 +93,20 @@ fn answers(text: &mut String, points: &[Point], told: &[Told], measure: Measure,
     }
 }
 
-pub(crate) fn page(points: &[Point], told: &[Told], word: &str) -> String {
+pub(crate) fn page(points: &[Point], comparisons: &[Comparison], word: &str) -> String {
     let mut text = String::from(
         "# Error against run time\n\n**For an error of 1 %, 0.1 %, 0.01 % take these settings, it costs this much** (one core). With wear the \
          error is the largest one of the worn profile, in the initial depth d₀: its worst place is the edge of the stick zone. \
          Without wear it is that of T in μF_N, or of the pressure.\n\n\
          | problem (time of) | 1 % | 0.1 % | 0.01 % |\n| --- | --- | --- | --- |\n",
     );
-    answers(&mut text, points, told, |p| p.error, |t| t.own[0]);
+    answers(&mut text, points, comparisons, |p| p.error, |t| t.own[0]);
     text += "\nWho wants only the worn volume, or the work of friction, takes:\n\n\
              | problem (time of) | 1 % | 0.1 % | 0.01 % |\n| --- | --- | --- | --- |\n";
-    answers(&mut text, points, told, |p| p.work_error, |t| t.own[1]);
+    answers(&mut text, points, comparisons, |p| p.work_error, |t| t.own[1]);
     text += "\nOther methods in the same run, each at its most exact and at its finest, and the engine with at most that error:\n\n\
              | problem | by the profile, T or pressure | by the worn volume or work |\n| --- | --- | --- |\n";
-    for about in told {
+    for about in comparisons {
         let others = against_others(points, &about.problem, |p| p.error);
         if others != "–" {
             let by_work = against_others(points, &about.problem, |p| p.work_error);
@@ -109,11 +117,11 @@ pub(crate) fn page(points: &[Point], told: &[Told], word: &str) -> String {
         text,
         "\n![Error against time](error_against_time.svg)\n\nPublished: the procedure of the paper on up to 400 points per a₀, with its \
          longest stable time step, median of three runs; its grid does not know gross slip. Plain spring row: the same springs without transforms, \
-         hence without wear. {word}\n\n## What the errors are taken against\n\n| problem | error of | truth | its own error | of the \
+         hence without wear. {word}\n\n## With what are the results compared?\n\n| problem | error of | reference | its own error | of the \
          volume or work |\n| --- | --- | --- | --- | --- |"
     );
-    for Told { problem, of, truth, own, .. } in told {
-        let _ = writeln!(text, "| {problem} | {of} | {truth} | {} | {} |", share(own[0]), share(own[1]));
+    for Comparison { problem, of, reference, own, .. } in comparisons {
+        let _ = writeln!(text, "| {problem} | {of} | {reference} | {} | {} |", share(own[0]), share(own[1]));
     }
     text += "\n## Every point\n\nTimes are medians of seven runs, with the least and the most: a wide spread says that the machine had other \
              work. Counted work, which no machine changes, is in the CSV.\n\n\

@@ -24,16 +24,16 @@ pub(crate) struct Point {
     pub(crate) note: String,
 }
 
-/// What the points of a problem are taken against.
+/// What the points of a problem are compared with.
 #[derive(Debug, Clone)]
-pub(crate) struct Told {
+pub(crate) struct Comparison {
     pub(crate) problem: String,
     /// What `error` is of.
     pub(crate) of: &'static str,
     /// What the time is of.
     pub(crate) time_of: &'static str,
-    pub(crate) truth: String,
-    /// The truth's own error, in both measures; NaN where there is no truth.
+    pub(crate) reference: String,
+    /// The error of the reference itself, in both measures; NaN where there is none.
     pub(crate) own: [f64; 2],
 }
 
@@ -52,13 +52,14 @@ pub(crate) fn timed(mut run: impl FnMut()) -> [f64; 3] {
     [times[times.len() / 2], times[0], times[times.len() - 1]]
 }
 
-pub(crate) fn csv(points: &[Point], told: &[Told]) -> String {
+pub(crate) fn csv(points: &[Point], comparisons: &[Comparison]) -> String {
     let mut text = String::from(
-        "problem,method,settings,error,work_error,seconds,seconds_least,seconds_most,truth_error,note\n",
+        "problem,method,settings,error,work_error,seconds,seconds_least,seconds_most,reference_error,note\n",
     );
     for point in points {
         let Point { problem, method, settings, error, work_error, time: [median, least, most], note } = point;
-        let own = told.iter().find(|about| about.problem == *problem).map_or(f64::NAN, |about| about.own[0]);
+        let own =
+            comparisons.iter().find(|about| about.problem == *problem).map_or(f64::NAN, |about| about.own[0]);
         let _ = writeln!(
             text,
             "\"{problem}\",{method},\"{settings}\",{error:e},{work_error:e},{median:e},{least:e},{most:e},{own:e},\"{note}\""

@@ -1,7 +1,7 @@
 //! With wear, step by step: a random history of load and displacement; a life on a table of points.
 
 use super::lives::sup;
-use super::point::{Point, Told, timed};
+use super::point::{Comparison, Point, timed};
 use fretting_contact::problems::{CONE, Problem};
 use fretting_contact::{Error, FrettingContact, NormalControl, Profile, ProfileTable};
 use rand::rngs::StdRng;
@@ -10,26 +10,27 @@ use rand::{RngExt, SeedableRng};
 /// Lines of the random history, and N₀ there: some 0.4 d₀ is worn at the end.
 const LINES: u32 = 60;
 const SEED_CYCLES: f64 = 60.0;
-/// Resolution, tolerance and parts of each line of the run that stands for the truth, and of that which tells its error.
+/// Resolution, tolerance and parts of each line of the run that is the reference, and of the run
+/// from which its error is estimated.
 const TIGHT: [(usize, f64, u32); 2] = [(128, 1e-4, 4), (96, 1e-4, 2)];
 /// N/N₀ at the end of the life on a table: what is left to wear is below all errors.
 const END: f64 = 9.0;
 /// c/a₀ of that life.
 const STICK_RATIO: f64 = 0.4;
 
-pub(crate) fn all() -> (Vec<Point>, Vec<Told>) {
-    let (mut points, mut told) = random_history();
+pub(crate) fn all() -> (Vec<Point>, Vec<Comparison>) {
+    let (mut points, mut comparisons) = random_history();
     let (on_tables, about) = tables();
     points.extend(on_tables);
-    told.push(about);
-    (points, told)
+    comparisons.push(about);
+    (points, comparisons)
 }
 
 /// Settings of a run: resolution, tolerance, parts of a line.
 type Settings = (usize, f64, u32);
 
 /// Loads from a fifth to all of the largest, displacements within 0.9 u_max.
-fn random_history() -> (Vec<Point>, Vec<Told>) {
+fn random_history() -> (Vec<Point>, Vec<Comparison>) {
     let name = "random history with wear, ball";
     let problem = Problem::parabola_at_constant_force().with_seed_cycles(SEED_CYCLES);
     let mut random = StdRng::seed_from_u64(5);
@@ -52,22 +53,22 @@ fn random_history() -> (Vec<Point>, Vec<Told>) {
         }
         Ok(contact)
     };
-    let about = |truth, own| Told {
+    let about = |reference, own| Comparison {
         problem: name.into(),
         of: "worn profile at the end, largest error in d₀",
         time_of: "the whole history",
-        truth,
+        reference,
         own,
     };
     let both = TIGHT.map(walk);
-    let [Ok(truth), Ok(next)] = both else {
+    let [Ok(reference), Ok(next)] = both else {
         let refusal = both.into_iter().find_map(Result::err).map_or(String::new(), |error| error.to_string());
         return (Vec::new(), vec![about(format!("none: {refusal}"), [f64::NAN; 2])]);
     };
-    let reach = 1.02 * truth.contact_radius();
+    let reach = 1.02 * reference.contact_radius();
     let errors = |contact: &FrettingContact| {
-        let error = sup(reach, problem.depth(), |r| contact.worn_depth_at(r), |r| truth.worn_depth_at(r));
-        [error, (contact.wear_volume() / truth.wear_volume() - 1.0).abs()]
+        let error = sup(reach, problem.depth(), |r| contact.worn_depth_at(r), |r| reference.worn_depth_at(r));
+        [error, (contact.wear_volume() / reference.wear_volume() - 1.0).abs()]
     };
     let mut points = Vec::new();
     for resolution in [16, 32, 64] {
@@ -95,16 +96,16 @@ fn random_history() -> (Vec<Point>, Vec<Told>) {
     (points, vec![about(source, errors(&next))])
 }
 
-/// The cone at constant depth as a table of ever more points, between which no table follows it exactly: its final state is the
-/// cone's.
-fn tables() -> (Vec<Point>, Told) {
+/// The cone at constant depth as a table of ever more points, between which no table follows it
+/// exactly: its final state is the cone's.
+fn tables() -> (Vec<Point>, Comparison) {
     let name = "table of a cone at constant depth";
     let cone = Problem::partial_slip(CONE, NormalControl::Indentation, STICK_RATIO);
-    let about = Told {
+    let about = Comparison {
         problem: name.into(),
         of: "worn profile at the end, largest error in d₀",
         time_of: "reading the table and the whole life",
-        truth: format!(
+        reference: format!(
             "closed final state of the cone; what is left to wear at N/N₀ = {END} is in the errors"
         ),
         own: [0.0; 2],

@@ -34,8 +34,8 @@ pub(super) fn pushes(add: Add) {
             j.step(&mut contact, |c| c.advance_to(force, place))?;
             // T = μF_N [1 − (1 − θ)^(3/2)], without cancellation
             let limit = parameters.friction_coefficient * force;
-            let truth = -limit * (1.5 * (-share).ln_1p()).exp_m1();
-            j.note("T of a first push", (contact.tangential_force() / truth - 1.0).abs(), CLOSED);
+            let reference = -limit * (1.5 * (-share).ln_1p()).exp_m1();
+            j.note("T of a first push", (contact.tangential_force() / reference - 1.0).abs(), CLOSED);
             Ok(())
         };
         add("push from rest", extreme.into(), Box::new(run));

@@ -102,7 +102,8 @@ fn wearing(parameters: &Parameters, normal: f64, cycles: f64) -> Result<(Paramet
     Ok((Parameters { wear_coefficient, ..parameters.clone() }, amplitude))
 }
 
-/// A short, eventful life: loops with wear, swings of load, cycles in one call, a slide, contact lost and found.
+/// A short, eventful life: loops with wear, swings of load, cycles in one call, a slide, contact
+/// lost and found.
 fn standard(judge: &mut Judge, parameters: &Parameters, normal: f64) -> Outcome {
     life(judge, parameters, normal, SEED)
 }

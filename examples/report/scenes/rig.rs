@@ -1,4 +1,5 @@
-//! A spring in series with the contact, from far softer than it to far stiffer, along a line and in the plane.
+//! A spring in series with the contact, from far softer than it to far stiffer, along a line and in
+//! the plane.
 
 use super::{Add, FORCE, Outcome, SEED, full_slip, held_in_depth, in_parts, pressed, wearing};
 use crate::judge::Judge;
@@ -36,7 +37,8 @@ pub(super) fn rig(add: Add) {
     }
 }
 
-/// A contact behind a rig, and the amplitude of the drive at which the contact slips by some 0.6 u_max.
+/// A contact behind a rig, and the amplitude of the drive at which the contact slips by some 0.6
+/// u_max.
 fn behind((parameters, normal, ratio): &(Parameters, f64, f64)) -> Result<(FrettingContact, f64), Error> {
     let (parameters, own) = wearing(parameters, *normal, SEED)?;
     let bare = pressed(&parameters, *normal)?;
@@ -46,7 +48,8 @@ fn behind((parameters, normal, ratio): &(Parameters, f64, f64)) -> Result<(Frett
     Ok((pressed(&parameters, *normal)?, own + 0.75 * limit / stiffness))
 }
 
-/// Strokes, swings of load, cycles in one call, contact lost and found, a slide; and a stroke in one step and in many.
+/// Strokes, swings of load, cycles in one call, contact lost and found, a slide; and a stroke in
+/// one step and in many.
 fn life(j: &mut Judge, scene: &(Parameters, f64, f64)) -> Outcome {
     let (mut contact, amplitude) = behind(scene)?;
     let normal = scene.1;
@@ -65,7 +68,8 @@ fn life(j: &mut Judge, scene: &(Parameters, f64, f64)) -> Outcome {
     j.step(&mut contact, |c| c.advance_to(normal, slide))
 }
 
-/// Circles of the drive, the last lifted at every fifth step: there a soft rig lets go of more than the contact is wide.
+/// Circles of the drive, the last lifted at every fifth step: there a soft rig lets go of more than
+/// the contact is wide.
 fn circles(j: &mut Judge, scene: &(Parameters, f64, f64)) -> Outcome {
     let (mut contact, amplitude) = behind(scene)?;
     let lifted = if contact.parameters().normal_control == NormalControl::Force { 0.0 } else { -1e-9 };

@@ -19,7 +19,7 @@ pub(super) fn tiny(add: Add) {
                 j.step(&mut one, |c| c.advance_to(to.0, to.1))?;
                 in_parts(&mut many, from, to, half)?;
             }
-            j.anew();
+            j.reset_work();
             j.state(&many);
             j.split(&one, &many);
             Ok(())

@@ -153,7 +153,8 @@ mod tests {
 
     #[test]
     fn other_packing_is_refused() {
-        // Marks every entry as packed with method 12 (bzip2); so the description cannot be read either.
+        // Marks every entry as packed with method 12 (bzip2); so the description cannot be read
+        // either.
         let mut bytes = fixture::good().bytes();
         for at in 0..bytes.len() - 12 {
             match &bytes[at..at + 4] {
@@ -169,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn strangers_at_the_top_are_refused() {
+    fn unknown_files_at_the_top_are_refused() {
         fixture::good().with_file("notes.txt", b"x").assert_refused(&["notes.txt", "no place"]);
     }
 

@@ -1,4 +1,5 @@
-//! Files beside modelDescription.xml that speak of its variables or of each other: terminals, and reference results.
+//! Files beside modelDescription.xml that refer to its variables or to each other: terminals, and
+//! reference results.
 
 use super::{Archive, variables};
 use roxmltree::{Document, Node};
@@ -19,8 +20,8 @@ pub(super) fn problems(archive: &Archive, root: Node<'_, '_>) -> Vec<String> {
         let Ok(text) = std::str::from_utf8(&entry.bytes) else { continue };
         if table {
             let header = text.lines().next().unwrap_or_default();
-            let strangers = header.split(',').filter(|column| *column != "time" && !names.contains(column));
-            problems.extend(strangers.map(|column| {
+            let unknown = header.split(',').filter(|column| *column != "time" && !names.contains(column));
+            problems.extend(unknown.map(|column| {
                 format!("{name} has a column {column}, which is no variable: give it the name of one")
             }));
         }
@@ -29,7 +30,7 @@ pub(super) fn problems(archive: &Archive, root: Node<'_, '_>) -> Vec<String> {
         }
         match Document::parse(text) {
             Err(error) => problems.push(format!("{name} is not well-formed: {error}")),
-            Ok(document) if terminals => problems.extend(strangers(name, &document, &names)),
+            Ok(document) if terminals => problems.extend(unknown_members(name, &document, &names)),
             Ok(document) => problems.extend(missing(archive, name, &document)),
         }
     }
@@ -37,10 +38,10 @@ pub(super) fn problems(archive: &Archive, root: Node<'_, '_>) -> Vec<String> {
 }
 
 /// Members of terminals that are no variables.
-fn strangers(file: &str, document: &Document<'_>, names: &[&str]) -> Vec<String> {
+fn unknown_members(file: &str, document: &Document<'_>, names: &[&str]) -> Vec<String> {
     let members = document.descendants().filter_map(|node| node.attribute("variableName"));
-    let strangers = members.filter(|member| !names.contains(member));
-    strangers.map(|member| format!("{file} speaks of {member}, which is no variable: name one")).collect()
+    let unknown = members.filter(|member| !names.contains(member));
+    unknown.map(|member| format!("{file} refers to {member}, which is no variable: name one")).collect()
 }
 
 /// Sources that are not in the archive.
@@ -48,7 +49,7 @@ fn missing(archive: &Archive, file: &str, document: &Document<'_>) -> Vec<String
     let sources = document.descendants().filter_map(|node| node.attribute("source"));
     let missing = sources.filter(|source| archive.entry(&resolved(file, source)).is_none());
     missing
-        .map(|source| format!("{file} speaks of {source}, which is not in the archive: put it there"))
+        .map(|source| format!("{file} refers to {source}, which is not in the archive: put it there"))
         .collect()
 }
 

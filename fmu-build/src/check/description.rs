@@ -102,7 +102,8 @@ fn unit_problem(owner: &str, element: Node<'_, '_>, units: &HashSet<&str>) -> Op
     (!units.contains(unit)).then(|| format!("{owner} has the unknown unit {unit}: add it to UnitDefinitions"))
 }
 
-/// Start outside min and max, or outside the items of an enumeration; limits may come from the declared type.
+/// Start outside min and max, or outside the items of an enumeration; limits may come from the
+/// declared type.
 fn range_problem(owner: &str, element: Node<'_, '_>, simple: Option<Node<'_, '_>>) -> Option<String> {
     if !["Real", "Integer", "Enumeration"].contains(&element.tag_name().name()) {
         return None;
@@ -122,13 +123,13 @@ fn range_problem(owner: &str, element: Node<'_, '_>, simple: Option<Node<'_, '_>
     if let (Some(min), Some(max)) = (min, max)
         && min > max
     {
-        return Some(format!("{owner} has min = {min} above max = {max}: swap or mend them"));
+        return Some(format!("{owner} has min = {min} above max = {max}: correct one"));
     }
     let start = start?;
     if min.is_some_and(|min| start < min) || max.is_some_and(|max| start > max) {
         let shown = |limit: Option<f64>, none: &str| limit.map_or(none.to_owned(), |value| value.to_string());
         return Some(format!(
-            "{owner} has start = {start} outside its range [{}, {}]: mend the start or the range",
+            "{owner} has start = {start} outside its range [{}, {}]: correct the start or the range",
             shown(min, "-inf"),
             shown(max, "inf")
         ));

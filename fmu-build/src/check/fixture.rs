@@ -1,4 +1,4 @@
-//! A small FMU to spoil in the tests of the checks.
+//! A small FMU, into which the tests of the checks put faults.
 
 use super::archive::Archive;
 use super::library::FUNCTIONS;

@@ -10,7 +10,8 @@ use object::{BinaryFormat, Endianness};
 use roxmltree::Node;
 use std::collections::BTreeSet;
 
-/// Functions of an FMI 2.0 co-simulation library, all required, even for what is declared unsupported.
+/// Functions of an FMI 2.0 co-simulation library, all required, even for what is declared
+/// unsupported.
 pub(super) const FUNCTIONS: [&str; 34] = [
     "fmi2GetTypesPlatform",
     "fmi2GetVersion",
@@ -97,7 +98,7 @@ fn symbol_problems(entry: &Entry) -> Vec<String> {
     problems
 }
 
-/// What every Linux has, but for the loader itself.
+/// What every Linux has, without the loader itself.
 const ALLOWED: [&str; 6] =
     ["libc.so.6", "libm.so.6", "libgcc_s.so.1", "libpthread.so.0", "libdl.so.2", "librt.so.1"];
 
@@ -122,7 +123,8 @@ fn needed_libraries(bytes: &[u8]) -> Result<Vec<String>> {
     needed.map(name).collect()
 }
 
-/// Directories of this machine, which say more of it than its users have to know, and make every build another.
+/// Directories of this machine. They would disclose its folders and user names, and make each build
+/// different.
 fn path_problems(entry: &Entry) -> Vec<String> {
     let home = std::env::home_dir().filter(|home| home.components().count() > 1);
     let root = Workspace::of_this_program().root().to_path_buf();
@@ -146,8 +148,8 @@ pub(crate) fn newest_glibc(bytes: &[u8]) -> Option<(u32, u32)> {
     marks.filter_map(|(at, _)| version(at)).max()
 }
 
-/// Whether libraries in one process see each other's names. Those of a DLL are its own, and rustc exports from it whatever a
-/// dependency marks so.
+/// Whether libraries in one process see each other's names. Those of a DLL are its own, and rustc
+/// exports from it whatever a dependency marks so.
 fn names_are_shared(format: BinaryFormat) -> bool {
     format != BinaryFormat::Pe
 }
@@ -195,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn strangers_among_the_exports_are_named() {
+    fn unknown_exports_are_named() {
         let mut more = FUNCTIONS.to_vec();
         more.push("callback_log");
         with_functions(&more).assert_refused(&["exports callback_log beyond"]);

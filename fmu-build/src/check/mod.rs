@@ -1,9 +1,10 @@
-//! Checks of a packaged FMU: what an importer relies on and common validators let pass.
+//! Checks of a packaged FMU: what an importer relies on and common validators do not check.
 
 mod archive;
 mod companions;
 mod description;
 mod library;
+mod presets;
 mod structure;
 
 #[cfg(test)]
@@ -32,6 +33,7 @@ pub(crate) fn problems(archive: &Archive) -> Vec<String> {
             problems.extend(structure::problems(root));
             problems.extend(library::problems(archive, root));
             problems.extend(companions::problems(archive, root));
+            problems.extend(presets::problems(archive, root));
         }
     }
     problems

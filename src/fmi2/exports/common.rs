@@ -42,8 +42,8 @@ pub extern "C" fn fmi2GetVersion() -> *const c_char {
 /// Creates an instance; null on failure, for a reason that has been logged.
 ///
 /// # Safety
-/// See the [module](super); `functions` is null or points to callbacks that stay callable until fmi2FreeInstance. The
-/// struct itself is copied.
+/// See the [module](super); `functions` is null or points to callbacks that stay callable until
+/// fmi2FreeInstance. The struct itself is copied.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn fmi2Instantiate(
     instance_name: fmi2String,

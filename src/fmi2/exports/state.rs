@@ -16,7 +16,8 @@ conforming! {
     fmi2GetDirectionalDerivative: fmi2GetDirectionalDerivativeTYPE,
 }
 
-/// Saves everything that makes the instance, parameters and inputs included; into an earlier state if given one.
+/// Saves everything that makes the instance, parameters and inputs included; into an earlier state
+/// if given one.
 ///
 /// # Safety
 /// See the [module](super); what `state` points to is null or a handle.
@@ -81,7 +82,7 @@ pub unsafe extern "C" fn fmi2SerializedFMUstateSize(
     }
 }
 
-/// Writes a saved state into as many bytes as fmi2SerializedFMUstateSize says.
+/// Writes a saved state into as many bytes as fmi2SerializedFMUstateSize returns.
 ///
 /// # Safety
 /// See the [module](super). The handle may be anything.

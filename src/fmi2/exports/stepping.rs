@@ -191,7 +191,7 @@ pub unsafe extern "C" fn fmi2GetStringStatus(
     }
 }
 
-/// `value` if the kind asked for is the one that it belongs to.
+/// `value` if the requested kind is the one to which it belongs.
 fn only<T>(asked: fmi2StatusKind, kind: fmi2StatusKind, value: T) -> Checked<T> {
     if asked == kind { Ok(value) } else { Err(Refusal::StatusKind { kind: asked }.into()) }
 }

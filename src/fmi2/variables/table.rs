@@ -66,7 +66,7 @@ macro_rules! at_every_probe {
     };
 }
 
-/// All rows; what came later stands at the end, so that the references before it stay.
+/// All rows. Later variables are at the end, so that existing value references do not change.
 pub(super) static TABLE: [Variable; COUNT] = {
     let parts = [
         &inputs() as &[Variable],
@@ -95,6 +95,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
         &rig(),
         &second_direction(),
         &profile_unit(),
+        &slip_state_value(),
     ];
     let mut table = [parts[0][0]; COUNT];
     let (mut part, mut row) = (0, 0);
@@ -118,7 +119,8 @@ const COUNT: usize = inputs().len()
     + FIELDS * PROBES
     + rig().len()
     + second_direction().len()
-    + profile_unit().len();
+    + profile_unit().len()
+    + slip_state_value().len();
 
 const fn inputs() -> [Variable; 5] {
     [
@@ -207,6 +209,7 @@ const fn parameters() -> [Variable; 18] {
     [
         choice("profile", &PROFILE, |s| &mut s.profile).about("Shape of the unworn body 1"),
         real("radius", "m", length, |s| &mut s.radius)
+            .shown_in("mm")
             .about("Radius of curvature of parabola, blunted_sphere and rounded_punch"),
         real("cone_slope", "rad", slope, |s| &mut s.cone_slope)
             .about("Angle between the flank of the cone and the plane"),
@@ -214,15 +217,18 @@ const fn parameters() -> [Variable; 18] {
         unitless("coefficient", coefficient, |s| &mut s.coefficient)
             .about("Coefficient of power_law, in m^(1-exponent); its unit depends on the exponent, so none is declared"),
         real("flat_radius", "m", length, |s| &mut s.flat_radius)
+            .shown_in("mm")
             .about("Radius of the flat tip of blunted_sphere, rounded_punch and flat_punch"),
         text("profile_file", |s| &mut s.profile_file).about(
             "File with the points of profile = table, two columns r and f in profile_unit; a relative name is looked for in the \
              FMU's resources, then in the working directory",
         ),
         real("youngs_modulus_1", "Pa", stress, |s| &mut s.youngs_modulus_1)
+            .shown_in("GPa")
             .about("Young's modulus of body 1, which moves and wears"),
         real("poisson_ratio_1", "1", poisson, |s| &mut s.poisson_ratio_1).about("Poisson ratio of body 1"),
         real("youngs_modulus_2", "Pa", stress, |s| &mut s.youngs_modulus_2)
+            .shown_in("GPa")
             .about("Young's modulus of body 2, the counter body"),
         real("poisson_ratio_2", "1", poisson, |s| &mut s.poisson_ratio_2).about("Poisson ratio of body 2"),
         tunable("friction_coefficient", "1", friction, |s| &mut s.friction_coefficient)
@@ -231,7 +237,8 @@ const fn parameters() -> [Variable; 18] {
             "Wear coefficient k: a friction work W wears the volume W*wear_coefficient/hardness; a change counts from the next step, 0 computes \
              no wear, and cannot be changed",
         ),
-        real("hardness", "Pa", stress, |s| &mut s.hardness).about("Hardness of body 1"),
+        real("hardness", "Pa", stress, |s| &mut s.hardness)
+            .shown_in("GPa").about("Hardness of body 1"),
         choice("normal_control", &NORMAL_CONTROL, |s| &mut s.normal_control)
             .about("Normal quantity that is prescribed"),
         choice("loading", &LOADING, |s| &mut s.loading).about("What the tangential inputs mean"),
@@ -263,12 +270,21 @@ const fn rig() -> [Variable; 2] {
     ]
 }
 
-/// The other tangential direction.
+/// The unit of the table of points.
 const fn profile_unit() -> [Variable; 1] {
     [choice("profile_unit", &LENGTH_UNIT, |s| &mut s.profile_unit)
         .about("Unit of both columns of profile_file")]
 }
 
+/// The state of slip for importers that read only variables of the type Real.
+const fn slip_state_value() -> [Variable; 1] {
+    let range = Range { low: Bound::Included(1.0), high: Bound::Included(SLIP_STATE.items.len() as f64) };
+    let data_type = DataType::Real { unit: Some(unit_named("1")), nominal: None, range };
+    [variable("slip_state_value", data_type, Access::SlipNumber(FrettingContact::slip_state))
+        .about("slip_state as a Real: 1 separated, 2 stick, 3 partial_slip, 4 gross_slip")]
+}
+
+/// The other tangential direction.
 const fn second_direction() -> [Variable; 3] {
     let force = Output {
         read: FrettingContact::tangential_force_y,
@@ -326,12 +342,34 @@ const fn is_same(a: &[u8], b: &[u8]) -> bool {
 }
 
 const fn variable(name: &'static str, data_type: DataType, access: Access) -> Variable {
-    Variable { name, description: "", data_type, access, initial_dependencies: &[], independent_of: &[] }
+    let display_unit = match data_type {
+        DataType::Real { unit: Some(Unit { display: [first, ..], .. }), .. } => Some(*first),
+        _ => None,
+    };
+    Variable {
+        name,
+        description: "",
+        data_type,
+        display_unit,
+        access,
+        initial_dependencies: &[],
+        independent_of: &[],
+    }
 }
 
 impl Variable {
     const fn about(self, description: &'static str) -> Self {
         Self { description, ..self }
+    }
+
+    /// Another display unit than the first of its unit.
+    const fn shown_in(self, name: &str) -> Self {
+        let DataType::Real { unit: Some(unit), .. } = self.data_type else { panic!("it has no unit") };
+        let mut k = 0;
+        while !is_same(unit.display[k].name.as_bytes(), name.as_bytes()) {
+            k += 1;
+        }
+        Self { display_unit: Some(unit.display[k]), ..self }
     }
 
     const fn independent_of(self, inputs: &'static [&'static str]) -> Self {
