@@ -12,7 +12,6 @@ SI units. Variables are used by their names; enumerations may be given by the na
 import itertools
 from collections.abc import Callable, Iterable, Sequence
 from ctypes import byref
-from types import TracebackType
 from typing import Any
 
 import numpy as np
@@ -83,9 +82,7 @@ class ContactFmu:
     def __enter__(self) -> Any:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._free()
 
     def _free(self) -> None:

@@ -10,7 +10,6 @@ from ctypes import c_void_p
 from functools import cached_property
 from numbers import Integral, Real
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 import numpy as np
@@ -81,9 +80,7 @@ class Contact(ContactFmu):
     def __enter__(self) -> "Contact":
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def __repr__(self) -> str:
