@@ -21,7 +21,7 @@ from .motion import FrictionLoop, SignalError, drive, loop
 from .wear_life import WearLife, life
 
 if TYPE_CHECKING:
-    from .calibration import Calibration, MeasuredLoop, WornVolume, calibrate
+    from .calibration import Calibration, LoopError, MeasuredLoop, WornVolume, calibrate
     from .parameter_sets import ParameterSets, grid, read_sets, spread
     from .parameter_sweep import SweepResult, sweep
     from .profile import ProfileFit, Scan, ScanError, fit_scan, read_scan, write_table
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 __version__ = "0.1.0"
 
 _LATER = {
-    "calibration": ("Calibration", "MeasuredLoop", "WornVolume", "calibrate"),
+    "calibration": ("Calibration", "LoopError", "MeasuredLoop", "WornVolume", "calibrate"),
     "parameter_sets": ("ParameterSets", "grid", "read_sets", "spread"),
     "parameter_sweep": ("SweepResult", "sweep"),
     "profile": ("ProfileFit", "Scan", "ScanError", "fit_scan", "read_scan", "write_table"),
@@ -37,21 +37,37 @@ _LATER = {
 """Names by module that are imported when they are used: scipy takes longer to load than a loop to run."""
 
 __all__ = [
+    "Calibration",
     "Contact",
     "ContactError",
     "ContactWarning",
     "FmuNotFoundError",
     "FrictionLoop",
+    "LoopError",
+    "MeasuredLoop",
     "MotionHistory",
     "ParameterError",
+    "ParameterSets",
+    "ProfileFit",
     "SavedState",
+    "Scan",
+    "ScanError",
     "SignalError",
+    "SweepResult",
     "WearLife",
+    "WornVolume",
+    "calibrate",
     "drive",
+    "fit_scan",
     "fmu_path",
+    "grid",
     "life",
     "loop",
-    *(name for names in _LATER.values() for name in names),
+    "read_scan",
+    "read_sets",
+    "spread",
+    "sweep",
+    "write_table",
 ]
 
 

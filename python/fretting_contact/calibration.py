@@ -8,8 +8,8 @@ covariance has the noise of the force, the noise of the displacement, carried ov
 the force with respect to the coefficients of the drive, and the scatter of the volumes.
 """
 
+import os
 from collections.abc import Sequence
-from contextlib import ExitStack
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,6 +19,7 @@ from scipy.optimize import least_squares
 from .contact import Contact, ParameterError
 from .history import MICRO, Array, new_axes
 from .measured_loop import Drive, LoopError, MeasuredLoop, smooth_drive
+from .worn_volume import WornVolume, fit_volumes
 
 __all__ = ["Calibration", "LoopError", "MeasuredLoop", "WornVolume", "calibrate"]
 
@@ -27,22 +28,6 @@ LOG_STEP = 1e-4
 """Step of a logarithm in a difference quotient."""
 CYCLES_BEFORE = 1
 """Cycles that the contact makes before the one that is compared: the first begins at rest."""
-
-
-@dataclass(frozen=True)
-class WornVolume:
-    """The volume that a wear test wore at constant load and amplitude of the drive."""
-
-    volume: float
-    """Worn volume, m³."""
-    normal_force: float
-    """Normal force, N."""
-    amplitude: float
-    """Amplitude of the displacement of the drive, m."""
-    cycles: float
-    """Number of cycles."""
-    uncertainty: float | None = None
-    """Standard deviation of the volume, m³; from the scatter of several volumes if not given."""
 
 
 @dataclass(frozen=True)
@@ -71,7 +56,7 @@ class Calibration:
         return float(self.values[self._index(name)])
 
     def std(self, name: str) -> float:
-        """Standard deviation of a value; infinite if the loops do not determine it."""
+        """Standard deviation of a value."""
         return float(np.sqrt(self.covariance[self._index(name), self._index(name)]))
 
     def _index(self, name: str) -> int:
@@ -111,6 +96,7 @@ def calibrate(
     volumes: WornVolume | Sequence[WornVolume] = (),
     *,
     hardness: float = 8e9,
+    fmu: str | os.PathLike[str] | None = None,
     **parameters: Any,
 ) -> Calibration:
     """Fits friction coefficient, rig stiffness and offsets to loops, and k/σ₀ to worn volumes.
@@ -119,7 +105,8 @@ def calibrate(
     reach gross slip, else the friction coefficient has a large standard deviation. `volumes`: of
     wear tests with the same pair and rig. `parameters`: of the contact, as for `Contact`. A
     `rig_stiffness` or a `friction_coefficient` among them is held and not fitted. `hardness`: Pa;
-    only the ratio to the wear coefficient counts. Noise is taken as independent from sample to sample.
+    only the ratio to the wear coefficient counts. `fmu`: path of the FMU; that of the package if not
+    given. Noise is taken as independent from sample to sample.
     """
     loops = (loops,) if isinstance(loops, MeasuredLoop) else tuple(loops)
     volumes = (volumes,) if isinstance(volumes, WornVolume) else tuple(volumes)
@@ -129,15 +116,15 @@ def calibrate(
         if name in parameters:
             raise ParameterError(f"{name} is not a parameter of calibrate: loads are those of the loops and volumes")
     fitted = tuple(name for name in FITTED if name not in parameters)
-    with ExitStack() as stack:
-        model = _LoopModel(loops, fitted, parameters, stack)
+    with Contact(fmu=fmu) as contact:
+        model = _LoopModel(loops, fitted, parameters, contact)
         names, values, covariance, noise = _fit_loops(model)
         log = np.log(values[: len(fitted)])
         forces = model.forces(log)
-    offsets = values[len(fitted) : len(fitted) + len(loops)]
-    if volumes:
-        held = {**parameters, "hardness": hardness}
-        names, values, covariance = _fit_volumes(volumes, fitted, held, names, values, covariance)
+        offsets = values[len(fitted) : len(fitted) + len(loops)]
+        if volumes:
+            held = {**parameters, "hardness": hardness}
+            names, values, covariance = fit_volumes(contact, volumes, fitted, held, names, values, covariance)
     return Calibration(
         names=names,
         values=values,
@@ -153,11 +140,10 @@ def calibrate(
 class _LoopModel:
     """Forces along the smooth drives for given friction and rig."""
 
-    def __init__(self, loops: Sequence[MeasuredLoop], fitted: Sequence[str], parameters: dict[str, Any], stack: ExitStack):
-        self.loops, self.fitted = loops, fitted
+    def __init__(self, loops: Sequence[MeasuredLoop], fitted: Sequence[str], parameters: dict[str, Any], contact: Contact):
+        self.loops, self.fitted, self.contact = loops, fitted, contact
         self.drives = [smooth_drive(loop) for loop in loops]
         self.parameters = {**parameters, "loading": "transient", "wear_coefficient": 0.0}
-        self.contact = stack.enter_context(Contact(**self.parameters))
 
     def start_values(self) -> Array:
         """Friction by the height of the loops, rig by their height over their elastic width."""
@@ -219,12 +205,15 @@ def _fit_loops(model: _LoopModel) -> tuple[tuple[str, ...], Array, Array, float]
         carried[:size] = -inverse[:, rows] @ _drive_slopes(model, k, fit.x[:count], drive)
         carried[size + k, 0] = 1.0
         whole += carried @ drive.covariance @ carried.T
-    undetermined = np.linalg.norm(slopes[:, :count], axis=0) < 1e-6 * noise
+    for k, name in enumerate(model.fitted):
+        if not whole[k, k] < 1.0:
+            raise LoopError(
+                f"the loops do not determine {name}: its standard deviation is {100 * np.sqrt(whole[k, k]):.0f} % of "
+                f"{np.exp(fit.x[k]):.2e}; add a loop of larger amplitude, or give {name} as a parameter"
+            )
     scale = np.ones(len(whole))
     scale[:count] = np.exp(fit.x[:count])  # from logarithms to values
     covariance = whole * np.outer(scale, scale)
-    for k in np.flatnonzero(undetermined):
-        covariance[k, k] = np.inf
     indices = [f"[{k}]" for k in range(1, len(loops) + 1)]
     names = (*model.fitted, *(f"force_offset{k}" for k in indices), *(f"displacement_offset{k}" for k in indices))
     values = np.concatenate([np.exp(fit.x[:count]), fit.x[count:], [drive.mean for drive in model.drives]])
@@ -242,67 +231,3 @@ def _drive_slopes(model: _LoopModel, k: int, log: Array, drive: Drive) -> Array:
         ends = [model.force(k, log, about + sign * step * drive.basis[:, j]) for sign in (1, -1)]
         slopes[:, j] = (ends[0] - ends[1]) / (2 * step)
     return slopes
-
-
-def _fit_volumes(
-    volumes: Sequence[WornVolume],
-    fitted: Sequence[str],
-    parameters: dict[str, Any],
-    names: tuple[str, ...],
-    values: Array,
-    covariance: Array,
-) -> tuple[tuple[str, ...], Array, Array]:
-    """Adds the worn volume over the friction work."""
-    measured = np.log([volume.volume for volume in volumes])
-    given = [volume.uncertainty / volume.volume if volume.uncertainty else np.nan for volume in volumes]
-    relative = np.array(given)
-    if np.isnan(relative).any():
-        if not np.isnan(relative).all():
-            raise ParameterError("uncertainty is given for some volumes only: give it for all or for none")
-        relative = np.ones(len(volumes))
-    with Contact(**parameters, loading="cyclic") as contact:
-
-        def outcome(volume: WornVolume, log: Array, per_work: float) -> tuple[float, float]:
-            contact.restart(
-                **parameters,
-                **dict(zip(fitted, np.exp(log))),
-                loading="cyclic",
-                normal_force=volume.normal_force,
-                displacement_amplitude=volume.amplitude,
-                frequency=volume.cycles,
-                wear_coefficient=per_work * parameters["hardness"],
-            )
-            contact.step(1.0)
-            worn, work = contact.get("wear_volume", "dissipated_energy")
-            if not work > 0:
-                raise ParameterError(
-                    f"amplitude = {volume.amplitude:g} m at {volume.normal_force:g} N wears nothing in the model: "
-                    "check amplitude and load of the wear test"
-                )
-            return worn, work
-
-        def logs(log: Array, log_k: float) -> Array:
-            return np.log([outcome(volume, log, float(np.exp(log_k)))[0] for volume in volumes])
-
-        log = np.log(values[: len(fitted)])
-        work = [outcome(volume, log, 1e-18)[1] for volume in volumes]
-        start = np.mean(measured - np.log(work))
-        fit = least_squares(lambda x: (logs(log, x[0]) - measured) / relative, [start], diff_step=1e-4, x_scale=0.1)
-        found = float(fit.x[0])
-        slope = (logs(log, found + 1e-3) - logs(log, found - 1e-3)) / 2e-3
-        others = [
-            (logs(log + 1e-3 * unit, found) - logs(log - 1e-3 * unit, found)) / 2e-3 for unit in np.eye(len(fitted))
-        ]
-    weighted = slope / relative
-    inverse = weighted / (weighted @ weighted)
-    scatter = 1.0
-    if volumes[0].uncertainty is None:  # of one volume alone the scatter is not known, and 0 is taken
-        scatter = float(2 * fit.cost / (len(volumes) - 1)) if len(volumes) > 1 else 0.0
-    per_work = np.exp(found)
-    row = np.zeros(len(values))  # change of k/σ₀ with the other values
-    row[: len(fitted)] = [-per_work * float(inverse @ (other / relative)) for other in others] / values[: len(fitted)]
-    grown = np.zeros((len(values) + 1,) * 2)
-    grown[:-1, :-1] = covariance
-    grown[-1, :-1] = grown[:-1, -1] = row @ covariance
-    grown[-1, -1] = row @ covariance @ row + per_work**2 * scatter * float(inverse @ inverse)
-    return (*names, "wear_per_work"), np.append(values, per_work), grown

@@ -66,7 +66,7 @@ def loop(
     displacement = center + amplitude * np.sin(2 * np.pi * phase)
     whole = drive(contact, phase * period, displacement, normal_force)
     last = slice(-points - 1, None)
-    return FrictionLoop(**{name: values[last] for name, values in whole.columns().items()})
+    return FrictionLoop(**{name: values[last] for name, values in whole.columns().items()})  # type: ignore[arg-type]
 
 
 def drive(

@@ -181,6 +181,6 @@ def _reporter(progress: bool | Callable[[str], None], total: int) -> Callable[[i
             return
         last[0] = now
         text = f"{done} of {total} sets, {done / now:.0f} a second"
-        print(text, file=sys.stderr, flush=True) if progress is True else progress(text)  # type: ignore[operator]
+        print(text, file=sys.stderr, flush=True) if progress is True else progress(text)
 
     return line
