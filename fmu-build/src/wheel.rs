@@ -50,12 +50,7 @@ pub(crate) fn build(workspace: &Workspace, fmu: &Path, folder: &Path) -> Result<
 
 /// Platform folders that the FMU has libraries for.
 fn platforms(fmu: &Archive) -> Vec<String> {
-    let folders: BTreeSet<_> = fmu
-        .entries
-        .iter()
-        .filter_map(|entry| entry.name.strip_prefix("binaries/")?.split_once('/'))
-        .map(|(folder, _)| folder.to_owned())
-        .collect();
+    let folders: BTreeSet<_> = fmu.libraries().map(|(folder, ..)| folder.to_owned()).collect();
     folders.into_iter().collect()
 }
 
@@ -108,7 +103,9 @@ mod tests {
         fs::write(&fmu, b"an FMU").unwrap();
         stage(&workspace, &fmu, &folder).unwrap();
         assert_eq!(fs::read(folder.join("fretting_contact/FrettingContact.fmu")).unwrap(), b"an FMU");
-        for file in ["fretting_contact/contact.py", "fretting_contact/py.typed", "LICENSE-MIT", "pyproject.toml"] {
+        for file in
+            ["fretting_contact/contact.py", "fretting_contact/py.typed", "LICENSE-MIT", "pyproject.toml"]
+        {
             assert!(folder.join(file).is_file(), "{file}");
         }
         assert!(!folder.join("fretting_contact/__pycache__").exists());
