@@ -26,6 +26,8 @@ __all__ = ["Calibration", "LoopError", "MeasuredLoop", "WornVolume", "calibrate"
 FITTED = ("friction_coefficient", "rig_stiffness")
 LOG_STEP = 1e-4
 """Step of a logarithm in a difference quotient."""
+MOST_DEVIATION = 0.25
+"""Standard deviation of a logarithm above which its value is refused: errors are no longer normal there."""
 CYCLES_BEFORE = 1
 """Cycles that the contact makes before the one that is compared: the first begins at rest."""
 
@@ -102,7 +104,8 @@ def calibrate(
     """Fits friction coefficient, rig stiffness and offsets to loops, and k/σ₀ to worn volumes.
 
     `loops`: one or several loops of the same pair, at any loads and amplitudes; one at least should
-    reach gross slip, else the friction coefficient has a large standard deviation. `volumes`: of
+    reach gross slip: in partial slip the friction coefficient hardly acts on the loop, and its errors are
+    larger than normal ones. `volumes`: of
     wear tests with the same pair and rig. `parameters`: of the contact, as for `Contact`. A
     `rig_stiffness` or a `friction_coefficient` among them is held and not fitted. `hardness`: Pa;
     only the ratio to the wear coefficient counts. `fmu`: path of the FMU; that of the package if not
@@ -206,7 +209,7 @@ def _fit_loops(model: _LoopModel) -> tuple[tuple[str, ...], Array, Array, float]
         carried[size + k, 0] = 1.0
         whole += carried @ drive.covariance @ carried.T
     for k, name in enumerate(model.fitted):
-        if not whole[k, k] < 1.0:
+        if not whole[k, k] < MOST_DEVIATION**2:
             raise LoopError(
                 f"the loops do not determine {name}: its standard deviation is {100 * np.sqrt(whole[k, k]):.0f} % of "
                 f"{np.exp(fit.x[k]):.2e}; add a loop of larger amplitude, or give {name} as a parameter"
