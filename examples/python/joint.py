@@ -4,7 +4,7 @@
 
 wall -(joint)- body 1 -(joint)- body 2 -(joint)- wall. The trapezium rule asks for displacements at the end of a step that satisfy the
 equations of motion with the joints' forces there: Newton's method saves the joints at the start of the step, moves them to a trial,
-reads forces and stiffness (directional derivatives), puts them back and tries again. So the joints, hundreds of times as stiff as what
+reads forces and stiffness, puts them back and tries again. So the joints, hundreds of times as stiff as what
 carries the bodies, do not limit the step.
 """
 

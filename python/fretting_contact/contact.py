@@ -208,8 +208,10 @@ class Contact(ContactFmu):
         if isinstance(value, np.ndarray) and value.ndim == 0:
             value = value.item()
         whole = variable.type == "Integer"
-        if isinstance(value, Integral if whole else Real):
-            return int(value) if whole else float(value)
+        if whole and isinstance(value, Integral):
+            return int(value)
+        if not whole and isinstance(value, Real):
+            return float(value)
         kind = "a whole number" if whole else "a number"
         raise ParameterError(f"{name} = {value!r}: give {kind}; for several values at once see sweep()")
 
