@@ -71,6 +71,7 @@ class Contact(ContactFmu):
         super().__init__(fmu if isinstance(fmu, FmuFile) else shared_file(fmu))
         self._is_open = True
         self._table: Path | None = None
+        self.given: dict[str, Any] = {}  # what has been set before the first step
         try:
             self.start(**parameters)
         except BaseException:
@@ -106,13 +107,17 @@ class Contact(ContactFmu):
     def restart(self, **parameters: Any) -> "Contact":
         """The same instance as a new contact with these parameters; faster than a new instance."""
         self.reset()
+        self.given = {}
         return self.start(**parameters)
 
     def set(self, **values: Any) -> None:
         """Sets inputs, tunable parameters (between steps), or parameters (before the start)."""
+        given = values
         if values.get("profile_file") is not None and not isinstance(values["profile_file"], (str, os.PathLike)):
             values = {"profile": "table", **values, "profile_file": self._write_table(values["profile_file"])}
         super().set(**{name: self._checked(name, value) for name, value in values.items()})
+        if self.time == 0.0:
+            self.given |= given
 
     def step(self, size: float = 1e-3, **inputs: Any) -> "Contact":
         """Sets inputs and advances by `size`, s, along the straight line to the new inputs.

@@ -26,7 +26,7 @@ def run_on_dask(
     try:
         sent = client.scatter(content, broadcast=True)
         tasks = {client.submit(run_batch, sent, parameters, rows, task, retries=RETRIES): k for k, rows in enumerate(batches)}
-        for future in as_completed(list(tasks)):
+        for future in as_completed(list(tasks), loop=client.loop):  # not that of another client in this process
             number, result = tasks.pop(future), future.result()
             future.release()  # come in, it need not be run again if its worker is lost
             yield number, result

@@ -83,8 +83,9 @@ def drive(
     `time`: s, rising. `displacement`: m, in the direction of `tangential_displacement`;
     `displacement_y`: m, across it. `normal_force`: N, one value or one a sample; that of the
     contact if not given. Lists, arrays and pandas columns are accepted. `outputs`: further
-    outputs to record, by name. The contact first goes straight to the first sample. Noise of a
-    displacement wears: filter it first (docs/noisy_signals.md).
+    outputs to record, by name. A contact that has not been moved yet is pressed on at the first sample, so
+    that an offset of the displacement does no harm; another one goes straight there. Noise of a displacement
+    wears: filter it first (docs/noisy_signals.md).
 
     >>> with Contact() as contact:
     ...     there = drive(contact, [0.0, 0.1, 0.2], [0.0, 1e-6, 4e-6], normal_force=[100, 100, 50])
@@ -109,10 +110,16 @@ def drive(
         raise SignalError(f"time[{k + 1}] = {given[k + 1]:g} s does not rise from time[{k}] = {given[k]:g} s: sort the samples")
     for name in outputs:
         contact._require(name)
-    # the way to the first sample takes one more step of time, of no influence on what happens
-    lead = float(steps[0]) if count > 1 else 1e-3
     names = [*OUTPUTS.values(), *outputs]
-    found = contact.follow(names, np.concatenate([[lead], steps]), **signals)
+    if contact.time == 0.0:
+        contact.restart(**{**contact.given, **{name: values[0] for name, values in signals.items()}})
+        first = contact.get(*names)
+        rest = contact.follow(names, steps, **{name: values[1:] for name, values in signals.items()})
+        found = {name: np.concatenate([[value], rest[name]]) for name, value in zip(names, first)}
+    else:
+        # the way to the first sample takes one more step of time, of no influence on what happens
+        lead = float(steps[0]) if count > 1 else 1e-3
+        found = contact.follow(names, np.concatenate([[lead], steps]), **signals)
     columns = {field: found[name] for field, name in OUTPUTS.items()}
     more = {name: found[name] for name in outputs}
     return MotionHistory(time=given, displacement=signals["tangential_displacement"], **columns, more=more)

@@ -64,6 +64,7 @@ def test_signals_are_followed_from_sample_to_sample():
     displacement = [1e-6, 2e-6, -1e-6, 0.0]
     force = [100.0, 120.0, 80.0, 100.0]
     with Contact() as contact, Contact() as stepped:
+        contact.step(1.0)  # so that it goes to the first sample from 0
         done = drive(contact, time, displacement, force, outputs=["wear_depth"])
         for k in range(4):
             stepped.step(1.0, tangential_displacement=displacement[k], normal_force=force[k])
@@ -72,6 +73,19 @@ def test_signals_are_followed_from_sample_to_sample():
         assert done.more["wear_depth"][-1] == stepped["wear_depth"]
     assert done.normal_force == pytest.approx(force)
     assert list(done.columns())[-1] == "wear_depth" and "more" not in done.columns()
+
+
+def test_a_new_contact_is_pressed_on_at_the_first_sample():
+    time = np.linspace(0, 1, 11)
+    with Contact(radius="20 mm") as contact:
+        contact.set(friction_coefficient=0.5)
+        here = drive(contact, time, 2e-6 * np.sin(6 * time), normal_force=90.0)
+        assert contact.get("radius", "friction_coefficient") == [0.02, 0.5]
+    with Contact(radius="20 mm", friction_coefficient=0.5) as shifted:
+        there = drive(shifted, time, 5e-6 + 2e-6 * np.sin(6 * time), normal_force=90.0)
+    assert here.tangential_force[0] == there.tangential_force[0] == 0.0
+    assert there.tangential_force == pytest.approx(here.tangential_force, abs=1e-9 * 45.0)
+    assert there.wear_volume == pytest.approx(here.wear_volume, rel=1e-6)
 
 
 def test_columns_of_pandas_are_taken_and_made(tmp_path):

@@ -53,7 +53,7 @@ def swept(request, fmu_path, tmp_path_factory):
                     killed.append(next(iter(client.run(os.getpid).values())))
                     os.kill(killed[0], signal.SIGKILL)
 
-            keywords["cluster"] = client
+            keywords["cluster"] = client.scheduler.address
             yield out, sweep(COMMON, sets(COUNT), **keywords, progress=kill_one), keywords, killed
             assert killed[0] not in client.run(os.getpid).values()
 
@@ -129,6 +129,36 @@ def test_a_refused_set_has_its_message_and_the_others_come_out(fmu_path):
     assert results["regime"][:2].tolist() == ["partial"] * 2 and results["regime"][4] == "separated"
     assert np.isnan(results["wear_volume"][refused]).all()
     assert "hardness = 8e2 Pa" in results["warning"][1] and results["warning"][0] == ""
+
+
+def test_a_script_without_a_main_guard_is_told_what_is_missing(tmp_path, fmu_path):
+    script = tmp_path / "script.py"
+    script.write_text("from fretting_contact import sweep\nsweep({}, {'normal_force': [50.0]}, cycles=10, processes=1)\n")
+    done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=60, env=os.environ | {"FRETTING_FMU": str(fmu_path)})
+    assert done.returncode == 1
+    assert 'call sweep() under `if __name__ == "__main__":`' in done.stderr.splitlines()[-1]
+
+
+def stiffness(contact):
+    """A task that is not the usual one."""
+    contact.step(tangential_displacement=1e-8)
+    return {"stiffness": contact["tangential_stiffness"]}
+
+
+def test_another_task_and_a_table_of_pandas(fmu_path):
+    pandas = pytest.importorskip("pandas", reason="pandas is not installed: see examples/sweep/sweep-requirements.txt")
+    over = pandas.DataFrame({"normal_force": [50.0, 400.0]})
+    found = sweep({"wear_coefficient": 0.0}, over, task=stiffness, fmu=fmu_path, processes=1, progress=False).to_pandas()
+    assert list(found.columns) == ["normal_force", "stiffness", "error", "warning"]
+    # 2G*a of what sticks: nearly all, and a goes with the third root of the load
+    assert found["stiffness"][1] / found["stiffness"][0] == pytest.approx(2.0, rel=0.01)
+
+
+def test_a_map_has_a_mark_for_each_regime(swept):
+    _, results, *_ = swept
+    axes = results.plot("displacement_amplitude", "normal_force")
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["stick", "partial", "gross"]
+    assert axes.get_xscale() == "log" and len(axes.figure.axes) == 2
 
 
 def test_sets_from_a_file(tmp_path):
