@@ -167,8 +167,10 @@ class Contact(ContactFmu):
         if len(state) < 8:
             raise ParameterError(f"{len(state)} byte(s) are no state: give what bytes(contact.save()) returned")
         pointer = self._call(self.slave.deSerializeFMUstate, state[8:])
-        self._call(self.slave.setFMUstate, pointer)
-        self.slave.freeFMUstate(pointer)
+        try:
+            self._call(self.slave.setFMUstate, pointer)
+        finally:
+            self.slave.freeFMUstate(pointer)
         (self.time,) = struct.unpack("<d", state[:8])
         return self
 
