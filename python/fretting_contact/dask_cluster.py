@@ -1,12 +1,16 @@
 """Batches on a Dask cluster. A batch whose worker is lost goes to another one."""
 
 from collections.abc import Iterator, Sequence
+from concurrent.futures import CancelledError
 from typing import Any
 
 from .sweep_task import Task, run_batch
 
 RETRIES = 2
 """Repetitions of a batch that ends with an exception."""
+
+MOST_LOSSES = 100
+"""Results that may be lost with their worker before they are fetched."""
 
 
 def run_on_dask(
@@ -24,10 +28,27 @@ def run_on_dask(
         raise ImportError("cluster = ... needs Dask: pip install fretting-contact[sweep]") from problem
     client = cluster if isinstance(cluster, Client) else Client(cluster)
     try:
-        sent = client.scatter(content, broadcast=True)
-        tasks = {client.submit(run_batch, sent, parameters, rows, task, retries=RETRIES): k for k, rows in enumerate(batches)}
-        for future in as_completed(list(tasks), loop=client.loop):  # not that of another client in this process
-            number, result = tasks.pop(future), future.result()
+        # as the result of a task, and not scattered: that would be lost with the workers that hold it
+        sent = client.submit(bytes, content)
+        losses = 0
+
+        def submit(k: int) -> Any:
+            return client.submit(run_batch, sent, parameters, batches[k], task, retries=RETRIES, pure=False)
+
+        tasks = {submit(k): k for k in range(len(batches))}
+        queue = as_completed(list(tasks), loop=client.loop)  # not that of another client in this process
+        for future in queue:
+            number = tasks.pop(future)
+            try:
+                result = future.result()
+            except CancelledError:  # the worker was lost between the end of the batch and this call
+                losses += 1
+                if losses > MOST_LOSSES:
+                    raise
+                again = submit(number)
+                tasks[again] = number
+                queue.add(again)
+                continue
             future.release()  # come in, it need not be run again if its worker is lost
             yield number, result
     finally:

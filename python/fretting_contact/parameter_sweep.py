@@ -110,8 +110,8 @@ def sweep(
     arrays that share the folder `out`. `batch`: sets in a batch. `progress`: a bar (tqdm) or lines, or a
     function that takes a line.
 
-    A set that the component refuses has its message in the column `error`, warnings are in `warning`. A worker that dies costs
-    time, no results. In a script call `sweep` under `if __name__ == "__main__":`, since workers import it.
+    A set that the component refuses has its message in the column `error`, warnings are in `warning`. A
+    worker that dies costs time, no results. In a script call `sweep` under `if __name__ == "__main__":`, since workers import it.
     """
     sets = sets_of(over)
     action: Task = task if task is not None else CyclicLife(float(cycles))
@@ -125,8 +125,8 @@ def sweep(
     if folder is not None:
         open_folder(folder, content, common, sets, action, batch)
         results = {part.number: read_part(part.path) for part in every if part.path.exists()}
-    elif share is not None:
-        raise ValueError("share needs out: a folder that all shares write into")
+    if share is not None and (folder is None or not 0 <= share[0] < share[1]):
+        raise ValueError(f"share = {share}: give (number, count) with 0 <= number < count, and out, the folder of all shares")
     mine = every if share is None else every[share[0] :: share[1]]
     todo = [part for part in mine if part.number not in results]
     batches = [sets.rows(part.first, part.last) for part in todo]

@@ -80,8 +80,11 @@ def _parquet() -> Any:
 def write_part(path: Path, rows: list[dict[str, Any]]) -> None:
     """Writes results as Parquet."""
     pyarrow = _parquet()
-    names = dict.fromkeys(name for row in rows for name in row)
-    table = pyarrow.Table.from_pylist([{name: row.get(name) for name in names} for row in rows])
+    columns = {name: [row.get(name) for row in rows] for name in dict.fromkeys(name for row in rows for name in row)}
+    for name, values in columns.items():
+        if len({isinstance(value, str) for value in values if value is not None}) > 1:  # "10 mm" and 0.02: a column has one type
+            columns[name] = [None if value is None else str(value) for value in values]
+    table = pyarrow.table(columns)
     buffer = io.BytesIO()
     pyarrow.parquet.write_table(table, buffer)
     write_whole(path, buffer.getvalue())

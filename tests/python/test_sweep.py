@@ -119,9 +119,13 @@ def test_shares_of_a_job_array_are_the_whole(fmu_path, tmp_path):
     assert json.loads((tmp_path / "sweep.json").read_text())["number of sets"] == 50
 
 
-def test_a_refused_set_has_its_message_and_the_others_come_out(fmu_path):
+@pytest.mark.parametrize("to_files", [False, True])
+def test_a_refused_set_has_its_message_and_the_others_come_out(fmu_path, tmp_path, to_files):
     over = grid({"normal_force": [100.0, 0.0], "radius": ["10 mm", -0.01], "hardness": [8e9, 800.0]})
-    results = sweep({"profile": "parabola"}, over, cycles=10, fmu=fmu_path, processes=1, progress=False)
+    results = sweep({"profile": "parabola"}, over, cycles=10, fmu=fmu_path, processes=1, progress=False, batch=4, out=tmp_path if to_files else None)
+    if to_files:  # read back
+        results = sweep({"profile": "parabola"}, over, cycles=10, fmu=fmu_path, batch=4, out=tmp_path)
+        assert results.run == 0
     assert len(results) == 8
     refused = results["error"] != ""
     assert refused.tolist() == [False, False, True, True] * 2
@@ -129,6 +133,14 @@ def test_a_refused_set_has_its_message_and_the_others_come_out(fmu_path):
     assert results["regime"][:2].tolist() == ["partial"] * 2 and results["regime"][4] == "separated"
     assert np.isnan(results["wear_volume"][refused]).all()
     assert "hardness = 8e2 Pa" in results["warning"][1] and results["warning"][0] == ""
+
+
+@pytest.mark.parametrize("share", [(2, 2), (-1, 2)])
+def test_a_share_that_is_none_is_refused(fmu_path, tmp_path, share):
+    with pytest.raises(ValueError, match="give .number, count. with 0 <= number < count"):
+        sweep({}, {"normal_force": [1.0]}, fmu=fmu_path, out=tmp_path, share=share)
+    with pytest.raises(ValueError, match="and out, the folder of all shares"):
+        sweep({}, {"normal_force": [1.0]}, fmu=fmu_path, share=(0, 1))
 
 
 def test_a_script_without_a_main_guard_is_told_what_is_missing(tmp_path, fmu_path):
