@@ -4,7 +4,7 @@ Wear is switched off here, so that the loops can be laid over the closed forms.
 """
 
 import numpy as np
-from contact_fmu import ContactFmu
+from fretting_contact.component import ContactFmu
 from outcome import Headline, Outcome
 from plotting import (
     BLUE,
@@ -84,9 +84,9 @@ def constant_load_loop(fmu, theta, steps):
     first = np.linspace(0, amplitude, steps // 2 + 1)
     with ContactFmu(fmu) as contact:
         contact.start(normal_force=SPHERE.normal_force, wear_coefficient=0.0)
-        path = contact.walk(["tangential_force"], tangential_displacement=first[1:])
+        path = contact.follow(["tangential_force"], tangential_displacement=first[1:])
         before = contact.get("dissipated_energy")
-        loop = contact.walk(["tangential_force"], tangential_displacement=np.concatenate([back, -back]))
+        loop = contact.follow(["tangential_force"], tangential_displacement=np.concatenate([back, -back]))
         work = contact.get("dissipated_energy") - before
     there = SPHERE.reversal(back, amplitude)
     return {
@@ -107,7 +107,7 @@ def varying_load_loop(fmu, phase, steps):
     with ContactFmu(fmu) as contact:
         contact.start(normal_force=load[0], tangential_displacement=displacement[0], wear_coefficient=0.0)
         start = contact.get(*names)
-        walk = contact.walk(names, normal_force=load[1:], tangential_displacement=displacement[1:])
+        walk = contact.follow(names, normal_force=load[1:], tangential_displacement=displacement[1:])
     states = {name: np.concatenate([[first], walk[name]]) for name, first in zip(names, start)}
     return {
         "angle": angle,

@@ -15,7 +15,7 @@ import page
 import running_map
 import shaken_mass
 import worn_tip
-from contact_fmu import FmuFile
+from fretting_contact.component import FmuFile
 from plotting import save_table
 
 CASES = (ball, worn_tip, shaken_mass, lives, running_map)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from bodies import STEEL, BluntedParabola, Cone, FinalShape, Parabola
-from contact_fmu import ContactFmu
+from fretting_contact.component import ContactFmu
 from outcome import Headline, Outcome
 from plotting import GREY, INK, figure, save_picture, save_table, shades
 

@@ -5,7 +5,7 @@ thousands of sets, on all cores or on a cluster.
 """
 
 import numpy as np
-from contact_fmu import ContactFmu
+from fretting_contact.component import ContactFmu
 from matplotlib.colors import LogNorm
 from outcome import Headline, Outcome
 from plotting import INK, MICRO, figure, save_picture, save_table

@@ -16,7 +16,7 @@ with normal_stiffness. The step is 1/96 of a period of the shaking: half of it c
 from dataclasses import dataclass
 
 import numpy as np
-from contact_fmu import ContactFmu
+from fretting_contact.component import ContactFmu
 from outcome import Headline, Outcome
 from plotting import BLUE, GREEN, GREY, INK, MICRO, ORANGE, RED, figure, save_picture, save_table, shades
 from scipy.integrate import solve_ivp

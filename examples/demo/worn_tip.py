@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from contact_fmu import ContactFmu
+from fretting_contact.component import ContactFmu
 from outcome import Headline, Outcome
 from plotting import GIGA, GREY, INK, MICRO, figure, save_picture, save_table, shades
 

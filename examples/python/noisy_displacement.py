@@ -10,33 +10,18 @@ with that of the displacement without noise; mean and spread of five noise seque
 import sys
 
 import numpy as np
-from fmpy import extract, read_model_description, simulate_fmu
+from fretting_contact import Contact, drive
 from scipy.signal import butter, filtfilt
 
-FMU = sys.argv[1] if len(sys.argv) > 1 else "target/fmu/FrettingContact.fmu"
-INPUTS = ["time", "normal_force", "indentation", "tangential_displacement", "displacement_amplitude", "frequency"]
-INPUTS += ["tangential_displacement_y"]
+FMU = sys.argv[1] if len(sys.argv) > 1 else None  # that of the package
 AMPLITUDE, CYCLES, POINTS = 1.5e-6, 20, 200  # m; of 1 s each; a cycle
 CUTOFF = 10.0  # cycles per cycle of the motion
 NOISE, SEEDS = (20e-9, 50e-9), range(5)  # m rms
 
-description, folder = read_model_description(FMU), extract(FMU)
-
 
 def worn_volume(displacement):
-    signals = np.zeros(displacement.size + 1, dtype=[(name, float) for name in INPUTS])
-    signals["time"] = np.arange(signals.size) / POINTS
-    signals["normal_force"] = 100.0
-    signals["tangential_displacement"] = np.append(displacement, displacement[-1])
-    result = simulate_fmu(
-        folder,
-        model_description=description,
-        input=signals,
-        stop_time=displacement.size / POINTS,
-        output_interval=1 / POINTS,
-        output=["wear_volume"],
-    )
-    return result["wear_volume"][-1]
+    with Contact(fmu=FMU, normal_force=100.0) as contact:
+        return drive(contact, np.arange(displacement.size) / POINTS, displacement).wear_volume[-1]
 
 
 def low_pass(displacement):

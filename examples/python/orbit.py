@@ -1,4 +1,4 @@
-"""Motion in both tangential directions, with FMPy: a round orbit of the body on its counter body.
+"""Motion in both tangential directions: a round orbit of the body on its counter body.
 
     python orbit.py [FrettingContact.fmu]
 
@@ -10,31 +10,19 @@ force lags behind the displacement: it is turned towards where the body goes.
 import sys
 
 import numpy as np
-from fmpy import simulate_fmu
+from fretting_contact import Contact, drive
 
-FMU = sys.argv[1] if len(sys.argv) > 1 else "target/fmu/FrettingContact.fmu"
-INPUTS = ["time", "normal_force", "indentation", "tangential_displacement", "displacement_amplitude", "frequency"]
-INPUTS += ["tangential_displacement_y"]
+FMU = sys.argv[1] if len(sys.argv) > 1 else None  # that of the package
 FORCE, RADIUS, ORBITS, STEPS = 100.0, 1.5e-6, 8, 180  # N, m, of 1 s each, steps an orbit
 FRICTION, NORMAL_MODULUS, SHEAR_MODULUS, BALL = 0.6, 115.385e9, 95.0226e9, 0.01  # steel on steel
 
 
 def stepped():
-    """Every step of the orbit, and one more: FMPy sets an input at the start of a step, the contact is there at its end."""
-    signals = np.zeros(ORBITS * STEPS + 2, dtype=[(name, float) for name in INPUTS])
-    signals["time"] = np.arange(len(signals)) / STEPS
-    signals["normal_force"] = FORCE
-    radius = RADIUS * np.minimum(signals["time"], 1.0)  # a spiral from the place of rest first
-    signals["tangential_displacement"] = radius * np.cos(2 * np.pi * signals["time"])
-    signals["tangential_displacement_y"] = radius * np.sin(2 * np.pi * signals["time"])
-    return simulate_fmu(
-        FMU,
-        start_values={"wear_coefficient": 3.2e-5},
-        input=signals,
-        stop_time=ORBITS + 1 / STEPS,
-        output_interval=1 / STEPS,
-        output=["tangential_force", "tangential_force_y", "dissipated_energy", "wear_volume", "stick_radius"],
-    )
+    """Every step of the orbits, after a spiral from the place of rest."""
+    time = np.arange(ORBITS * STEPS + 1) / STEPS
+    place = RADIUS * np.minimum(time, 1.0) * np.exp(2j * np.pi * time)
+    with Contact(fmu=FMU, wear_coefficient=3.2e-5, normal_force=FORCE) as contact:
+        return drive(contact, time, place.real, displacement_y=place.imag, outputs=["tangential_force_y"])
 
 
 def closed_form():
@@ -50,13 +38,13 @@ def closed_form():
 
 if __name__ == "__main__":
     result = stepped()
-    last = result[-STEPS - 1 :]
     force, work = closed_form()
-    size = np.hypot(last["tangential_force"], last["tangential_force_y"])
+    last = slice(-STEPS - 1, None)
+    size = np.hypot(result.tangential_force, result.more["tangential_force_y"])[last]
     print(f"force, stepped       {size.mean():.4f} N")
     print(f"force, closed form   {force:.4f} N")
     print(f"limit of friction    {FRICTION * FORCE:.4f} N")
-    print(f"work, stepped        {last['dissipated_energy'][-1] - last['dissipated_energy'][0]:.4e} J")
+    print(f"work, stepped        {np.ptp(result.dissipated_energy[last]):.4e} J")
     print(f"work, closed form    {work:.4e} J")
-    print(f"stick radius         {last['stick_radius'][-1]:.4e} m")
-    print(f"worn volume          {last['wear_volume'][-1]:.4e} m3")
+    print(f"stick radius         {result.stick_radius[-1]:.4e} m")
+    print(f"worn volume          {result.wear_volume[-1]:.4e} m3")

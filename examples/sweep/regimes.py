@@ -8,19 +8,19 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import matplotlib.ticker
 import numpy as np
+from sweep import FULL_SLIP
 
 MARKS = {"stick": "o", "partial": "s", "gross": "^"}
 
 
 def full_slip(load):
-    """Amplitude at which the whole contact of the default steel ball begins to slip, m: μ (E*/G*) d, d ∝ F^(2/3)."""
-    return 2.53755e-6 * (np.asarray(load) / 100.0) ** (2 / 3)
+    """Amplitude at which the whole contact begins to slip under a load, m: μ (E*/G*) d, d ∝ F^(2/3)."""
+    return FULL_SLIP * (np.asarray(load) / 100.0) ** (2 / 3)
 
 
 def draw(results, path):
     """Writes the picture; returns how many sets are in each regime."""
-    load, amplitude = np.array(results["load"]), np.array(results["amplitude"])
-    volume, regime = np.array(results["wear_volume"]), np.array(results["regime"])
+    load, amplitude, volume, regime = (results[name] for name in ("normal_force", "displacement_amplitude", "wear_volume", "regime"))
     figure, axes = plt.subplots(figsize=(8, 6), layout="constrained")
     scale = matplotlib.colors.LogNorm(np.percentile(volume, 2) * 1e15, volume.max() * 1e15)
     shades = {"norm": scale, "cmap": "viridis"}
@@ -43,4 +43,4 @@ def draw(results, path):
     figure.colorbar(dots, label="volume worn in all cycles (10⁻⁶ mm³)")
     figure.savefig(path, dpi=130)
     plt.close(figure)
-    return f"{dict(Counter(results['regime']))} in the first cycle, {dict(Counter(results['regime_at_end']))} in the last: {path}"
+    return f"{dict(Counter(regime.tolist()))} in the first cycle, {dict(Counter(results['regime_at_end'].tolist()))} in the last: {path}"

@@ -28,6 +28,7 @@ mod reference;
 mod release;
 mod terminals;
 mod totals;
+mod wheel;
 mod wording;
 mod workspace;
 mod xml;
@@ -98,6 +99,15 @@ enum Task {
     Try {
         /// The FMU; target/fmu/FrettingContact.fmu if not given
         path: Option<PathBuf>,
+    },
+    /// Make the Python package fretting_contact as a wheel, with the FMU inside
+    Wheel {
+        /// The FMU, for one or several platforms; target/fmu/FrettingContact.fmu if not given
+        #[arg(long)]
+        fmu: Option<PathBuf>,
+        /// Folder to write the wheel into; target/dist if not given
+        #[arg(long)]
+        output: Option<PathBuf>,
     },
     /// Run the fuzz targets under AddressSanitizer: calls, states, profiles
     Fuzz {
@@ -183,6 +193,11 @@ fn run(task: Task) -> Result<()> {
                 eprintln!("{} has no library for another machine that could be run here", path.display());
             }
             lines.iter().for_each(|line| println!("{line}"));
+        }
+        Task::Wheel { fmu, output } => {
+            let fmu = std::path::absolute(fmu.unwrap_or_else(|| workspace.fmu()))?;
+            let output = std::path::absolute(output.unwrap_or_else(|| workspace.product("dist")))?;
+            wheel::build(&workspace, &fmu, &output)?;
         }
         Task::Fuzz { targets, seconds, runs, seed } => {
             let effort = runs.map_or(fuzz::Effort::Seconds(seconds), fuzz::Effort::Runs);

@@ -33,6 +33,7 @@ impl<'a> Venv<'a> {
         }
         let works = venv.runs(&["-c", ""]);
         if works && wanted.iter().all(|(file, text)| venv.has_installed(file, text)) {
+            venv.link_package()?;
             return Ok(venv);
         }
         progress::quiet("Setting up Python under target/venv", |step| {
@@ -47,7 +48,18 @@ impl<'a> Venv<'a> {
             }
             Ok(())
         })?;
+        venv.link_package()?;
         Ok(venv)
+    }
+
+    /// Lets the environment find the package in the checkout's folder `python`.
+    fn link_package(&self) -> Result<()> {
+        let link = self.site_packages()?.join("fretting_contact_checkout.pth");
+        let folder = format!("{}\n", self.workspace.file("python").display());
+        if !fs::read_to_string(&link).is_ok_and(|found| found == folder) {
+            fs::write(&link, folder).with_context(|| format!("cannot write {}", link.display()))?;
+        }
+        Ok(())
     }
 
     /// The environment's Python, to be run in the workspace root.

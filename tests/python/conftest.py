@@ -12,11 +12,13 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 DEMO = ROOT / "examples" / "demo"
-sys.path.insert(0, str(DEMO))  # the demo's contact_fmu is the tests' master as well
-sys.path.insert(0, str(ROOT / "python"))
+sys.path.insert(0, str(DEMO))
+PACKAGE = str(ROOT / "python")
+sys.path.insert(0, PACKAGE)
+os.environ["PYTHONPATH"] = os.pathsep.join([PACKAGE, *filter(None, [os.environ.get("PYTHONPATH")])])  # of examples, too
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads would only wait for each other
 
-from contact_fmu import ContactFmu, FmuFile  # noqa: E402
+from fretting_contact.component import ContactFmu, FmuFile  # noqa: E402
 
 
 @pytest.fixture(scope="session")

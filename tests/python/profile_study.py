@@ -21,7 +21,7 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 import numpy as np
-from contact_fmu import ContactFmu, FmuFile
+from fretting_contact.component import ContactFmu, FmuFile
 from fretting_contact.profile import fit_scan, write_table
 from fretting_contact.profile_picture import STYLE
 from scans import BALL, ROUNDED_FLAT, SMALL_BALL, SMALL_FLAT, WORN_FLAT, at_depth, at_load

@@ -1,7 +1,7 @@
 """What is refused, how it is said, and that nothing is lost by it."""
 
 import pytest
-from contact_fmu import ContactError
+from fretting_contact.component import ContactError
 
 ERRORS = (2, 3)  # fmi2Discard, fmi2Error; never fmi2Fatal
 

@@ -1,7 +1,7 @@
 """fmi2SetRealInputDerivatives: the target of a step is the input extrapolated to the step's end."""
 
 import pytest
-from contact_fmu import ContactError
+from fretting_contact.component import ContactError
 
 
 def set_rate(contact, **rates):

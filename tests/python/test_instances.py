@@ -1,7 +1,7 @@
 """Several instances, reset, and repeatability: always the same bits."""
 
 import numpy as np
-from contact_fmu import ContactFmu
+from fretting_contact.component import ContactFmu
 
 OUTPUTS = ["tangential_force", "wear_volume", "wear_depth", "dissipated_energy", "indentation_depth", "contact_radius"]
 

@@ -22,7 +22,7 @@ def contact(case, start_contact):
 
 def test_loading(case, contact):
     path = np.linspace(0, 1.2 * case.full_slip, 61)[1:]
-    force = contact.walk(["tangential_force"], tangential_displacement=path)["tangential_force"]
+    force = contact.follow(["tangential_force"], tangential_displacement=path)["tangential_force"]
     assert np.max(np.abs(force - case.loading(path))) < FORCE_ERROR * case.limit
 
 
@@ -31,7 +31,7 @@ def test_unloading_and_reloading(case, contact, theta):
     amplitude = theta * case.full_slip
     contact.step(tangential_displacement=amplitude)
     back = np.linspace(amplitude, -amplitude, 41)[1:]
-    force = contact.walk(["tangential_force"], tangential_displacement=np.concatenate([back, -back]))[
+    force = contact.follow(["tangential_force"], tangential_displacement=np.concatenate([back, -back]))[
         "tangential_force"
     ]
     exact = case.reversal(back, amplitude)

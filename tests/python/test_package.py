@@ -7,7 +7,7 @@ import fmpy
 import numpy as np
 import pytest
 from closed_forms import Sphere, Tangential
-from contact_fmu import PROBES
+from fretting_contact.component import PROBES
 from fmpy.validation import validate_fmu
 
 INPUTS = {

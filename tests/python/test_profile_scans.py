@@ -7,7 +7,7 @@ from math import inf
 import numpy as np
 import pytest
 from conftest import ROOT
-from contact_fmu import ContactError
+from fretting_contact.component import ContactError
 from fretting_contact.image_shapes import image_of_table
 from fretting_contact.profile import Scan, ScanError, fit_scan, main, read_scan, write_table
 from fretting_contact.text_table import TextTableError, parse_columns

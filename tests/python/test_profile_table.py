@@ -25,7 +25,7 @@ def test_sampled_sphere_is_the_parabola(start_contact, sampled_sphere):
     parabola = start_contact(wear_coefficient=0.0)
     path = np.concatenate([np.linspace(0, 2e-6, 11)[1:], np.linspace(2e-6, -2e-6, 21)[1:]])
     outputs = ["tangential_force", "contact_radius", "indentation_depth", "dissipated_energy"]
-    found, expected = (contact.walk(outputs, tangential_displacement=path) for contact in (table, parabola))
+    found, expected = (contact.follow(outputs, tangential_displacement=path) for contact in (table, parabola))
     for name in outputs:
         assert found[name] == pytest.approx(expected[name], rel=1e-6, abs=1e-6 * np.max(np.abs(expected[name]))), name
 
@@ -34,7 +34,7 @@ def test_worn_sampled_sphere_is_the_worn_parabola(start_contact, sampled_sphere)
     volumes = []
     for parameters in ({"profile": "table", "profile_file": sampled_sphere}, {}):
         contact = start_contact(**parameters, wear_coefficient=1.0)
-        contact.walk(["wear_volume"], tangential_displacement=np.tile([1.5e-6, -1.5e-6], 5))
+        contact.follow(["wear_volume"], tangential_displacement=np.tile([1.5e-6, -1.5e-6], 5))
         volumes.append(contact.get("wear_volume"))
     assert volumes[0] == pytest.approx(volumes[1], rel=1e-4)  # a tenth of the default tolerance
 

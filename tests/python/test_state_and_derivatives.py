@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 import pytest
-from contact_fmu import ContactError, ContactFmu, FmuFile
+from fretting_contact.component import ContactError, ContactFmu, FmuFile
 
 OUTPUTS = ["tangential_force", "wear_volume", "wear_depth", "dissipated_energy", "indentation_depth", "stick_radius"]
 

@@ -23,18 +23,18 @@ import runpy, sys
 demo, script, *sys.argv[1:] = sys.argv[1:]
 sys.path[:0] = [demo]
 sys.argv[0] = script
-import contact_fmu
+from fretting_contact import component
 
 class Kept(dict):
     def pop(self, *_):
         return None
 
-contact_fmu._messages = Kept()
+component._messages = Kept()
 try:
     runpy.run_path(script, run_name="__main__")
 except SystemExit as end:
     assert not end.code, end.code
-for messages in contact_fmu._messages.values():
+for messages in component._messages.values():
     for status, text in messages:
         print("[WARNING] of a kept message:", text) if status == 1 else None
 """
@@ -50,7 +50,7 @@ def warnings(script, *arguments):
 def test_the_runner_finds_warnings(fmu_path, tmp_path):
     own = tmp_path / "own.py"
     own.write_text(
-        "import sys\nfrom contact_fmu import ContactFmu, FmuFile\n"
+        "import sys\nfrom fretting_contact.component import ContactFmu, FmuFile\n"
         "with FmuFile(sys.argv[1]) as file, ContactFmu(file) as contact:\n"
         "    contact.start(hardness=800.0)\n",
         encoding="utf-8",

@@ -29,7 +29,7 @@ def test_volume_is_friction_work(start_contact, shape, theta):
     contact.step(tangential_displacement=amplitude)
     start = contact.get("tangential_force", "wear_volume", "dissipated_energy")
     path = strokes(amplitude, 3, 200)
-    walk = contact.walk(["tangential_force", "wear_volume", "dissipated_energy"], tangential_displacement=path)
+    walk = contact.follow(["tangential_force", "wear_volume", "dissipated_energy"], tangential_displacement=path)
     force = np.concatenate([[start[0]], walk["tangential_force"]])
     work = np.trapezoid(force, np.concatenate([[amplitude], path]))
     volume = walk["wear_volume"][-1] - start[1]
@@ -46,7 +46,7 @@ def test_volume_is_friction_work_without_visible_wear(start_contact):
     contact.step(tangential_displacement=amplitude)
     start = contact.get("tangential_force", "wear_volume")
     path = strokes(amplitude, 1, 400)
-    walk = contact.walk(["tangential_force", "wear_volume"], tangential_displacement=path)
+    walk = contact.follow(["tangential_force", "wear_volume"], tangential_displacement=path)
     force = np.concatenate([[start[0]], walk["tangential_force"]])
     work = np.trapezoid(force, np.concatenate([[amplitude], path]))
     assert walk["wear_volume"][-1] - start[1] == pytest.approx(PER_WORK * work, rel=IDENTITY)
@@ -57,7 +57,7 @@ def test_volume_is_the_integral_of_depth(start_contact, theta, error):
     """64 probes see the worn ring as a polygon: 2 % of its volume, and 5 % where its inner edge is steep."""
     amplitude = theta * Tangential(Sphere(), 100.0).full_slip
     contact = start_contact(**faster(5000))
-    contact.walk(["wear_volume"], tangential_displacement=strokes(amplitude, 3, 20))
+    contact.follow(["wear_volume"], tangential_displacement=strokes(amplitude, 3, 20))
     r, depth = contact.field("radius_probe"), contact.field("worn_depth")
     volume = np.pi * np.trapezoid(depth, r**2)
     assert volume == pytest.approx(contact.get("wear_volume"), rel=error)
@@ -92,7 +92,7 @@ def test_sticking_contact_does_not_wear(start_contact):
     b, force = 1e-4, 50.0
     contact = start_contact(profile="flat_punch", flat_radius=b, normal_force=force, **faster(1e6))
     amplitude = 0.9 * MU * force / (2 * G_STAR * b)
-    contact.walk(["wear_volume"], tangential_displacement=strokes(amplitude, 5, 10))
+    contact.follow(["wear_volume"], tangential_displacement=strokes(amplitude, 5, 10))
     assert contact.get("wear_volume", "wear_depth", "dissipated_energy") == [0, 0, 0]
 
 
@@ -103,7 +103,7 @@ def test_sticking_centre_does_not_wear(start_contact):
     a = np.sqrt(depth * 0.01)
     amplitude = SLIDING * depth * (1 - c**2)
     contact = start_contact(normal_control="indentation", indentation=depth, **faster(5000))
-    contact.walk(["wear_volume"], tangential_displacement=strokes(amplitude, 20, 8))
+    contact.follow(["wear_volume"], tangential_displacement=strokes(amplitude, 20, 8))
     r, worn = contact.field("radius_probe"), contact.field("worn_depth")
     assert contact.get("wear_depth") > 1e-9
     # The engine may place the stick edge within a cell of its exact place: 1/128 of the contact.
@@ -114,7 +114,7 @@ def test_sticking_centre_does_not_wear(start_contact):
 
 def test_no_wear_coefficient_no_wear(start_contact):
     contact = start_contact(wear_coefficient=0.0)
-    contact.walk(["wear_volume"], tangential_displacement=strokes(5e-6, 2, 20))
+    contact.follow(["wear_volume"], tangential_displacement=strokes(5e-6, 2, 20))
     assert contact.get("wear_volume", "wear_depth") == [0, 0]
     assert np.all(contact.field("worn_depth") == 0.0)
     assert contact.get("dissipated_energy") > 0
@@ -148,7 +148,7 @@ def test_volume_scales_with_the_wear_coefficient(start_contact):
     volumes = []
     for factor in (1.0, 2.0):
         contact = start_contact(**faster(factor))
-        contact.walk(["wear_volume"], tangential_displacement=strokes(2e-6, 1, 10))
+        contact.follow(["wear_volume"], tangential_displacement=strokes(2e-6, 1, 10))
         volumes.append(contact.get("wear_volume"))
     assert volumes[1] == pytest.approx(2 * volumes[0], rel=1e-4)  # the profile changes by about 1e-5 of d
 

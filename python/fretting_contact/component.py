@@ -1,18 +1,19 @@
-"""FrettingContact.fmu as a Python object, on fmpy's low-level interface.
+"""One instance of FrettingContact.fmu on the low-level interface of FMPy.
 
     with FmuFile("FrettingContact.fmu") as fmu, ContactFmu(fmu) as contact:
         contact.start(normal_force=100.0)
         contact.step(tangential_displacement=1e-6)
         print(contact.get("tangential_force"))
 
-Everything is in SI units. Variables go by their names; enumerations may be given by their item's name.
+SI units. Variables are used by their names; enumerations may be given by the name of their item.
+`Contact` adds checks, units and warnings to this class.
 """
 
 import itertools
-import shutil
+from collections.abc import Callable, Iterable, Sequence
 from ctypes import byref
+from typing import Any
 
-import fmpy
 import numpy as np
 from fmpy import calloc, free
 from fmpy.fmi1 import FMICallException
@@ -24,15 +25,22 @@ from fmpy.fmi2 import (
     fmi2CallbackLoggerTYPE,
 )
 from fmpy.logging import addLoggerProxy
+from numpy.typing import ArrayLike, NDArray
+
+from .fmu_file import FmuFile
+
+__all__ = ["PROBES", "ContactError", "ContactFmu", "FmuFile"]
 
 PROBES = 64
 """Number of radii at which the FMU reports its fields."""
 
-_messages = {}
+STATUS = ("fmi2OK", "fmi2Warning", "fmi2Discard", "fmi2Error", "fmi2Fatal", "fmi2Pending")
+
+_messages: dict[str, list[tuple[int, str]]] = {}
 _numbers = itertools.count(1)
 
 
-def _log(_environment, instance_name, status, _category, message):
+def _log(_environment: object, instance_name: bytes, status: int, _category: bytes, message: bytes) -> None:
     text = (message or b"").decode("utf-8", "replace")
     _messages.setdefault((instance_name or b"").decode(), []).append((status, text))
 
@@ -48,36 +56,18 @@ addLoggerProxy(byref(_callbacks))
 
 
 class ContactError(Exception):
-    """A call that the FMU refused: `function`, FMI `status`, and the messages of the FMU in `messages`."""
+    """A call that the FMU refused: `function`, FMI `status`, and the FMU's own `messages`."""
 
-    def __init__(self, function, status, messages):
+    def __init__(self, function: str, status: int, messages: list[str]):
         self.function, self.status, self.messages = function, status, messages
-        super().__init__(f"{function} returned status {status}: {' / '.join(messages) or 'no message'}")
-
-
-class FmuFile:
-    """An FMU unpacked into a temporary directory, for any number of instances."""
-
-    def __init__(self, path):
-        self.path = str(path)
-        self.description = fmpy.read_model_description(self.path)
-        self.directory = fmpy.extract(self.path)
-        self.variables = {v.name: v for v in self.description.modelVariables}
-
-    def close(self):
-        shutil.rmtree(self.directory, ignore_errors=True)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.close()
+        name = STATUS[status] if status in range(len(STATUS)) else str(status)
+        super().__init__(f"{' / '.join(messages) or 'the component gave no message'} ({function}: {name})")
 
 
 class ContactFmu:
     """One instance of the FMU. `start` initialises it; `step` advances it."""
 
-    def __init__(self, fmu):
+    def __init__(self, fmu: FmuFile):
         self.fmu = fmu
         self.name = f"contact {next(_numbers)}"
         self.time = 0.0
@@ -89,19 +79,22 @@ class ContactFmu:
         )
         self._call(self.slave.instantiate, callbacks=_callbacks, loggingOn=True)
 
-    def __enter__(self):
+    def __enter__(self) -> Any:
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
+        self._free()
+
+    def _free(self) -> None:
         self.slave.freeInstance()
         _messages.pop(self.name, None)
 
     @property
-    def messages(self):
+    def messages(self) -> list[tuple[int, str]]:
         """All (status, text) pairs that the instance has logged."""
         return _messages.get(self.name, [])
 
-    def start(self, **values):
+    def start(self, **values: Any) -> Any:
         """Sets parameters and initial inputs, and initialises. The bodies then touch with these inputs."""
         self._call(self.slave.setupExperiment, startTime=0.0)
         self.set(**values)
@@ -110,11 +103,11 @@ class ContactFmu:
         self.time = 0.0
         return self
 
-    def reset(self):
+    def reset(self) -> None:
         """Back to the state right after the instance was made."""
         self._call(self.slave.reset)
 
-    def set(self, **values):
+    def set(self, **values: Any) -> None:
         """Sets variables by name."""
         for type_, group in self._by_type(values).items():
             setter = getattr(self.slave, "set" + {"Enumeration": "Integer"}.get(type_, type_))
@@ -130,7 +123,7 @@ class ContactFmu:
             found.update({variable.name: self._decode(variable, x) for variable, x in zip(group, values)})
         return found[names[0]] if len(names) == 1 else [found[name] for name in names]
 
-    def field(self, name):
+    def field(self, name: str) -> NDArray[np.float64]:
         """A field at the probe radii, as an array."""
         return np.array(self.get(*(f"{name}[{i}]" for i in range(1, PROBES + 1))))
 
@@ -140,35 +133,49 @@ class ContactFmu:
             self.set(**inputs)
         self._call(self.slave.doStep, self.time, size)
         self.time += size
+        return self
 
-    def walk(self, outputs, step_size=1e-3, **inputs):
-        """Follows equally long sequences of inputs; returns {output: array}, the state after each step."""
-        rows = []
-        for values in zip(*inputs.values(), strict=True):
-            self.step(step_size, **dict(zip(inputs, values)))
-            rows.append([self.get(*outputs)] if len(outputs) == 1 else self.get(*outputs))
-        return dict(zip(outputs, np.array(rows, dtype=object).T.astype(float)))
+    def follow(
+        self, outputs: Sequence[str], step_size: ArrayLike = 1e-3, **inputs: ArrayLike
+    ) -> dict[str, NDArray[np.float64]]:
+        """Follows equally long sequences of Real inputs, one step for each value.
 
-    def _by_type(self, names):
-        groups = {}
+        Returns {output: array}, the state after each step. `step_size`: s, one for all or one a step.
+        """
+        rows = np.column_stack([np.asarray(values, dtype=float) for values in inputs.values()]).tolist()
+        sizes = np.broadcast_to(np.asarray(step_size, dtype=float), len(rows)).tolist()
+        to_set, to_get = self._references(inputs), self._references(outputs)
+        found = np.empty((len(rows), len(to_get)))
+        for k, (row, size) in enumerate(zip(rows, sizes)):
+            self._call(self.slave.setReal, to_set, row)
+            self._call(self.slave.doStep, self.time, size)
+            self.time += size
+            found[k] = self._call(self.slave.getReal, to_get)
+        return dict(zip(outputs, found.T))
+
+    def _references(self, names: Iterable[str]) -> list[int]:
+        return [self.fmu.variables[name].valueReference for name in names]
+
+    def _by_type(self, names: Iterable[str]) -> dict[str, list[Any]]:
+        groups: dict[str, list[Any]] = {}
         for name in names:
             variable = self.fmu.variables[name]
             groups.setdefault(variable.type, []).append(variable)
         return groups
 
     @staticmethod
-    def _encode(variable, value):
+    def _encode(variable: Any, value: Any) -> Any:
         if variable.type == "Enumeration" and isinstance(value, str):
             return next(int(item.value) for item in variable.declaredType.items if item.name == value)
         return value
 
     @staticmethod
-    def _decode(variable, value):
+    def _decode(variable: Any, value: Any) -> Any:
         if variable.type == "Enumeration":
             return next(item.name for item in variable.declaredType.items if int(item.value) == value)
         return value.decode() if isinstance(value, bytes) else value
 
-    def _call(self, function, *arguments, **keywords):
+    def _call(self, function: Callable[..., Any], *arguments: Any, **keywords: Any) -> Any:
         first = len(self.messages)
         try:
             return function(*arguments, **keywords)

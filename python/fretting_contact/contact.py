@@ -1,0 +1,259 @@
+"""A fretting contact as a Python object."""
+
+import contextlib
+import difflib
+import os
+import struct
+import tempfile
+import warnings
+from collections.abc import Callable, Iterable
+from ctypes import c_void_p
+from functools import cached_property
+from numbers import Integral, Real
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .component import ContactError, ContactFmu
+from .fmu_file import FmuFile, shared_file
+from .quantities import in_si
+
+SETTABLE = ("parameter", "input")
+
+
+class ParameterError(ValueError):
+    """A name or a value that the component does not have; the text says what it has."""
+
+
+class ContactWarning(UserWarning):
+    """A warning of the component: a value that is allowed and seldom meant."""
+
+
+class SavedState:
+    """The state of a contact at one time. `bytes(state)` is for a file or another process."""
+
+    def __init__(self, contact: "Contact", pointer: c_void_p, time: float):
+        self._contact, self._pointer, self.time = contact, pointer, time
+
+    def __bytes__(self) -> bytes:
+        contact = self._contact._check_open()
+        return struct.pack("<d", self.time) + contact._call(contact.slave.serializeFMUstate, self._pointer)
+
+    def __del__(self) -> None:
+        if self._contact._is_open:
+            self._contact.slave.freeFMUstate(self._pointer)
+
+
+class Contact(ContactFmu):
+    """A contact of two bodies with friction and wear, ready to be moved.
+
+    Parameters and initial inputs go by their names in the component (docs/variables.md) and are
+    in SI units: m, N, Pa, rad, Hz, N/m. A text with a unit is converted: `radius="10 mm"`,
+    `youngs_modulus_1="210 GPa"`. Enumerations are texts: `loading="cyclic"`. `profile_file` may
+    also be the result of `fit_scan`, or a pair of arrays r and f in m; `profile` is "table" then.
+    `fmu`: path of the FMU; that of the package if not given.
+
+    Read values with `contact["wear_volume"]`, fields with `contact["pressure"]` (an array at
+    the radii `contact["radius_probe"]`). A refused call raises `ContactError` with the component's
+    message, and changes nothing. Its warnings are issued as `ContactWarning`.
+
+    >>> with Contact(radius="10 mm", normal_force=100.0) as contact:
+    ...     _ = contact.step(tangential_displacement="1 um")
+    ...     print(f"{contact['tangential_force']:.2f} N, {contact['slip_state']}")
+    ...     print(contact["pressure"].shape)
+    31.70 N, partial_slip
+    (64,)
+    """
+
+    def __init__(self, *, fmu: str | os.PathLike[str] | FmuFile | None = None, **parameters: Any):
+        self._is_open = False
+        super().__init__(fmu if isinstance(fmu, FmuFile) else shared_file(fmu))
+        self._is_open = True
+        self._table: Path | None = None
+        self.given: dict[str, Any] = {}  # what has been set before the first step
+        try:
+            self.start(**parameters)
+        except BaseException:
+            self._free()
+            raise
+
+    def __enter__(self) -> "Contact":
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __repr__(self) -> str:
+        return f"<Contact at {self.time:g} s>" if self._is_open else "<Contact, closed>"
+
+    def close(self) -> None:
+        """Ends the instance. Its last warnings are issued here."""
+        if self._is_open:
+            # a contact that has failed is freed as it is
+            with contextlib.suppress(ContactError):
+                self._call(self.slave.terminate)
+            self._free()
+
+    def start(self, **parameters: Any) -> "Contact":
+        """Initialises with these parameters and initial inputs, all others at their start values."""
+        super().start(**parameters)
+        if self._table is not None:  # it has been read
+            self._table.unlink(missing_ok=True)
+            self._table = None
+        return self
+
+    def restart(self, **parameters: Any) -> "Contact":
+        """The same instance as a new contact with these parameters; faster than a new instance."""
+        self.reset()
+        self.given = {}
+        return self.start(**parameters)
+
+    def set(self, **values: Any) -> None:
+        """Sets inputs, tunable parameters (between steps), or parameters (before the start)."""
+        given = values
+        if values.get("profile_file") is not None and not isinstance(values["profile_file"], (str, os.PathLike)):
+            values = {"profile": "table", **values, "profile_file": self._write_table(values["profile_file"])}
+        super().set(**{name: self._checked(name, value) for name, value in values.items()})
+        if self.time == 0.0:
+            self.given |= given
+
+    def step(self, size: float = 1e-3, **inputs: Any) -> "Contact":
+        """Sets inputs and advances by `size`, s, along the straight line to the new inputs.
+
+        In cyclic loading a step makes `frequency` times `size` cycles.
+        """
+        super().step(float(size), **inputs)
+        return self
+
+    def __getitem__(self, name: str) -> Any:
+        """The value of a variable; an array for the name of a field."""
+        references = self.fields.get(name)
+        if references is not None:
+            return np.array(self._call(self.slave.getReal, references))
+        self._require(name)
+        return self.get(name)
+
+    @cached_property
+    def fields(self) -> dict[str, list[int]]:
+        """Names of the fields, with the value references of their elements."""
+        found: dict[str, list[int]] = {}
+        for name, variable in self.fmu.variables.items():
+            if name.endswith("]"):
+                found.setdefault(name.split("[")[0], []).append(variable.valueReference)
+        return found
+
+    def field(self, name: str) -> NDArray[np.float64]:
+        """A field at the radii `radius_probe`."""
+        if name not in self.fields:
+            raise ParameterError(f"{name} is no field{_near(name, self.fields)}; there are {', '.join(self.fields)}")
+        return self[name]
+
+    def save(self) -> SavedState:
+        """The present state; `restore` returns to it."""
+        self._check_open()
+        return SavedState(self, self._call(self.slave.getFMUstate), self.time)
+
+    def restore(self, state: SavedState | bytes) -> "Contact":
+        """Returns to a state of this contact, or takes one over from bytes."""
+        self._check_open()
+        if isinstance(state, SavedState):
+            if state._contact is not self:
+                raise ParameterError("the state is of another contact: restore it there, or give bytes(state)")
+            self._call(self.slave.setFMUstate, state._pointer)
+            self.time = state.time
+            return self
+        if len(state) < 8:
+            raise ParameterError(f"{len(state)} byte(s) are no state: give what bytes(contact.save()) returned")
+        pointer = self._call(self.slave.deSerializeFMUstate, state[8:])
+        try:
+            self._call(self.slave.setFMUstate, pointer)
+        finally:
+            self.slave.freeFMUstate(pointer)
+        (self.time,) = struct.unpack("<d", state[:8])
+        return self
+
+    def require(self, **values: str) -> None:
+        """Raises unless these enumerations have these values."""
+        for name, value in values.items():
+            found = self.get(name)
+            if found != value:
+                raise ParameterError(f"{name} = {found!r}, but {value!r} is needed: Contact({name}={value!r}, ...)")
+
+    def _free(self) -> None:
+        self._is_open = False
+        super()._free()
+        if self._table is not None:
+            self._table.unlink(missing_ok=True)
+
+    def _check_open(self) -> "Contact":
+        if not self._is_open:
+            raise RuntimeError("the contact is closed: make a new one, Contact(...)")
+        return self
+
+    def _require(self, name: str) -> Any:
+        variable = self.fmu.variables.get(name)
+        if variable is None:
+            names = [*(n for n in self.fmu.variables if not n.endswith("]")), *self.fields]
+            raise ParameterError(
+                f"{name} is no variable of the component{_near(name, names)}; docs/variables.md lists them all"
+            )
+        return variable
+
+    def _checked(self, name: str, value: Any) -> Any:
+        """The value as the component takes it."""
+        variable = self._require(name)
+        if variable.causality not in SETTABLE:
+            raise ParameterError(f"{name} is computed by the component: read it with contact[{name!r}]")
+        if variable.type == "Enumeration":
+            return _enumeration(name, value, {item.name: int(item.value) for item in variable.declaredType.items})
+        if variable.type == "String":
+            return os.fspath(value)
+        if isinstance(value, str):
+            return in_si(value, variable.unit or getattr(variable.declaredType, "unit", None), name)
+        if isinstance(value, np.ndarray) and value.ndim == 0:
+            value = value.item()
+        whole = variable.type == "Integer"
+        if whole and isinstance(value, Integral):
+            return int(value)
+        if not whole and isinstance(value, Real):
+            return float(value)
+        kind = "a whole number" if whole else "a number"
+        raise ParameterError(f"{name} = {value!r}: give {kind}; for several values at once see sweep()")
+
+    def _write_table(self, profile: Any) -> str:
+        """Writes a profile of r and f in m to a file that lives until it has been read."""
+        r, f = (profile.radius, profile.height) if hasattr(profile, "radius") else profile
+        handle, path = tempfile.mkstemp(prefix="fretting-profile-", suffix=".txt")
+        os.close(handle)
+        self._table = Path(path)
+        np.savetxt(path, np.column_stack([r, f]), fmt="%.17e")
+        return path
+
+    def _call(self, function: Callable[..., Any], *arguments: Any, **keywords: Any) -> Any:
+        first = len(self.messages)
+        result = super()._call(function, *arguments, **keywords)
+        for status, text in self.messages[first:]:
+            if status == 1:
+                warnings.warn(text, ContactWarning, stacklevel=4)
+        return result
+
+
+def _near(name: str, names: Iterable[str]) -> str:
+    """The names that are like a misspelt one, as a part of a message.
+
+    >>> _near("raduis", ["radius", "hardness"])
+    ' (did you mean radius?)'
+    """
+    near = difflib.get_close_matches(name, list(names), n=3)
+    return f" (did you mean {' or '.join(near)}?)" if near else ""
+
+
+def _enumeration(name: str, value: Any, items: dict[str, int]) -> int:
+    """The number of an item that is given by name or number."""
+    if isinstance(value, str) and value in items:
+        return items[value]
+    if isinstance(value, Integral) and int(value) in items.values():
+        return int(value)
+    raise ParameterError(f"{name} = {value!r}{_near(str(value), items)}: give one of {', '.join(items)}")

@@ -1,0 +1,70 @@
+"""python -m fretting_contact: demo, life, calibrate, profile."""
+
+import numpy as np
+import pytest
+from conftest import ROOT
+from fretting_contact.__main__ import main
+
+LOOP = str(ROOT / "examples" / "python" / "measured_loop.csv")
+
+
+@pytest.fixture(autouse=True)
+def this_fmu(fmu_path, monkeypatch):
+    monkeypatch.setenv("FRETTING_FMU", str(fmu_path))
+
+
+def test_demo_says_numbers_and_draws(tmp_path, capsys):
+    assert main(["demo", "-o", str(tmp_path)]) == 0
+    said = capsys.readouterr().out
+    assert "force amplitude          44.31 N" in said and "19.00 uJ" in said
+    assert {path.name for path in tmp_path.glob("*.png")} == {"loop.png", "life.png"}
+
+
+def test_life_prints_a_table_and_writes_it(tmp_path, capsys):
+    path = tmp_path / "life.csv"
+    assert main(["life", "radius=20 mm", "displacement_amplitude=1.5e-6", "--cycles", "1e4", "--rows", "2", "-o", str(path)]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert len(lines) == 1 + 3 and lines[-1].split()[0] == "10000"
+    table = np.genfromtxt(path, delimiter=",", names=True)
+    assert table["cycles"].tolist() == [0, 5000, 10000] and table["wear_volume"][-1] > 0
+
+
+def test_calibrate_says_the_values_and_draws(tmp_path, capsys):
+    wear = ["--volume", "0.01154 mm3", "--amplitude", "8 um", "--cycles", "2e5"]
+    picture = tmp_path / "fit.png"
+    assert main(["calibrate", LOOP, "--normal-force", "100 N", *wear, "-o", str(picture)]) == 0
+    said = {line.split()[0]: line.split()[1:4] for line in capsys.readouterr().out.splitlines()}
+    for name, truth in ("friction_coefficient", 0.62), ("rig_stiffness", 24e6):
+        value, scatter = float(said[name][0]), float(said[name][2])
+        assert abs(value - truth) < 4 * scatter < 0.1 * truth
+    assert float(said["wear_per_work"][0]) == pytest.approx(5e-14, rel=0.03)
+    assert picture.stat().st_size > 5000
+
+
+def test_profile_is_the_command_of_cargo(tmp_path, capsys):
+    x = np.linspace(-400, 400, 201)
+    np.savetxt(tmp_path / "scan.txt", np.column_stack([x, x**2 / 20_000]))
+    assert main(["profile", str(tmp_path / "scan.txt"), "--unit", "um", "-o", str(tmp_path / "table.txt")]) == 0
+    assert "radius of curvature at the apex: 10 mm" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["life", "raduis=1"], "error: raduis is no variable of the component (did you mean radius?)"),
+        (["life", "radius=-1"], "radius = -1.0 is refused"),
+        (["calibrate", LOOP, "--normal-force", "100 kg"], "error: --normal-force = '100 kg': the unit has to be one of N"),
+        (["calibrate", LOOP, "--normal-force", "100 N", "--cycles", "5"], "error: --volume, --amplitude and --cycles belong together"),
+        (["calibrate", "none.csv", "--normal-force", "100 N"], "none.csv"),
+    ],
+)
+def test_an_error_is_one_line_and_the_status_1(arguments, message, capsys):
+    assert main(arguments) == 1
+    said = capsys.readouterr().err
+    assert message in said and len(said.splitlines()) == 1
+
+
+def test_a_parameter_without_a_value_is_refused(capsys):
+    with pytest.raises(SystemExit):
+        main(["life", "radius"])
+    assert "give NAME=VALUE" in capsys.readouterr().err

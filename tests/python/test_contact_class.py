@@ -1,0 +1,182 @@
+"""The class Contact: parameters by name and unit, states, fields, messages, and the FMU file it finds."""
+
+import shutil
+import warnings
+
+import numpy as np
+import pytest
+from closed_forms import Sphere, contact_radius
+from fretting_contact import Contact, ContactError, ContactWarning, FmuNotFoundError, ParameterError, fmu_file
+from fretting_contact.fmu_file import FmuFile, file_of_bytes, shared_file
+from fretting_contact.quantities import UNITS, QuantityError, in_si
+
+
+@pytest.fixture(autouse=True)
+def this_fmu(fmu_path, monkeypatch):
+    monkeypatch.setenv("FRETTING_FMU", str(fmu_path))
+
+
+def test_units_and_enumerations_are_those_of_the_component():
+    with Contact(radius="20 mm", youngs_modulus_1="210 GPa", profile="cone", cone_slope="1 deg", normal_control="indentation") as contact:
+        assert contact["radius"] == 0.02 and contact["youngs_modulus_1"] == 210e9
+        assert contact["cone_slope"] == pytest.approx(np.pi / 180, rel=1e-15)
+        assert contact["profile"] == "cone" and contact["normal_control"] == "indentation"
+
+
+def test_numbers_of_numpy_and_of_enumerations_are_taken():
+    with Contact(radius=np.float64(0.02), resolution=np.int64(96), profile=2, hardness=np.array(7e9)) as contact:
+        assert contact.get("radius", "resolution", "profile", "hardness") == [0.02, 96, "cone", 7e9]
+
+
+WRONG = [
+    ({"raduis": 1.0}, "raduis is no variable of the component .did you mean radius"),
+    ({"loading": "cylic"}, "loading = 'cylic' .did you mean cyclic.*give one of transient, cyclic"),
+    ({"profile": 99}, "profile = 99: give one of parabola, cone"),
+    ({"wear_volume": 1.0}, r"computed by the component: read it with contact\['wear_volume'\]"),
+    ({"radius": [0.01, 0.02]}, r"radius = \[0.01, 0.02\]: give a number; for several values"),
+    ({"resolution": 64.5}, "resolution = 64.5: give a whole number"),
+]
+
+
+@pytest.mark.parametrize(("parameters", "message"), WRONG, ids=lambda value: str(value)[:20])
+def test_what_the_component_does_not_have_is_named(parameters, message):
+    with pytest.raises(ParameterError, match=message):
+        Contact(**parameters)
+
+
+@pytest.mark.parametrize("unit", [unit for unit in UNITS if unit != "1"])
+def test_every_si_unit_has_the_factor_one_and_a_wrong_unit_is_refused(unit):
+    assert in_si(f"2.5 {unit}", unit) == 2.5
+    for name, factor in UNITS[unit].items():
+        assert in_si(f"1e3 {name}", unit) == pytest.approx(1e3 * factor, rel=1e-15)
+    with pytest.raises(QuantityError, match=f"x = '2 s': the unit has to be one of {unit}"):
+        in_si("2 s", unit, "x")
+
+
+def test_a_text_without_a_unit_or_for_a_quantity_without_one_is_refused():
+    assert in_si("50 %", "1") == 0.5
+    for text, unit in ("10", "m"), ("mm", "m"), ("1 m", None):
+        with pytest.raises(QuantityError, match="give|the unit has to be"):
+            in_si(text, unit)
+
+
+def test_every_unit_of_the_component_is_known(fmu):
+    assert {variable.unit for variable in fmu.variables.values() if variable.unit} <= set(UNITS) | {"J/m2"}
+
+
+def test_a_refusal_has_the_message_of_the_component_and_changes_nothing():
+    with pytest.raises(ContactError, match=r"radius = -1\.0 is refused.*fmi2SetReal: fmi2Error") as caught:
+        Contact(radius=-1.0)
+    assert caught.value.status == 3 and len(caught.value.messages) == 1
+    with Contact() as contact:
+        contact.step(tangential_displacement=1e-6)
+        before = contact["tangential_force"]
+        with pytest.raises(ContactError, match="NaN"):
+            contact.step(tangential_displacement=float("nan"))
+        assert contact["tangential_force"] == before
+
+
+def test_warnings_of_the_component_are_those_of_python():
+    with pytest.warns(ContactWarning, match="hardness = 8e2 Pa"):
+        Contact(hardness=800.0).close()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        Contact().close()
+
+
+def test_fields_are_arrays_with_the_closed_form():
+    with Contact(normal_force=100.0, wear_coefficient=0.0) as contact:
+        assert {"radius_probe", "worn_depth", "pressure", "shear_traction", "image"} <= set(contact.fields)
+        radius, pressure = contact["radius_probe"], contact.field("pressure")
+        with pytest.raises(ParameterError, match="presure is no field .did you mean pressure"):
+            contact.field("presure")
+        with pytest.raises(ParameterError, match="wear_volum is no variable"):
+            contact["wear_volum"]
+    a = contact_radius(Sphere(), 100.0)
+    hertz = 1.5 * 100.0 / (np.pi * a**2) * np.sqrt(np.clip(1 - (radius / a) ** 2, 0, None))
+    assert radius.shape == pressure.shape
+    assert pressure == pytest.approx(hertz, abs=1e-6 * hertz[0])
+
+
+def test_a_saved_state_is_returned_to_and_goes_to_another_contact_as_bytes():
+    def go_on(contact):
+        contact.step(tangential_displacement=-2e-6)
+        return contact.get("tangential_force", "wear_volume", "dissipated_energy")
+
+    with Contact() as contact, Contact() as other:
+        contact.step(0.5, tangential_displacement=2e-6)
+        state = contact.save()
+        stored = bytes(state)
+        expected = go_on(contact)
+        assert go_on(contact.restore(state)) == expected
+        assert contact.restore(state).time == 0.5
+        assert other.restore(stored).time == 0.5
+        assert go_on(other) == expected
+        with pytest.raises(ParameterError, match="another contact: restore it there"):
+            other.restore(state)
+        with pytest.raises(ParameterError, match="are no state"):
+            other.restore(b"abc")
+        with pytest.raises(ContactError, match="serialised state is refused"):
+            other.restore(stored[:-1])
+    with pytest.raises(RuntimeError, match="closed"):
+        contact.save()
+    assert "closed" in repr(contact)
+
+
+def test_states_do_not_pile_up():
+    with Contact() as contact:
+        first = contact.save()
+        for _ in range(2000):
+            contact.restore(first)
+            contact.step(tangential_displacement=1e-6)
+            contact.save()
+
+
+def test_a_contact_started_again_is_as_new():
+    with Contact(radius=0.02, normal_force=50.0) as contact, Contact(normal_force=80.0) as new:
+        contact.step(tangential_displacement=1e-6)
+        contact.restart(normal_force=80.0)
+        names = ("radius", "normal_force", "contact_radius", "tangential_force", "dissipated_energy")
+        assert contact.get(*names) == new.get(*names) and contact.time == 0.0
+
+
+def test_a_profile_is_given_as_arrays_or_as_a_fit():
+    from fretting_contact import Scan, fit_scan
+
+    r = np.linspace(0, 5e-4, 300)
+    x = np.linspace(-5e-4, 5e-4, 400)
+    fit = fit_scan(Scan(x, x**2 / 0.02 + 1e-9 * np.random.default_rng(0).standard_normal(400)))
+    with Contact(normal_force=100.0) as ball:
+        for profile in (r, r**2 / 0.02), fit:
+            with Contact(profile_file=profile, normal_force=100.0) as contact:
+                assert contact["profile"] == "table"
+                assert contact["contact_radius"] == pytest.approx(ball["contact_radius"], rel=2e-3)
+
+
+def test_the_fmu_is_found_where_it_is_said(fmu_path, tmp_path, monkeypatch):
+    from fretting_contact import fmu_path as find
+
+    copy = shutil.copy(fmu_path, tmp_path / "other.fmu")
+    assert find(copy) == copy and find() == fmu_path
+    with pytest.raises(FmuNotFoundError, match="fmu = .*there is no such file"):
+        find(tmp_path / "none.fmu")
+    monkeypatch.setenv("FRETTING_FMU", "none.fmu")
+    with pytest.raises(FmuNotFoundError, match="the environment variable FRETTING_FMU = 'none.fmu'"):
+        find()
+    monkeypatch.delenv("FRETTING_FMU")
+    monkeypatch.setattr(fmu_file, "NAME", "none.fmu")
+    with pytest.raises(FmuNotFoundError, match="install the wheel.*cargo fmu build.*FRETTING_FMU"):
+        find()
+
+
+def test_an_fmu_without_a_library_for_this_machine_is_named(fmu_path, monkeypatch):
+    monkeypatch.setattr(fmu_file.fmpy, "platform", "riscv")
+    with pytest.raises(FmuNotFoundError, match="none for riscv, this machine"):
+        FmuFile(fmu_path)
+
+
+def test_the_fmu_is_unpacked_once(fmu_path):
+    assert shared_file(fmu_path) is shared_file(str(fmu_path))
+    content = fmu_path.read_bytes()
+    assert file_of_bytes(content) is file_of_bytes(content)
+    assert fmu_path.samefile(fmu_file.fmu_path())
