@@ -3,8 +3,8 @@
 //! Data flows one way: load → normal contact (`surface`) → springs (`friction`) → work → wear
 //! (`wear`) → surface. Fields are made only when something reads them.
 
+mod backlog;
 mod bounds;
-mod chunks;
 mod counters;
 mod cyclic;
 mod derivatives;
@@ -14,23 +14,21 @@ mod planar;
 mod readout;
 mod retune;
 mod rig;
-mod segment;
 mod slide;
 mod snapshot;
 mod steady;
 mod undo;
-mod update;
 
 pub use counters::Counters;
 pub use derivatives::Gradient;
 pub use snapshot::Snapshot;
 
 use crate::error::Error;
-use crate::friction::Springs;
+use crate::friction::{SlipPiece, Springs};
 use crate::parameters::{NormalControl, Parameters};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Constants, Pending, Segment, Sliding, TransformCache, UnitMesh};
+use crate::wear::{Constants, Sliding, TransformCache, UnitMesh, WearBacklog};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -103,19 +101,25 @@ pub struct FrettingContact {
 /// What wear needs besides the surface.
 #[derive(Debug, Clone, Default)]
 struct WearState {
-    pending: Pending,
-    segment: Segment,
-    /// The row of a former segment, kept for its memory.
-    spare_row: Springs,
-    transforms: TransformCache,
-    /// The cycle that a transient history keeps to.
-    rhythm: Option<steady::Rhythm>,
+    backlog: WearBacklog,
+    /// Pieces of slip of the line that is being walked.
+    slips: Vec<SlipPiece>,
+    /// Volume that may wear before the profile follows, m³.
+    limit: f64,
+    /// Work whose wear has found no place on the profile yet, J; below 0 where the profile has worn by more.
+    unplaced: f64,
+    /// The motion that the last backlog was.
+    expected: Option<Sliding>,
     /// How much the next step of a steady motion should span, and of which.
     next_step: Option<(Sliding, f64)>,
     /// Tables of the moving mesh, kept so that they need not be made for each update.
     mesh: Option<Arc<UnitMesh>>,
-    /// Σ |∫A dA − W| over the segments so far, J.
-    transform_defect: f64,
+    /// Those of the nodes at rest.
+    transforms: TransformCache,
+    /// Σ of the differences between the work at the nodes and that of the springs, J.
+    defect: f64,
+    /// Work whose wear would have healed the profile, J.
+    clipped: f64,
 }
 
 impl FrettingContact {
@@ -180,7 +184,7 @@ impl FrettingContact {
         let contact = self.surface.contact(self.parameters.normal_control, value, self.force_scale())?;
         self.view.take();
         self.transaction(|this| {
-            this.settle()?;
+            this.close_backlog()?;
             this.displacement = displacement;
             this.direction = 0.0;
             if this.work == 0.0 {
@@ -189,8 +193,6 @@ impl FrettingContact {
             this.springs = Springs::default();
             this.planar = None;
             this.contact = Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
-            // what a former start has touched is none of this one's
-            this.start_segment();
             this.walk(contact.control, displacement, 1)
         })
     }

@@ -20,14 +20,17 @@ mod slip;
 mod walk;
 
 pub(crate) use planar::{
-    PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent, Vector, Walked, difference,
+    PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent, Vector, difference,
 };
-pub(crate) use slip::SlipPiece;
 pub(crate) use walk::Path;
 
 use crate::surface::{Contact, Place, Surface};
 use interval::Interval;
 use serde::{Deserialize, Serialize};
+pub(crate) use slip::SlipPiece;
+
+/// Share of the largest bound by which a row may change where it is simplified.
+const SIMPLIFIED: f64 = 1e-9;
 
 /// One knot of the spring row.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -116,20 +119,14 @@ impl Springs {
         Self::from_origins(new, &origins)
     }
 
-    /// Takes springs to their bound that lie beyond it by more than rounding: knots laid between others, where the image of a rough
-    /// profile falls and what is linear in it knows nothing. Says whether there were any.
-    pub(crate) fn keep_within(&mut self, contact: &Contact, bound_slope: f64, displacement: f64) -> bool {
-        let rounding = walk::rounding(bound_slope, contact, displacement);
-        let mut any = false;
-        for knot in &mut self.knots {
-            let bound = bound_slope * (contact.depth - knot.place.image).max(0.0);
-            let trial = walk::Trial::new(knot, displacement, bound, 1e-9 * bound + rounding);
-            if trial.slips() {
-                *knot = trial.clipped();
-                any = true;
-            }
+    /// Leaves out knots that lie on the line between others, but for a share of the bound that no force shows.
+    pub(crate) fn simplify(&mut self, contact: &Contact, bound_slope: f64) {
+        let deviation = SIMPLIFIED * bound_slope * contact.depth.abs();
+        let mut kept = Vec::with_capacity(self.knots.len());
+        for knot in &self.knots {
+            walk::append(&mut kept, *knot, deviation);
         }
-        any
+        self.knots = kept;
     }
 
     /// Puts the springs outside radius `inner` (all, if that is 0) at their bound on one side.

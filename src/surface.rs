@@ -31,7 +31,7 @@ pub(crate) struct Place {
 #[derive(Debug, Clone)]
 pub(crate) struct Surface {
     profile: Arc<Profile>,
-    worn: Option<Nodes>,
+    worn: Option<Arc<Nodes>>,
 }
 
 /// The normal contact at one load.
@@ -63,11 +63,11 @@ impl Surface {
     }
 
     pub(crate) fn worn(&self) -> Option<&Nodes> {
-        self.worn.as_ref()
+        self.worn.as_deref()
     }
 
     pub(crate) fn set_worn(&mut self, nodes: Option<Nodes>) {
-        self.worn = nodes;
+        self.worn = nodes.map(Arc::new);
     }
 
     /// All image values at radius x.
@@ -139,7 +139,7 @@ impl Surface {
         value: f64,
         force_scale: f64,
     ) -> Result<Contact, Error> {
-        if let Some(place) = self.worn.as_ref().and_then(Nodes::mesh)
+        if let Some(place) = self.worn().and_then(Nodes::mesh)
             && place.contact.control == value
         {
             self.check_one_disc(place.contact.radius)?;

@@ -170,3 +170,46 @@ fn a_flat_punch_to_and_fro_in_gross_slip() {
         close_to(on_profile, volume, 1e-3, "on the profile");
     }
 }
+
+/// Depth and displacement vary together, 20 cycles of 16 lines, ahead of each other by parts of a cycle, against a row of springs
+/// extrapolated to no spacing, which is good to some 1e-3.
+#[test]
+fn a_varying_depth_wears_as_an_explicit_row_of_springs() {
+    let (depth, radius, wear_per_work) = (3.48291e-6, 0.01, 4e-11);
+    let full_slip = MU * E_STAR / G_STAR * depth;
+    for (name, phase, amplitude) in [
+        ("in phase", 0.0, 0.6),
+        ("a quarter ahead", 0.25, 0.6),
+        ("anti-phase", 0.5, 0.6),
+        ("gross slip", 0.25, 1.2),
+    ] {
+        let depth = |k: f64| depth * (0.7 + 0.3 * (2.0 * PI * (k / 16.0 + phase)).sin());
+        let place = |k: f64| amplitude * full_slip * (2.0 * PI * k / 16.0).sin();
+        let row = |cells: usize, steps: usize| {
+            let edge = 1.5 * (3.48291e-6f64 * radius).sqrt();
+            let mut row =
+                WearingRow::new(|x| x * x / radius, (edge, cells), (E_STAR, G_STAR), (MU, wear_per_work));
+            row.walk_to_depth(depth(0.0), 0.0, 1);
+            (1..=320).map(f64::from).for_each(|k| row.walk_to_depth(depth(k), place(k), steps));
+            row.worn_volume()
+        };
+        let exact = 2.0 * row(240, 24) - row(120, 12);
+        for (tolerance, most) in [(1e-3, 5e-3), (1e-4, 1.5e-3)] {
+            let parameters =
+                Parameters { normal_control: NormalControl::Indentation, tolerance, ..Parameters::default() };
+            let wear_coefficient = wear_per_work * parameters.hardness;
+            let mut contact = contact(Parameters { wear_coefficient, ..parameters });
+            contact.start_at(depth(0.0), 0.0).expect("a ball can be pressed");
+            (1..=320).map(f64::from).for_each(|k| to(&mut contact, depth(k), place(k)));
+            let volume = contact.wear_volume() / exact - 1.0;
+            let on_profile = contact.profile_volume() / contact.wear_volume() - 1.0;
+            println!(
+                "{name}, {tolerance:e}: V {:+.2} %, on the profile {on_profile:+.1e}; {}",
+                100.0 * volume,
+                contact.counters()
+            );
+            assert!(volume.abs() < most, "{name}: {volume:e}");
+            assert!(on_profile.abs() < 1e-3, "{name}: {on_profile:e}");
+        }
+    }
+}

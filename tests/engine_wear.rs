@@ -350,8 +350,9 @@ fn largest_healing(
     most
 }
 
-/// Nothing heals but by what the profile takes back of an estimate: amid a stroke the depth is read as if it had worn like a
-/// part of the cycle. One stroke here wears some d₀/80, a hundred times what a user's would.
+/// Nothing heals but by what the profile takes back of an estimate: in a first stroke the depth next to the contact edge is that of
+/// one update, which grows with the stroke, and later that of a part of the cycle. One stroke here wears some d₀/80, a hundred times
+/// what a user's would.
 #[test]
 fn wear_never_heals_at_any_probe() {
     for profile in [BALL, CONE] {
@@ -359,13 +360,13 @@ fn wear_never_heals_at_any_probe() {
             (scene.normal, scene.amplitude * (std::f64::consts::TAU * k as f64 / 20.0).sin())
         });
         println!("{profile:?}, constant load: heals {healing:.1e} d0");
-        assert!(healing <= 5e-4, "{profile:?}: {healing:e}");
+        assert!(healing <= 3e-3, "{profile:?}: {healing:e}");
         let mut random = seeded(11);
         let healing = largest_healing(profile.clone(), 60, |_, scene| {
             (uniform(&mut random, -0.1, 1.0) * FORCE, uniform(&mut random, -1.5, 1.5) * scene.amplitude)
         });
         println!("{profile:?}, random: heals {healing:.1e} d0");
-        assert!(healing <= 5e-3, "{profile:?}: {healing:e}");
+        assert!(healing <= 5e-4, "{profile:?}: {healing:e}");
     }
 }
 
@@ -394,7 +395,8 @@ fn contact_lost_and_found_keeps_the_worn_profile() {
     let radius = contact.contact_radius();
     contact.start_at(FORCE, 3e-6).expect("the load is carried");
     assert_eq!((contact.wear_volume(), depths(&contact)), (volume, worn));
-    close_to(contact.contact_radius(), radius, 1e-12, "a");
+    // a new start takes off what was still to wear
+    close_to(contact.contact_radius(), radius, 1e-9, "a");
     close(contact.tangential_force(), 0.0, 1e-12 * MU * FORCE, "started again");
     // and it goes on wearing
     to(&mut contact, FORCE, 5e-6);

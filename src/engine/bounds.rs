@@ -76,7 +76,7 @@ impl FrettingContact {
 
     /// Volume that has found no place on the profile, m³.
     fn unplaced(&self) -> f64 {
-        let work = self.wear.as_ref().map_or(0.0, |wear| wear.pending.unplaced);
+        let work = self.wear.as_ref().map_or(0.0, |wear| wear.unplaced);
         (self.constants.wear_per_work * work).abs()
     }
 

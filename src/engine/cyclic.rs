@@ -42,7 +42,7 @@ impl FrettingContact {
     }
 
     fn run_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
-        self.settle()?;
+        self.close_backlog()?;
         self.planar = None;
         self.contact = self.contact_at(value)?;
         self.reach = self.reach.max(self.contact.radius);
@@ -60,7 +60,6 @@ impl FrettingContact {
         range::contact(radius, depth, load, self.normal_reaction())?;
         self.displacement = amplitude;
         self.direction = 1.0;
-        self.start_segment();
         Ok(())
     }
 
@@ -76,9 +75,9 @@ impl FrettingContact {
             end: 0.0,
             sampling: 1.0 / self.parameters.resolution as f64,
         };
-        let (rest, _) = Springs::default().walk(&path, Springs::default());
+        let (rest, _) = Springs::default().walk(&path, Springs::default(), None);
         let (springs, half_work) =
-            rest.walk(&Path { from: *contact, end: amplitude, ..path }, Springs::default());
+            rest.walk(&Path { from: *contact, end: amplitude, ..path }, Springs::default(), None);
         self.counters.spring_walks += 2;
         (springs, 2.0 * self.constants.tangential_modulus * half_work)
     }
@@ -124,18 +123,15 @@ impl FrettingContact {
         let per_work = self.constants.wear_per_work;
         let known = known.map(|work| work * per_work);
         let on_profile = |surface: &Surface| surface.worn().map_or(0.0, Nodes::worn_volume);
-        let unplaced = self.wear.as_ref().map_or(0.0, |wear| wear.pending.unplaced);
+        let unplaced = self.wear.as_ref().map_or(0.0, |wear| wear.unplaced);
         let worn = on_profile(&self.surface) + per_work * unplaced;
         let amount = Amount { cycles: amount, worn, known };
         let life = live(&self.surface, &motion, &amount, &self.constants, &fineness, &mut self.counters)?;
         let Some(wear) = &mut self.wear else { return Ok(0.0) };
-        if let (Some(before), Some(now)) = (self.surface.worn(), life.surface.worn()) {
-            wear.pending.moved_to(before.x(), now.x());
-        }
-        wear.pending.unplaced = (worn + life.volume - on_profile(&life.surface)) / per_work;
+        wear.unplaced = (worn + life.volume - on_profile(&life.surface)) / per_work;
         wear.next_step = Some((sliding, life.next_step));
         wear.mesh = life.mesh.or(wear.mesh.take());
-        wear.transform_defect += life.defect / per_work;
+        wear.defect += life.defect / per_work;
         self.surface = life.surface;
         Ok(life.volume / per_work)
     }

@@ -1,6 +1,7 @@
 //! Transient histories: straight lines in (load, displacement), and the wear that they bring.
 
 use super::FrettingContact;
+use super::backlog::STROKE;
 use super::line::Line;
 use crate::error::Error;
 use crate::friction::{Path, Springs};
@@ -8,20 +9,11 @@ use crate::surface::Contact;
 use crate::wear;
 
 /// Largest change of load, relative to the larger one, over which the friction work of a spring takes the mean of its
-/// bound and one pair of transforms serves; the error is of second order in it.
+/// bound; the error is of second order in it.
 const LOAD_SHARE: f64 = 0.05;
-
-/// How much more than the limit between two updates may wear in one stroke before the profile follows within it. At a
-/// reversal an update is far more exact, since the stroke can be told for half a cycle there.
-pub(super) const STROKE: f64 = 20.0;
 
 /// Most pieces into which wear may split a line.
 const MOST_PIECES: f64 = 512.0;
-
-/// Whether the load has changed by so much between two contacts.
-pub(super) fn load_has_moved(start: &Contact, to: &Contact) -> bool {
-    (to.load - start.load).abs() > LOAD_SHARE * to.load.max(start.load)
-}
 
 impl FrettingContact {
     /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or indentation depth
@@ -101,7 +93,7 @@ impl FrettingContact {
         ((high - low).abs() / high.max(low) / LOAD_SHARE).ceil().max(1.0) as u32
     }
 
-    /// Walks one piece, after closing the segment where the motion turns. `splits` > 0 allows wear to split it further.
+    /// Walks one piece, after the profile has followed where that is due. `splits` > 0 allows wear to split it.
     pub(super) fn walk(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
         if let Some(onset) = self.onset_of_long_slide(value, displacement) {
             return self.transaction(|this| {
@@ -109,57 +101,21 @@ impl FrettingContact {
                 this.bounded(|this| this.slide_on(displacement))
             });
         }
-        let turns = || {
-            displacement != self.displacement && (displacement - self.displacement).signum() != self.direction
-                || value <= self.touch_control()
-        };
-        if self.stays_apart(value) {
-            self.walk_on(value, displacement, splits)
-        } else if self.wear.is_some() && turns() {
-            let walk_on = |this: &mut Self| this.walk_on(value, displacement, splits);
-            if let Some(result) = self.turn_without_wear(walk_on) {
-                return result;
-            }
-            if let Some(steady) = self.half_cycle_in_rhythm() {
-                let limit = self.update_limit();
-                if let Some(result) = self.turn_in_rhythm(steady, limit, walk_on) {
-                    return result;
-                }
-            }
-            self.transaction(|this| {
+        let direction = self.direction_to(displacement);
+        if self.turns_to_update(direction) {
+            return self.transaction(|this| {
                 this.bounded(|this| {
-                    this.turn()?;
+                    this.absorb_backlog()?;
                     this.walk_on(value, displacement, splits)
                 })
-            })
-        } else if self.is_worn_out() {
-            self.transaction(|this| {
-                this.bounded(|this| {
-                    this.settle()?;
-                    this.walk_on(value, displacement, splits)
-                })
-            })
-        } else {
-            self.walk_on(value, displacement, splits)
+            });
         }
+        self.walk_on(value, displacement, splits)
     }
 
-    /// Whether the bodies are apart and stay so, after the last segment has been closed: there is nothing to turn.
-    fn stays_apart(&self, value: f64) -> bool {
-        self.contact.is_open()
-            && value <= self.touch_control()
-            && self.wear.as_ref().is_some_and(|wear| wear.segment.contact.is_none())
-    }
-
-    /// Whether the segment has worn so much that the profile has to follow before the motion goes on. It is done then,
-    /// not at the end of the step before, so that a contact that slides is seen sliding.
-    fn is_worn_out(&self) -> bool {
-        let Some(wear) = &self.wear else { return false };
-        if wear.segment.work == 0.0 || self.contact.is_open() || self.keeps_calm(&self.contact, 0.0) {
-            return false;
-        }
-        let inner = self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement);
-        self.exceeds_limit(self.constants.wear_per_work * wear.segment.work, &self.contact, inner).is_some()
+    /// Sign of the way to a displacement.
+    pub(super) fn direction_to(&self, displacement: f64) -> f64 {
+        if displacement == self.displacement { 0.0 } else { (displacement - self.displacement).signum() }
     }
 
     /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where it exceeds that.
@@ -171,22 +127,25 @@ impl FrettingContact {
     fn walk_on(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
         let to = if value == self.contact.control { self.contact } else { self.solve_contact(value)? };
         let spare = std::mem::take(&mut self.spare);
+        let mut slips = self.wear.as_mut().map(|wear| std::mem::take(&mut wear.slips));
+        if let Some(slips) = &mut slips {
+            slips.clear();
+        }
         let path = self.path_to(to, displacement);
-        let (springs, half_work) = self.springs.walk(&path, spare);
+        let (springs, half_work) = self.springs.walk(&path, spare, slips.as_mut());
         let work = 2.0 * self.constants.tangential_modulus * half_work;
         self.counters.spring_walks += 1;
         self.counters.contact_solutions += u64::from(value != self.contact.control);
-        let Some(wear) = &self.wear else {
+        if let (Some(wear), Some(slips)) = (&mut self.wear, slips) {
+            wear.slips = slips;
+        }
+        if self.wear.is_none() || work <= 0.0 {
             self.arrive(to, displacement, springs, work);
             return Ok(());
-        };
-        let limit = || {
-            let inner = springs.stick_radius(&to, self.constants.bound_slope(), displacement);
-            self.exceeds_limit(self.constants.wear_per_work * work, &to, inner)
-        };
-        if work > 0.0
-            && !self.keeps_calm(&to, work)
-            && let Some(ratio) = limit()
+        }
+        let inner = springs.stick_radius(&to, self.bound_slope, displacement);
+        let volume = self.constants.wear_per_work * work;
+        if let Some(ratio) = self.exceeds_limit(volume, &to, inner)
             && (splits > 0 || (ratio > MOST_PIECES && self.outwears(work)))
         {
             if splits == 0 {
@@ -199,22 +158,24 @@ impl FrettingContact {
                     let (value, displacement) = line.at(k, pieces);
                     this.walk(value, displacement, splits - 1)
                 })?;
-                // the last piece is worn off later: a profile that cannot follow it is refused now
-                this.look()
+                this.bounded(Self::absorb_backlog)
             });
         }
-        let start = wear.segment.contact.unwrap_or(to);
-        if load_has_moved(&start, &to) && !to.is_open() {
-            self.transaction(|this| {
-                this.extend_segment(&to, displacement, work);
-                this.arrive(to, displacement, springs, work);
-                this.close_segment()
-            })
-        } else {
-            self.extend_segment(&to, displacement, work);
-            self.arrive(to, displacement, springs, work);
-            Ok(())
+        let advance = |this: &mut Self| {
+            this.gather(work, &to);
+            this.arrive(to, displacement, springs, work);
+            this.set_limit();
+        };
+        if self.needs_update(&to, work, inner) {
+            return self.transaction(|this| {
+                this.bounded(|this| {
+                    advance(this);
+                    this.absorb_backlog()
+                })
+            });
         }
+        advance(self);
+        Ok(())
     }
 
     /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact could follow.

@@ -2,18 +2,17 @@
 //!
 //! As long as the body keeps its place along y while it is in contact, all is as in one dimension, and a field that is empty is all
 //! that it costs. The first motion along y takes the row of knots over into one of vectors ([`PlanarRow`]), which serves from then on
-//! until the bodies part. Histories in the plane repeat nothing as far as wear is concerned: they are worn in segments, by implicit
-//! updates (`wear`). Where steady cycles are asked for, they are along x, from rest, whatever was before.
+//! until the bodies part. Slip is gathered in the backlog as on a line, by its length: traction and slip are taken for parallel at each
+//! radius. Where steady cycles are asked for, they are along x, from rest, whatever was before.
 
 mod derivatives;
 mod reading;
 mod rig;
-mod wear;
 
 use super::FrettingContact;
 use super::line::Line;
 use crate::error::Error;
-use crate::friction::{PlanarPath, PlanarRow, Samples, Springs, Vector, Walked};
+use crate::friction::{PlanarPath, PlanarRow, Resting, Samples, Springs, Vector, difference};
 use crate::range;
 use crate::surface::Contact;
 use serde::{Deserialize, Serialize};
@@ -21,6 +20,16 @@ use std::mem::{replace, swap, take};
 
 /// Samples of the row for each cell of the resolution, across the contact.
 const SAMPLES_PER_CELL: usize = 2;
+
+/// Most halvings of a piece that wears more than the profile can take at once.
+const MOST_HALVINGS: u32 = 9;
+
+/// Ratio of what one line wears to what may wear between two updates at which it is refused without being tried.
+const MOST_WEAR: f64 = 1e4;
+
+/// An annulus that slips is taken to begin at this share of the contact radius at the most: what little wears in a thin one need not be
+/// followed at once.
+const WIDE: f64 = 0.9;
 
 /// Name of the displacement along y in messages.
 const Y: &str = "tangential_displacement_y";
@@ -31,8 +40,6 @@ pub(super) struct Planar {
     pub(super) row: PlanarRow,
     /// Direction of the last movement, a unit vector.
     pub(super) direction: Vector,
-    /// Displacement at which the present segment of wear began, m.
-    pub(super) segment_start: Vector,
     /// A former row, kept for its memory.
     #[serde(skip)]
     spare: PlanarRow,
@@ -70,7 +77,7 @@ impl FrettingContact {
             // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
             self.solve_contact(value)?;
         }
-        self.planar_transaction(|this| this.placed(|this| this.walk_line_in_plane(&line, displacement)))
+        self.planar_transaction(|this| this.walk_line_in_plane(&line, displacement))
             .map_err(|error| self.told_of_step(error, x))?;
         self.counters.steps += 1;
         Ok(())
@@ -148,19 +155,30 @@ impl FrettingContact {
         if self.planar.is_none() {
             self.enter_plane()?;
         }
-        if self.wear.is_some() { self.wear_in_plane(value, place) } else { self.slip_in_plane(value, place) }
+        if self.turns_in_plane(place) && self.turns_to_update(-self.direction) {
+            self.bounded(Self::absorb_backlog)?;
+            if self.planar.is_none() {
+                // the body has worn free
+                self.enter_plane()?;
+            }
+        }
+        self.slip_in_plane(value, place, MOST_HALVINGS)
+    }
+
+    /// Whether the way to a place goes back.
+    fn turns_in_plane(&self, place: Vector) -> bool {
+        let ([x, y], way) = (self.direction_in_plane(), difference(place, self.place()));
+        x * way[0] + y * way[1] < 0.0
     }
 
     /// Takes the row of knots over into one of vectors, after what the line so far has worn has been taken off.
     fn enter_plane(&mut self) -> Result<(), Error> {
-        self.settle()?;
+        self.absorb_backlog()?;
         let y = self.displacement_y;
         let row = PlanarRow::of_line(&self.springs, &self.surface, y, self.samples());
         self.springs = Springs::default();
         let direction = [if self.direction < 0.0 { -1.0 } else { 1.0 }, 0.0];
         self.planar = Some(Box::new(Planar { row, direction, ..Planar::default() }));
-        self.set_rhythm(None);
-        self.start_segment();
         Ok(())
     }
 
@@ -180,37 +198,96 @@ impl FrettingContact {
             start: self.place(),
             end: place,
             samples: self.samples(),
-            counts: self.wear.is_some(),
         }
     }
 
-    /// The row at the end of a path, from none where the bodies have been apart. `spare` is a row no longer needed.
-    fn walked_in_plane(&self, path: &PlanarPath, spare: PlanarRow) -> (PlanarRow, Walked) {
-        match &self.planar {
-            Some(planar) => planar.row.walk(path, spare),
-            None => PlanarRow::default().walk(path, spare),
-        }
-    }
-
-    /// Contact, row and work of friction (J) at the end of a piece, and the share of the work that went one way.
+    /// Contact, row and work of friction (J) at the end of a piece.
     fn try_in_plane(&mut self, value: f64, place: Vector) -> Result<PlanarEnd, Error> {
         let to = if value == self.contact.control { self.contact } else { self.contact_at(value)? };
         let spare = self.planar.as_mut().map(|planar| take(&mut planar.spare)).unwrap_or_default();
+        let mut slips = self.wear.as_mut().map(|wear| take(&mut wear.slips));
+        if let Some(slips) = &mut slips {
+            slips.clear();
+        }
         let path = self.planar_path(to, place);
-        let (row, walked) = self.walked_in_plane(&path, spare);
+        let (row, half_work) = match &self.planar {
+            Some(planar) => planar.row.walk(&path, spare, slips.as_mut()),
+            None => PlanarRow::default().walk(&path, spare, slips.as_mut()),
+        };
+        if let (Some(wear), Some(slips)) = (&mut self.wear, slips) {
+            wear.slips = slips;
+        }
         self.counters.spring_walks += 1;
-        let work = 2.0 * self.constants.tangential_modulus * walked.work;
+        let work = 2.0 * self.constants.tangential_modulus * half_work;
         if !work.is_finite() {
             let normal = if self.constants.force_control { value * self.force_scale() } else { value };
             return Err(Error::NotFinite { what: "the work of friction", normal, displacement: place[0] });
         }
-        Ok(PlanarEnd { to, row, work, one_way: walked.one_way })
+        Ok(PlanarEnd { to, row, work })
     }
 
-    fn slip_in_plane(&mut self, value: f64, place: Vector) -> Result<(), Error> {
+    /// Walks one piece; where it wears more than the profile can take at once, in halves, after each of which the profile follows.
+    fn slip_in_plane(&mut self, value: f64, place: Vector, halvings: u32) -> Result<(), Error> {
         let end = self.try_in_plane(value, place)?;
+        if self.wear.is_some() && end.work > 0.0 {
+            let volume = self.constants.wear_per_work * end.work;
+            let far = self.exceeds_limit(volume, &end.to, WIDE * end.to.radius).is_some();
+            let whole = self.exceeds_limit(volume, &end.to, 0.0).unwrap_or(0.0);
+            if whole > MOST_WEAR || (halvings == 0 && self.outwears(end.work)) {
+                return Err(Error::WearOutrun { from: self.displacement, displacement: place[0] });
+            }
+            let middle = [0, 1].map(|k| 0.5 * (self.place()[k] + place[k]));
+            if far && halvings > 0 && middle != place && middle != self.place() {
+                let between = 0.5 * (self.contact.control + value);
+                for (value, place) in [(between, middle), (value, place)] {
+                    if self.planar.is_none() {
+                        self.enter_plane()?;
+                    }
+                    self.slip_in_plane(value, place, halvings - 1)?;
+                    self.bounded(Self::absorb_backlog)?;
+                }
+                return Ok(());
+            }
+            let update = self.needs_update(&end.to, end.work, 0.0);
+            self.gather(end.work, &end.to);
+            self.arrive_in_plane(end, place);
+            self.set_limit();
+            return if update { self.bounded(Self::absorb_backlog) } else { Ok(()) };
+        }
         self.arrive_in_plane(end, place);
         Ok(())
+    }
+
+    /// Contact and springs on a surface that has worn where the body stands.
+    pub(super) fn rest_in_plane(&mut self, to: Contact) {
+        let stored = self.stored_energy();
+        let (displacement, samples) = (self.place(), self.samples());
+        let Some(planar) = &mut self.planar else { return };
+        planar.row = planar.row.rested(&Resting {
+            surface: &self.surface,
+            contacts: (&self.contact, &to),
+            bound_slope: self.bound_slope,
+            displacement,
+            samples,
+        });
+        self.contact = to;
+        self.reach = self.reach.max(to.radius);
+        self.lose_to_friction(stored - self.stored_energy());
+        if to.is_open() {
+            self.planar = None;
+        }
+    }
+
+    /// Springs beyond a bound that has become another slip back to it where the body stands. Returns the energy that they lose, J.
+    pub(super) fn slip_back_in_plane(&mut self) -> f64 {
+        let stored = self.stored_energy();
+        let path = self.planar_path(self.contact, self.place());
+        let Some(planar) = &self.planar else { return 0.0 };
+        let (row, _) = planar.row.walk(&path, PlanarRow::default(), None);
+        if let Some(planar) = &mut self.planar {
+            planar.row = row;
+        }
+        (stored - self.stored_energy()).max(0.0)
     }
 
     /// Takes over the state at the end of a piece. Where the bodies have parted, the next contact begins on a line.
@@ -229,7 +306,8 @@ impl FrettingContact {
         if moved[0] != 0.0 {
             self.direction = moved[0].signum();
         }
-        (self.contact, self.work) = (end.to, self.work + end.work);
+        self.contact = end.to;
+        self.work += end.work;
         [self.displacement, self.displacement_y] = place;
         self.reach = self.reach.max(end.to.radius);
         if end.to.is_open() {
@@ -244,5 +322,4 @@ struct PlanarEnd {
     row: PlanarRow,
     /// J.
     work: f64,
-    one_way: f64,
 }

@@ -1,7 +1,6 @@
 //! What can be read from a contact. Scalars come from the knots; fields are computed when asked for.
 
 use super::{FrettingContact, SlipState};
-use crate::error::Error;
 use crate::range::LEAST_RISE;
 use crate::surface::{Contact, Nodes};
 use crate::transform;
@@ -124,36 +123,30 @@ impl FrettingContact {
         self.view().map_or(0.0, Nodes::worn_volume)
     }
 
-    /// Σ |∫A dA − W| over all segments of a transient history, J: what the transforms of slip and traction, whose product
+    /// Σ |∫A dA − W| over all profile updates of a transient history, J: what the transforms of slip and pressure, whose product
     /// is the work per area A, miss of the springs' work W.
     pub fn transform_defect(&self) -> f64 {
-        self.wear.as_ref().map_or(0.0, |wear| wear.transform_defect)
+        self.wear.as_ref().map_or(0.0, |wear| wear.defect)
     }
 
-    /// Work that eq. (18) would have given back where two zones slip in opposite directions at once, and that was
-    /// clipped, J.
+    /// Work that was left out since its sign would heal the profile, J.
     pub fn clipped_work(&self) -> f64 {
-        self.wear.as_ref().map_or(0.0, |wear| wear.pending.clipped)
+        self.wear.as_ref().map_or(0.0, |wear| wear.clipped)
     }
 
-    /// The profile with what is pending taken off.
+    /// The profile with the backlog taken off, made when first read; where it cannot be, that of the last update.
     pub(super) fn view(&self) -> Option<&Nodes> {
         self.wear.as_ref()?;
-        // where it cannot be taken off, that of the last update is the best there is
-        if self.look().is_err() { self.surface.worn() } else { self.view.get() }
-    }
-
-    /// Makes the profile with what is pending taken off, unless it is there already.
-    pub(super) fn look(&self) -> Result<(), Error> {
         if self.view.get().is_none() {
             let mut copy = self.clone();
-            copy.settle()?;
-            if let Some(nodes) = copy.surface.worn() {
+            if copy.close_backlog().is_ok()
+                && let Some(nodes) = copy.surface.worn()
+            {
                 // a race is impossible: the cell belongs to this thread
                 let _ = self.view.set(nodes.clone());
             }
         }
-        Ok(())
+        self.view.get().or(self.surface.worn())
     }
 
     /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn cone or flat.

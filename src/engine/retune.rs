@@ -46,7 +46,7 @@ impl FrettingContact {
         let bound_slope = constants.bound_slope();
         self.view.take();
         self.transaction(|this| {
-            this.settle()?;
+            this.close_backlog()?;
             this.former = FormerWear { volume: this.wear_volume(), work: this.work };
             let former_wear_per_work = this.constants.wear_per_work;
             this.parameters = Arc::new(new);
@@ -55,12 +55,10 @@ impl FrettingContact {
             this.counters.spring_walks += 1;
             if let Some(wear) = &mut this.wear {
                 // a volume, told as the work that wears it
-                wear.pending.unplaced *= former_wear_per_work / constants.wear_per_work;
-                wear.rhythm = None;
-                wear.next_step = None;
+                wear.unplaced *= former_wear_per_work / constants.wear_per_work;
+                (wear.expected, wear.next_step) = (None, None);
             }
             this.lose_to_friction(work);
-            this.start_segment();
             Ok(())
         })
     }
@@ -69,7 +67,7 @@ impl FrettingContact {
     fn slip_back(&mut self) -> f64 {
         let stored = self.stored_energy();
         let (springs, _) =
-            self.springs.walk(&self.path_to(self.contact, self.displacement), Springs::default());
+            self.springs.walk(&self.path_to(self.contact, self.displacement), Springs::default(), None);
         self.springs = springs;
         (stored - self.stored_energy()).max(0.0)
     }

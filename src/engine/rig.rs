@@ -59,7 +59,7 @@ impl FrettingContact {
         let mut row = std::mem::take(&mut self.undo);
         row.copy_from(&self.springs);
         let Self { displacement, direction, work, counters, .. } = *self;
-        let segment_work = self.wear.as_ref().map_or(0.0, |wear| wear.segment.work);
+        let gathered = self.wear.as_ref().map(|wear| wear.backlog.clone());
         let value = self.contact.control;
         let side = self.pull(drive).signum();
         let mut arrived = false;
@@ -76,8 +76,8 @@ impl FrettingContact {
             std::mem::swap(&mut self.springs, &mut row);
             (self.displacement, self.direction, self.work) = (displacement, direction, work);
             self.counters = counters;
-            if let Some(wear) = &mut self.wear {
-                wear.segment.work = segment_work;
+            if let (Some(wear), Some(backlog)) = (&mut self.wear, gathered) {
+                wear.backlog = backlog;
             }
         }
         self.undo = row;
@@ -158,7 +158,7 @@ impl FrettingContact {
         let mut spare = std::mem::take(&mut self.spare);
         let mut pull = |displacement: f64| {
             let path = self.path_to(to, displacement);
-            let (row, _) = self.springs.walk(&path, std::mem::take(&mut spare));
+            let (row, _) = self.springs.walk(&path, std::mem::take(&mut spare), None);
             walks += 1;
             let force = row_modulus * row.deflection_integral(displacement);
             spare = row;

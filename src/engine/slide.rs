@@ -10,25 +10,34 @@ impl FrettingContact {
         if value != self.contact.control || self.contact.is_open() {
             return false;
         }
-        let direction = (displacement - self.displacement).signum();
-        let most_work = match &self.wear {
-            None => f64::MAX,
-            Some(_)
-                if direction != self.direction || self.onset_of_long_slide(value, displacement).is_some() =>
-            {
+        let direction = self.direction_to(displacement);
+        let mut slips = None;
+        if self.wear.is_some() {
+            if direction != self.direction || self.onset_of_long_slide(value, displacement).is_some() {
                 return false;
             }
-            Some(_) => self.calm_work(),
-        };
-        if most_work <= 0.0 {
-            return false;
+            slips = self.wear.as_mut().map(|wear| std::mem::take(&mut wear.slips));
         }
+        if let Some(slips) = &mut slips {
+            slips.clear();
+        }
+        let most_work = self.work_to_update();
         let work_scale = (2.0 * self.constants.tangential_modulus, most_work);
-        let work =
-            self.springs.slide(&self.surface, &self.contact, self.bound_slope, displacement, work_scale);
+        let work = self.springs.slide(
+            &self.surface,
+            &self.contact,
+            self.bound_slope,
+            displacement,
+            work_scale,
+            slips.as_mut(),
+        );
+        if let (Some(wear), Some(slips)) = (&mut self.wear, slips) {
+            wear.slips = slips;
+        }
         let Some(work) = work else { return false };
-        if let Some(wear) = &mut self.wear {
-            wear.segment.work += work;
+        if self.wear.is_some() {
+            let to = self.contact;
+            self.gather(work, &to);
             // asked first, since taking moves the whole of it
             if self.view.get().is_some() {
                 self.view.take();

@@ -2,16 +2,13 @@
 
 mod soundness;
 
-pub(super) use soundness::is_contact;
-
 use super::planar::Planar;
 use super::retune::FormerWear;
-use super::steady::Rhythm;
 use super::{Counters, FrettingContact, WearState};
 use crate::error::Error;
 use crate::friction::Springs;
 use crate::surface::{Contact, Nodes};
-use crate::wear::{Pending, Segment, Sliding};
+use crate::wear::{Sliding, WearBacklog};
 use serde::{Deserialize, Serialize};
 
 /// Everything that a [`FrettingContact`] needs to go on from where it was, without its parameters.
@@ -35,30 +32,26 @@ pub struct Snapshot {
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct WearSnapshot {
-    pending: Pending,
-    segment_springs: Springs,
-    segment_contact: Option<Contact>,
-    segment_work: f64,
-    segment_start: f64,
-    segment_sliding: f64,
-    rhythm: Option<Rhythm>,
+    backlog: WearBacklog,
+    limit: f64,
+    unplaced: f64,
+    expected: Option<Sliding>,
     next_step: Option<(Sliding, f64)>,
-    transform_defect: f64,
+    defect: f64,
+    clipped: f64,
 }
 
 impl FrettingContact {
     /// The present state.
     pub fn snapshot(&self) -> Snapshot {
         let wear = self.wear.as_ref().map(|wear| WearSnapshot {
-            pending: wear.pending.clone(),
-            segment_springs: wear.segment.unslipped.clone(),
-            segment_contact: wear.segment.contact,
-            segment_work: wear.segment.work,
-            segment_start: wear.segment.start,
-            segment_sliding: wear.segment.sliding,
-            rhythm: wear.rhythm,
+            backlog: wear.backlog.clone(),
+            limit: wear.limit,
+            unplaced: wear.unplaced,
+            expected: wear.expected,
             next_step: wear.next_step,
-            transform_defect: wear.transform_defect,
+            defect: wear.defect,
+            clipped: wear.clipped,
         });
         Snapshot {
             contact: self.contact,
@@ -112,24 +105,17 @@ impl FrettingContact {
         self.reach = snapshot.reach;
         self.counters = snapshot.counters;
         self.wear = snapshot.wear.as_ref().map(|saved| {
-            let segment = Segment {
-                unslipped: saved.segment_springs.clone(),
-                contact: saved.segment_contact,
-                work: saved.segment_work,
-                start: saved.segment_start,
-                sliding: saved.segment_sliding,
-            };
             // tables serve the nodes that they were made for, whatever happens in between
             let former = self.wear.take().map(|wear| *wear).unwrap_or_default();
             Box::new(WearState {
-                pending: saved.pending.clone(),
-                segment,
-                spare_row: former.spare_row,
-                transforms: former.transforms,
-                rhythm: saved.rhythm,
+                backlog: saved.backlog.clone(),
+                limit: saved.limit,
+                unplaced: saved.unplaced,
+                expected: saved.expected,
                 next_step: saved.next_step,
-                mesh: former.mesh,
-                transform_defect: saved.transform_defect,
+                defect: saved.defect,
+                clipped: saved.clipped,
+                ..former
             })
         });
         self.view.take();

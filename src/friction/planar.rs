@@ -11,18 +11,16 @@
 
 mod laying;
 mod reading;
-mod slips;
 mod spring;
 mod walk;
 
 pub(crate) use laying::{Resting, Samples};
 pub(crate) use reading::{Standing, Tangent};
 pub(crate) use spring::{Vector, difference};
-pub(crate) use walk::{PlanarPath, Walked};
+pub(crate) use walk::PlanarPath;
 
 use crate::surface::Place;
 use serde::{Deserialize, Serialize};
-use slips::Slip;
 
 /// One spring of the row.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -38,8 +36,6 @@ pub(crate) struct PlanarRow {
     /// Distance of the even samples, m.
     spacing: f64,
     knots: Vec<PlanarKnot>,
-    /// What has slipped since the row was last asked to count it; empty where no wear is computed.
-    slips: Vec<Slip>,
 }
 
 impl PlanarRow {
@@ -47,19 +43,15 @@ impl PlanarRow {
         &self.knots
     }
 
-    /// Whether the distance of its samples and the slip that it has counted, if it `counts` any, are such as a row has.
-    pub(crate) fn is_counted(&self, counts: bool) -> bool {
-        let spaced = self.spacing >= 0.0 && self.spacing.is_finite();
-        spaced
-            && self.slips.len() == if counts { self.knots.len() } else { 0 }
-            && self.slips.iter().all(Slip::is_sound)
+    /// Whether the distance of its samples is one.
+    pub(crate) fn is_spaced(&self) -> bool {
+        self.spacing >= 0.0 && self.spacing.is_finite()
     }
 
     /// Becomes a copy of another row in its own memory.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.spacing = other.spacing;
         self.knots.clone_from(&other.knots);
-        self.slips.clone_from(&other.slips);
     }
 }
 

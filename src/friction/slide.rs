@@ -3,6 +3,7 @@
 
 use super::Springs;
 use super::walk::{Trial, append, between, rounding, share_at_bound, slip_work};
+use crate::friction::SlipPiece;
 use crate::surface::{Contact, Surface};
 
 impl Springs {
@@ -18,6 +19,7 @@ impl Springs {
         bound_slope: f64,
         displacement: f64,
         (work_scale, most_work): (f64, f64),
+        mut slips: Option<&mut Vec<SlipPiece>>,
     ) -> Option<f64> {
         let bound = |image: f64| bound_slope * (contact.depth - image).max(0.0);
         let rounding = rounding(bound_slope, contact, displacement);
@@ -33,7 +35,7 @@ impl Springs {
                 let inner = trial(inner);
                 front = between(surface, &inner, &first, share_at_bound(&inner, &first, first.side()));
                 let at_bound = trial(&front);
-                (at_bound.at_front(rounding), slip_work(&at_bound, &first))
+                (at_bound.at_front(rounding), slip_work(&at_bound, &first, slips.as_deref_mut()))
             }
         };
         let mut last = first;
@@ -42,7 +44,7 @@ impl Springs {
             if !next.slips_with(&first) {
                 return None;
             }
-            work += slip_work(&last, &next);
+            work += slip_work(&last, &next, slips.as_deref_mut());
             last = next;
         }
         let work = work_scale * work;

@@ -1,7 +1,6 @@
 //! What a row of springs has slipped along a path.
 
 use super::interval::Interval;
-use crate::surface::Place;
 
 /// The slip of the springs between two places, linear in the image g.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,21 +16,9 @@ pub(crate) struct SlipPiece {
 }
 
 impl SlipPiece {
-    pub(super) fn over((inner, outer): (&Place, &Place), slip: (f64, f64)) -> Self {
-        let interval = Interval::between(inner, outer);
-        Self {
-            image: (inner.image, outer.image),
-            slip,
-            integral: interval.linear(slip.0, slip.1),
-            moment: interval.product((0.0, interval.rise), slip),
-        }
-    }
-}
-
-#[cfg(test)]
-impl SlipPiece {
-    /// ∫ (d − g) e dx under a depth d, m³.
-    pub(crate) fn overlap_moment(&self, depth: f64) -> f64 {
-        (depth - self.image.0) * self.integral - self.moment
+    /// The slip over an interval between two images.
+    pub(super) fn over(image: (f64, f64), slip: (f64, f64), interval: &Interval) -> Self {
+        let integral = interval.linear(slip.0, slip.1);
+        Self { image, slip, integral, moment: interval.product((0.0, interval.rise), slip) }
     }
 }

@@ -29,13 +29,13 @@ fn pressed(surface: &Surface, depth: f64) -> (Springs, Contact) {
     let contact = at_depth(surface, depth);
     let open = at_depth(surface, surface.image(0.0));
     let (springs, work) =
-        Springs::default().walk(&path(surface, open, contact, 0.0, 0.0), Springs::default());
+        Springs::default().walk(&path(surface, open, contact, 0.0, 0.0), Springs::default(), None);
     assert_eq!(work, 0.0);
     (springs, contact)
 }
 
 fn moved(springs: &Springs, surface: &Surface, contact: Contact, start: f64, end: f64) -> (Springs, f64) {
-    springs.walk(&path(surface, contact, contact, start, end), Springs::default())
+    springs.walk(&path(surface, contact, contact, start, end), Springs::default(), None)
 }
 
 /// ∫ (g − g₁)ⁿ dx by Gauss on even panels, in (x − x₁)/Δx so that narrow intervals keep their digits.
@@ -159,7 +159,7 @@ fn a_ramp_in_small_steps_does_not_pile_up_knots() {
         let displacement = |share: f64| 1e-6 * share * share;
         let before = f64::from(k - 1) / f64::from(steps);
         let line = path(&surface, contact, next, displacement(before), displacement(share));
-        springs = springs.walk(&line, Springs::default()).0;
+        springs = springs.walk(&line, Springs::default(), None).0;
         contact = next;
     }
     // at most 64 to a factor e of the radius, which grows by √5000 from the first step
@@ -175,14 +175,14 @@ fn springs_that_leave_contact_are_forgotten() {
     let (rest, contact) = pressed(&surface, 4e-6);
     let (springs, _) = moved(&rest, &surface, contact, 0.0, 1e-6);
     let less = at_depth(&surface, 1e-6);
-    let (cut, work) = springs.walk(&path(&surface, contact, less, 1e-6, 1e-6), Springs::default());
+    let (cut, work) = springs.walk(&path(&surface, contact, less, 1e-6, 1e-6), Springs::default(), None);
     assert!(work > 0.0);
     assert!(cut.knots().iter().all(|knot| knot.place.x <= less.radius));
-    let (again, none) = cut.walk(&path(&surface, less, contact, 1e-6, 1e-6), Springs::default());
+    let (again, none) = cut.walk(&path(&surface, less, contact, 1e-6, 1e-6), Springs::default(), None);
     assert_eq!(none, 0.0);
     assert_eq!(again.deflection_integral(1e-6), cut.deflection_integral(1e-6));
     let open = at_depth(&surface, 0.0);
-    let (gone, _) = again.walk(&path(&surface, contact, open, 1e-6, 1e-6), Springs::default());
+    let (gone, _) = again.walk(&path(&surface, contact, open, 1e-6, 1e-6), Springs::default(), None);
     assert!(gone.knots().is_empty());
 }
 
@@ -213,7 +213,7 @@ fn a_slide_gives_what_a_walk_gives() {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let next = 1.2 * full * (f64::from(state) / f64::from(u32::MAX) - 0.5);
             short_work += short
-                .slide(&surface, &contact, M, next, (1.0, f64::MAX))
+                .slide(&surface, &contact, M, next, (1.0, f64::MAX), None)
                 .expect("one zone slips to one side");
             let (row, work) = moved(&long, &surface, contact, at, next);
             (long, long_work, at) = (row, long_work + work, next);
@@ -243,10 +243,10 @@ fn a_slide_refuses_zones_that_slip_both_ways_and_work_without_bound() {
     let origins = [(0.0, 1.1 * full), (0.5 * contact.radius, -1.1 * full), (contact.radius, -1.1 * full)];
     let mut twisted = Springs::from_origins(&surface, &origins);
     let before = twisted.clone();
-    assert_eq!(twisted.slide(&surface, &contact, M, 0.0, (1.0, f64::MAX)), None);
+    assert_eq!(twisted.slide(&surface, &contact, M, 0.0, (1.0, f64::MAX), None), None);
     assert_eq!(twisted, before);
     let mut far = start.clone();
-    assert_eq!(far.slide(&surface, &contact, M, 1e300, (1e100, f64::MAX)), None);
+    assert_eq!(far.slide(&surface, &contact, M, 1e300, (1e100, f64::MAX), None), None);
     assert_eq!(far, start);
 }
 
@@ -265,7 +265,7 @@ fn the_work_of_a_minute_loop_is_that_of_its_minute_annulus() {
         for k in 1..=100 {
             let next = crest * (std::f64::consts::TAU * f64::from(k) / 100.0).cos();
             work += springs
-                .slide(&surface, &contact, M, next, (1.0, f64::MAX))
+                .slide(&surface, &contact, M, next, (1.0, f64::MAX), None)
                 .expect("one zone slips to one side");
         }
         let expected = 0.5 * theta.powi(3) * M * contact.load * full;

@@ -2,7 +2,8 @@
 //! bound is exceeded, and do work.
 
 use super::interval::Interval;
-use super::{Knot, SlipPiece, Springs, interpolate};
+use super::{Knot, Springs, interpolate};
+use crate::friction::SlipPiece;
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, Place, Surface};
 
@@ -144,17 +145,8 @@ impl<'k> Trial<'k> {
 impl Springs {
     /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³ (half the row).
     /// `spare` is a row no longer needed whose memory is used again.
-    pub(crate) fn walk(&self, path: &Path, spare: Self) -> (Self, f64) {
-        self.walk_and_record(path, spare, None)
-    }
-
-    /// [`Self::walk`] that also appends the slip of the path to `slips`.
-    pub(crate) fn walk_and_record(
-        &self,
-        path: &Path,
-        spare: Self,
-        slips: Option<&mut Vec<SlipPiece>>,
-    ) -> (Self, f64) {
+    /// Where `slips` are asked for, they are put there.
+    pub(crate) fn walk(&self, path: &Path, spare: Self, slips: Option<&mut Vec<SlipPiece>>) -> (Self, f64) {
         let mut row = spare.knots;
         row.clear();
         row.reserve(self.knots.len() + 4);
@@ -165,16 +157,6 @@ impl Springs {
             walk.row.clear();
         }
         (Self { knots: walk.row }, walk.work)
-    }
-
-    /// The row at the end of a path had it not slipped: extended by springs that touched, cut at the new edge.
-    pub(crate) fn touched(&self, path: &Path) -> Self {
-        let mut knots = Vec::with_capacity(self.knots.len() + 4);
-        if !path.to.is_open() {
-            let inside = |knot: &&Knot| knot.place.x <= path.to.radius;
-            self.reach(path, |reached| knots.extend(reached.iter().filter(inside)));
-        }
-        Self { knots }
     }
 
     /// Shows `take` the knots of the old row, extended by those that touch along the path, or with one at the new,
@@ -259,7 +241,7 @@ impl Walk<'_> {
     /// bound on which the inner end slips, and where they reach that on which the outer end does.
     fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
         if inner.slips_with(&outer) {
-            return self.slip_work(&inner, &outer);
+            return slip_work(&inner, &outer, self.slips.as_deref_mut());
         }
         let (end, start);
         let (mut work, mut left, mut share) = (0.0, inner, 0.0);
@@ -267,7 +249,7 @@ impl Walk<'_> {
             share = share_at_bound(&inner, &outer, inner.side());
             end = between(self.path.surface, &inner, &outer, share);
             let at_bound = self.path.trial(&end, self.rounding);
-            work += self.slip_work(&left, &at_bound);
+            work += slip_work(&left, &at_bound, self.slips.as_deref_mut());
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
@@ -276,22 +258,11 @@ impl Walk<'_> {
             share = share_at_bound(&inner, &outer, outer.side()).max(share);
             start = between(self.path.surface, &inner, &outer, share);
             let at_bound = self.path.trial(&start, self.rounding);
-            work += self.slip_work(&left, &at_bound);
+            work += slip_work(&left, &at_bound, self.slips.as_deref_mut());
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
-        work + self.slip_work(&left, &outer)
-    }
-
-    /// Work of an interval that slips to one side, whose slip is recorded where that is asked for.
-    fn slip_work(&mut self, inner: &Trial, outer: &Trial) -> f64 {
-        if let Some(slips) = &mut self.slips
-            && (inner.slips() || outer.slips())
-        {
-            let (p, q) = (&inner.knot.place, &outer.knot.place);
-            slips.push(SlipPiece::over((p, q), (inner.excess, outer.excess)));
-        }
-        slip_work(inner, outer)
+        work + slip_work(&left, &outer, self.slips.as_deref_mut())
     }
 
     /// Appends a knot that is still in contact.
@@ -328,11 +299,15 @@ pub(super) fn append(row: &mut Vec<Knot>, knot: Knot, rounding: f64) {
 
 /// ∫ |u| |de| dx over an interval that slips to one side.
 #[inline(always)]
-pub(super) fn slip_work(inner: &Trial, outer: &Trial) -> f64 {
+pub(super) fn slip_work(inner: &Trial, outer: &Trial, slips: Option<&mut Vec<SlipPiece>>) -> f64 {
     if !inner.slips() && !outer.slips() {
         return 0.0;
     }
     let interval = Interval::between(&inner.knot.place, &outer.knot.place);
+    if let Some(slips) = slips {
+        let images = (inner.knot.place.image, outer.knot.place.image);
+        slips.push(SlipPiece::over(images, (inner.excess, outer.excess), &interval));
+    }
     interval.slip_work((inner.mean_bound, outer.mean_bound), (inner.excess, outer.excess))
 }
 

@@ -1,24 +1,27 @@
 //! Slip gathered since the profile last changed, in one dimension.
 //!
-//! Springs with the same image g have the same history, so slip is a function of g. What it wears
-//! depends besides on the pressure under which it happens, so on the indentation depth. The backlog
-//! keeps, for each of a few depths, the slip path E(g) as a constant, a slope and *hinges* C (g −
-//! g_c)₊, all of which a straight line in (load, displacement) adds to in a few operations. Hinges
-//! are gathered in bins that are narrow next to the contact edge and keep their sum and their mean
-//! place, so a repeated motion stays exact, and the slip of a stroke does not depend on the steps
-//! that it is made of.
+//! Springs with the same image g have the same history, so slip is a function of g. What it wears depends besides on the pressure
+//! under which it happens, so on the indentation depth. The backlog keeps, for each of a few depths, the slip path E(g) as a
+//! constant, a slope and *hinges* C (g − g_c)₊, all of which a straight line in (load, displacement) adds to in a few operations.
+//! Hinges are gathered in bins that are narrow next to the contact edge and keep their sum and their mean place, so a repeated
+//! motion stays exact, and the slip of a stroke does not depend on the steps that it is made of.
 
+use super::Sliding;
 use crate::friction::SlipPiece;
 use crate::surface::Contact;
+use serde::{Deserialize, Serialize};
 
 /// Bits of a double below its three leading ones of the mantissa: eight bins in an octave.
 const BIN_SHIFT: u32 = 49;
 
-/// Octaves below the depth at first slip in which bins are distinguished.
+/// Octaves below the depth at first slip in which bins are told apart.
 const OCTAVES: i64 = 14;
 
+/// Bins in the range of a double.
+const MOST_BINS: i64 = 8 * 2048;
+
 /// Hinges of one bin.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Hinge {
     bin: i64,
     /// Σ C.
@@ -30,7 +33,7 @@ struct Hinge {
 }
 
 /// Slip under one indentation depth.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 struct Level {
     bin: i64,
     /// Σ ∫ e dx, m².
@@ -46,7 +49,7 @@ struct Level {
 }
 
 /// Slip and friction work since the last profile update.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct WearBacklog {
     /// Depth at the first slip, m: images are counted from here.
     reference: f64,
@@ -54,10 +57,23 @@ pub(crate) struct WearBacklog {
     levels: Vec<Level>,
     /// Friction work, J.
     pub(crate) work: f64,
+    /// Largest contact radius, m.
+    pub(crate) radius: f64,
+}
+
+/// A motion that repeats at constant load, and how much of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct RepeatedMotion {
+    pub(crate) sliding: Sliding,
+    /// Cycles or metres, as its kind has it.
+    pub(crate) amount: f64,
 }
 
 /// Relative difference of two places of hinges, or of two slips, that are taken for one.
 const SAME: f64 = 1e-6;
+
+/// Share of the largest slip by which a repeated motion may differ from cycles that begin at rest.
+const LIKE: f64 = 1e-2;
 
 /// Share of the largest slope below which a sum of slopes is the rounding of those that cancel.
 const CANCELLED: f64 = 1e-10;
@@ -78,31 +94,77 @@ fn bin(value: f64, least: i64) -> i64 {
 }
 
 impl WearBacklog {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.levels.is_empty()
+    }
+
+    /// Whether all slip was under one depth (m).
+    pub(crate) fn is_at(&self, depth: f64) -> bool {
+        match &self.levels[..] {
+            [] => true,
+            [level] => (level.moment - depth * level.slip).abs() <= SAME * (depth * level.slip).abs(),
+            _ => false,
+        }
+    }
+
+    /// Numbers that a backlog can have.
+    pub(crate) fn is_sound(&self) -> bool {
+        let amount = |value: f64| value >= 0.0 && value.is_finite();
+        fn rises(mut bins: impl Iterator<Item = i64>) -> bool {
+            let mut last = i64::MIN;
+            bins.all(|bin| std::mem::replace(&mut last, bin) < bin)
+        }
+        let level = |level: &Level| {
+            let numbers = [level.moment, level.constant, level.slope];
+            amount(level.slip)
+                && level.slip > 0.0
+                && numbers.iter().all(|value| value.is_finite())
+                && level.bin.abs() < MOST_BINS
+                && level.hinges.len() < MOST_BINS as usize
+                && rises(level.hinges.iter().map(|hinge| hinge.bin))
+                && level.hinges.iter().all(|h| {
+                    let numbers = [h.sum, h.moment, h.range.0, h.range.1];
+                    h.bin.abs() < MOST_BINS
+                        && h.range.0 <= h.range.1
+                        && numbers.iter().all(|value| value.is_finite())
+                })
+        };
+        amount(self.work)
+            && (self.work == 0.0 || !self.levels.is_empty())
+            && amount(self.radius)
+            && self.reference.is_finite()
+            && self.levels.len() < MOST_BINS as usize
+            && rises(self.levels.iter().map(|level| level.bin))
+            && self.levels.iter().all(level)
+    }
+
     /// Lowest bin of lengths for a contact of a given depth over the tip.
     fn least(overlap: f64) -> i64 {
         ((overlap.abs().to_bits() >> BIN_SHIFT) as i64 - 8 * OCTAVES).max(0)
     }
 
-    /// Adds the slip of a straight line between two contacts. `overlap_moment` is ∫ (d − g) e dx
-    /// with d at the instant at which a spring slips, m³, which is the work over 2μE*; `tip` is the
-    /// image at the axis, m.
+    /// Adds the slip of a straight line between two contacts and its friction work, J; says whether there was slip. `overlap_moment`
+    /// is ∫ (d − g) e dx with d at the instant at which a spring slips, m³, which is the work over 2μE*; `tip` is the image at the
+    /// axis, m.
     pub(crate) fn record(
         &mut self,
         pieces: &[SlipPiece],
-        overlap_moment: f64,
+        (work, overlap_moment): (f64, f64),
         (from, to): (&Contact, &Contact),
         tip: f64,
-    ) {
+    ) -> bool {
         let slip: f64 = pieces.iter().map(|piece| piece.integral).sum();
-        if slip <= 0.0 {
-            return;
+        if slip.is_nan() || slip <= 0.0 {
+            return false;
         }
+        self.work += work;
         let depth = if from.depth == to.depth {
             to.depth
         } else {
             let image: f64 = pieces.iter().map(|piece| piece.image.0 * piece.integral + piece.moment).sum();
             ((image + overlap_moment) / slip).clamp(from.depth.min(to.depth), from.depth.max(to.depth))
         };
+        self.radius = self.radius.max(from.radius).max(to.radius);
         if self.levels.is_empty() {
             self.reference = to.depth.max(from.depth);
         }
@@ -112,17 +174,7 @@ impl WearBacklog {
         let place = match self.levels.binary_search_by_key(&index, |level| level.bin) {
             Ok(place) => place,
             Err(place) => {
-                self.levels.insert(
-                    place,
-                    Level {
-                        bin: index,
-                        slip: 0.0,
-                        moment: 0.0,
-                        constant: 0.0,
-                        slope: 0.0,
-                        hinges: Vec::new(),
-                    },
-                );
+                self.levels.insert(place, Level::new(index));
                 place
             }
         };
@@ -147,6 +199,7 @@ impl WearBacklog {
             }
             (slope, end) = (next, g1);
         }
+        true
     }
 
     /// The slip path under each depth, m, as functions of g.
@@ -156,6 +209,10 @@ impl WearBacklog {
 }
 
 impl Level {
+    fn new(bin: i64) -> Self {
+        Self { bin, slip: 0.0, moment: 0.0, constant: 0.0, slope: 0.0, hinges: Vec::new() }
+    }
+
     fn hinge(&mut self, slope: f64, place: f64, least: i64) {
         if slope == 0.0 {
             return;
@@ -187,8 +244,7 @@ impl Level {
             if hinge.sum.abs() > rounding && mean >= low - slack && mean <= high + slack {
                 hinges.push((reference - mean.clamp(low, high), hinge.sum));
             } else if high - low > slack {
-                // slopes that nearly cancel have no place of their own: the ends of their range
-                // carry sum and moment
+                // slopes that nearly cancel have no place of their own: the ends of their range carry sum and moment
                 let outer = (hinge.moment - hinge.sum * low) / (high - low);
                 for (place, slope) in [(low, hinge.sum - outer), (high, outer)] {
                     if slope.abs() > rounding {
@@ -241,16 +297,42 @@ impl SlipAtDepth {
         Self { depth, least: ROUNDING * largest, first, knots }
     }
 
-    /// Cycles of an amplitude U₀, E = 4N (U₀ − m (d − g))₊, under a depth d, m.
-    pub(crate) fn of_cycles(amplitude: f64, cycles: f64, depth: f64, bound_slope: f64) -> Self {
-        let front = depth - amplitude / bound_slope;
-        let slope = 4.0 * cycles * bound_slope;
-        Self::new(depth, (0.0, 0.0), vec![(front, slope, -slope * front)])
+    /// Cycles of an amplitude U₀, E = 4N (U₀ − m (d − g))₊, or sliding onward, E = s, under a depth d, m.
+    pub(crate) fn of_motion(sliding: Sliding, amount: f64, depth: f64, bound_slope: f64) -> Self {
+        match sliding {
+            Sliding::Onward => Self::new(depth, (0.0, amount), Vec::new()),
+            Sliding::Cycles(amplitude) => {
+                let front = depth - amplitude / bound_slope;
+                let slope = 4.0 * amount * bound_slope;
+                Self::new(depth, (0.0, 0.0), vec![(front, slope, -slope * front)])
+            }
+        }
     }
 
-    /// Sliding onward by a path, m, under a depth, m.
-    pub(crate) fn of_sliding(path: f64, depth: f64) -> Self {
-        Self::new(depth, (0.0, path), Vec::new())
+    /// The motion that makes this law, where it is one that repeats in the contact of its depth; `tip` is the image at the axis.
+    pub(crate) fn repeated_motion(&self, bound_slope: f64, tip: f64) -> Option<RepeatedMotion> {
+        let (whole, slope) = self.at(self.depth);
+        if whole <= 0.0 {
+            return None;
+        }
+        if self.knots.is_empty() && (self.at(tip).0 - whole).abs() <= SAME * whole {
+            return Some(RepeatedMotion { sliding: Sliding::Onward, amount: whole });
+        }
+        // E(d) = 4 N U₀ and dE/dg = 4 N m, of whole quarters
+        let quarters = (slope / bound_slope).round();
+        if quarters < 1.0 || (slope / bound_slope - quarters).abs() > LIKE * quarters {
+            return None;
+        }
+        let slope = quarters * bound_slope;
+        // both are lines between these places
+        let front = self.depth - whole / slope;
+        let of_cycles = |image: f64| (slope * (image - front)).max(0.0);
+        let alike = |image: f64| (self.at(image).0 - of_cycles(image)).abs() <= LIKE * whole;
+        let mut places = self.knots.iter().map(|knot| knot.0).chain([tip, front]);
+        let inside = |place: &f64| (tip..self.depth).contains(place);
+        places
+            .all(|place| !inside(&place) || alike(place))
+            .then_some(RepeatedMotion { sliding: Sliding::Cycles(whole / quarters), amount: 0.25 * quarters })
     }
 
     /// Image of the innermost spring that slips, m.

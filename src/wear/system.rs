@@ -1,7 +1,7 @@
 //! The linear system of an implicit update, known by what it does to a vector, and an approximate inverse.
 
-use super::update::Edge;
-use super::{Constants, NodeTransforms, Pending};
+use super::edge::Edge;
+use super::{Constants, NodeTransforms, SlipFields};
 use crate::surface::outer_weight;
 use crate::transform::{ascend_last, dot, pressure_weight};
 
@@ -23,7 +23,7 @@ impl<'a> System<'a> {
     pub(super) fn new(
         x: &'a [f64],
         transforms: &'a NodeTransforms,
-        pending: &Pending,
+        fields: &SlipFields,
         first: usize,
         edge: Edge,
         constants: &Constants,
@@ -33,7 +33,7 @@ impl<'a> System<'a> {
             transforms,
             x,
             first,
-            stiffness: pending.slip_path[first..=edge.last].iter().map(|path| kappa * path).collect(),
+            stiffness: fields.slip_path[first..=edge.last].iter().map(|path| kappa * path).collect(),
             response: (first..=edge.last).map(|i| edge.response(x, i)).collect(),
             mean: constants.force_control.then(|| depth_weights(x, &edge)),
             edge,

@@ -1,70 +1,12 @@
-//! The linearly implicit profile update and the pressure at the nodes.
+//! The linearly implicit profile update.
 
+use super::edge::{Edge, pressure_nodes};
 use super::system::System;
-use super::{Constants, NodeTransforms, Pending, krylov};
+use super::{Constants, NodeTransforms, SlipFields, krylov};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::transform::{dot, leg};
-use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
-
-/// What lies between the last node inside the contact and the contact edge.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Edge {
-    /// Index of the last node with x < a (x ≤ a where the body ends there).
-    pub(crate) last: usize,
-    /// Contact radius a, m.
-    pub(crate) radius: f64,
-    /// Whether the load line jumps to zero at the last node (a body that ends there) instead of falling to zero at a.
-    pub(crate) jump: bool,
-}
-
-impl Edge {
-    pub(crate) fn new(nodes: &Nodes, contact: &Contact, outer_radius: f64) -> Self {
-        let jump = contact.radius >= outer_radius;
-        let inside = nodes.x().partition_point(|&x| x < contact.radius || (jump && x <= contact.radius));
-        Self { last: inside.max(1) - 1, radius: contact.radius, jump }
-    }
-
-    /// Weight of the load at the last node in the pressure at node i, 1/m, from the piece behind that node.
-    pub(super) fn weight(&self, x: &[f64], i: usize) -> f64 {
-        let (r, end) = (x[i], x[self.last]);
-        if !self.jump {
-            return FRAC_2_PI / (leg(self.radius, r) + leg(end, r));
-        }
-        if i < self.last {
-            FRAC_1_PI / leg(end, r)
-        } else {
-            // the edge node stands for the outer half of its cell (in Z): mean of 1/√(b² − r²) over that
-            let inner = x[i - 1];
-            let half = 0.5 * (end - inner) * (end + inner);
-            FRAC_2_PI / half.sqrt()
-        }
-    }
-
-    /// The same for a change of load there, which also moves the edge: q ≈ γ (a² − x²) keeps its slope.
-    pub(super) fn response(&self, x: &[f64], i: usize) -> f64 {
-        let weight = self.weight(x, i);
-        if self.jump {
-            return weight;
-        }
-        let (r, end) = (x[i], x[self.last]);
-        let reach = leg(self.radius, r);
-        let area = (self.radius - end) * (self.radius + end);
-        if reach > 0.0 { weight * (1.0 - area / (2.0 * reach * (reach + leg(end, r)))) } else { weight }
-    }
-}
-
-/// Transform of a load line given at the nodes up to the edge: p or τ at the nodes 0..=last.
-pub(crate) fn pressure_nodes(transforms: &NodeTransforms, x: &[f64], load: &[f64], edge: &Edge) -> Vec<f64> {
-    let k = edge.last;
-    let mut pressure = transforms.pressure(&load[..=k]);
-    pressure.truncate(k + 1);
-    for (i, p) in pressure.iter_mut().enumerate() {
-        *p += load[k] * edge.weight(x, i);
-    }
-    pressure
-}
+use crate::transform::dot;
 
 /// The result of an update.
 #[derive(Debug, Clone)]
@@ -98,7 +40,7 @@ const LEAST_PART: f64 = 1.0 / 256.0;
 /// Most iterations of a linear system.
 const MOST_KRYLOV: usize = 200;
 
-/// Worn depth that a pending history brings, with the pressure and the contact edge taken at the end of the update.
+/// Worn depth that slip brings, with the pressure and the contact edge taken at the end of the update.
 ///
 /// Solves Δw = (k/σ₀) A + κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with the wear: were it held, a
 /// whole update's wear would end at it like a square root, and its image would have a logarithmic dip there. Where it moves so far
@@ -109,7 +51,7 @@ const MOST_KRYLOV: usize = 200;
 pub(crate) fn worn_depth(
     surface: &Surface,
     transforms: &NodeTransforms,
-    pending: &Pending,
+    fields: &SlipFields,
     control: NormalControl,
     constants: &Constants,
 ) -> Result<Update, Error> {
@@ -117,12 +59,8 @@ pub(crate) fn worn_depth(
     let Some(nodes) = surface.worn() else { return Ok(update) };
     let count = nodes.x().len();
     update.depth = vec![0.0; count];
-    // nodes may have been added outside since the history was gathered: nothing has slipped there
-    let mut pending = pending.clone();
-    pending.work_per_area.resize(count, 0.0);
-    pending.slip_path.resize(count, 0.0);
-    let Some(first) = pending.slip_path.iter().position(|s| *s > 0.0) else { return Ok(update) };
-    let Some(present) = pending.contact else { return Ok(update) };
+    let Some(first) = fields.slip_path.iter().position(|s| *s > 0.0) else { return Ok(update) };
+    let present = fields.contact;
     let profile = surface.profile();
     let unworn = nodes.x().iter().map(|&x| profile.image(x)).collect();
     let mut solver = Solver {
@@ -137,11 +75,11 @@ pub(crate) fn worn_depth(
         reference: Vec::new(),
     };
     (solver.reference, _) = solver.pressure(&present, nodes.worn_image());
-    let whole: Vec<f64> = pending.work_per_area.iter().map(|work| constants.wear_per_work * work).collect();
+    let whole: Vec<f64> = fields.work_per_area.iter().map(|work| constants.wear_per_work * work).collect();
     let (mut done, mut part) = (0.0, 1.0);
     let mut left = vec![0.0; count];
     while done < 1.0 {
-        let trial = solver.part(&pending.scaled(part), &left, &mut update)?;
+        let trial = solver.part(&fields.scaled(part), &left, &mut update)?;
         if trial.residual > LEFT && part > LEAST_PART {
             part *= 0.5;
             continue;
@@ -150,7 +88,7 @@ pub(crate) fn worn_depth(
         done += part;
     }
     update.followed = dot(&left, &left) <= LEFT * LEFT * dot(&whole, &whole);
-    for (w, path) in update.depth.iter_mut().zip(&pending.slip_path) {
+    for (w, path) in update.depth.iter_mut().zip(&fields.slip_path) {
         *w = if *path > 0.0 { w.max(0.0) } else { 0.0 };
     }
     Ok(update)
@@ -191,7 +129,7 @@ impl Solver<'_> {
     }
 
     /// Wears a part of the history, and what is `left` of those before, on top of the depths so far: the best iterate of Newton's method.
-    fn part(&self, part: &Pending, left: &[f64], update: &mut Update) -> Result<Trial, Error> {
+    fn part(&self, part: &SlipFields, left: &[f64], update: &mut Update) -> Result<Trial, Error> {
         let Constants { wear_per_work, friction_coefficient, normal_modulus, .. } = *self.constants;
         let nodes = self.nodes;
         let mut depth = update.depth.clone();

@@ -75,7 +75,7 @@ impl FrettingContact {
             };
             let end = [place[0] + moved[0], place[1] + moved[1]];
             let path = self.planar_path(to, end);
-            let (row, _) = planar.row.walk(&path, super::PlanarRow::default());
+            let (row, _) = planar.row.walk(&path, super::PlanarRow::default(), None);
             let standing = Standing {
                 row: &row,
                 surface: &self.surface,

@@ -44,12 +44,11 @@ fn is_motion(sliding: Sliding) -> bool {
 }
 
 /// A contact by itself: its numbers, not whether the surface is in it.
-pub(in crate::engine) fn is_contact(contact: &Contact) -> bool {
+fn is_contact(contact: &Contact) -> bool {
     contact.control.is_finite() && contact.depth.is_finite() && amount(contact.radius) && amount(contact.load)
 }
 
-/// Knots from the axis outward, to the edge of the contact or, of a segment's start, as far as they reach. They lie on the
-/// surface, but for rounding, on the scale of its values at the outermost radius that counts.
+/// Knots from the axis outward, to the edge of the contact. They lie on the surface, but for rounding, on the scale of its values at the outermost radius that counts.
 fn is_row(row: &Springs, surface: &Surface, outermost: &Place, most: usize) -> bool {
     let knots = row.knots();
     let rises = knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x);
@@ -123,15 +122,8 @@ impl Snapshot {
                 "springs in the plane are out of order, off the profile or beyond their friction bound",
             );
         }
-        let node_count = self.nodes.as_ref().map_or(0, |nodes| nodes.x().len());
         match &self.wear {
-            Some(wear)
-                if !wear.is_sound(node_count)
-                    || self.contact.is_open() && wear.segment_work != 0.0
-                    || !is_row(&wear.segment_springs, &surface, &outermost, most) =>
-            {
-                Some("what is still to wear is out of range")
-            }
+            Some(wear) if !wear.is_sound() => Some("what is still to wear is out of range"),
             _ => None,
         }
     }
@@ -174,9 +166,8 @@ impl Snapshot {
             && knots.first().is_some_and(|knot| knot.place.x == 0.0)
             && knots.last().is_some_and(|knot| close(knot.place.x, radius))
             && knots.iter().all(within)
-            && planar.row.is_counted(self.wear.is_some())
+            && planar.row.is_spaced()
             && close(x.hypot(y), 1.0)
-            && planar.segment_start.iter().all(|part| part.is_finite())
     }
 
     fn obeys_friction(&self, target: &FrettingContact) -> bool {
@@ -196,27 +187,11 @@ impl Snapshot {
 }
 
 impl WearSnapshot {
-    fn is_sound(&self, node_count: usize) -> bool {
-        let Self { pending, segment_contact, rhythm, next_step, .. } = self;
-        // where all slips one way, the work is kept as negative as a pressure that overshoots makes it
-        let sized = pending.work_per_area.len() <= node_count
-            && pending.slip_path.len() <= node_count
-            && pending.work_per_area.iter().all(|value| value.is_finite())
-            && pending.slip_path.iter().all(|value| amount(*value));
-        let steady = pending
-            .steady
-            .is_none_or(|steady| is_motion(steady.sliding) && amount(steady.amount) && amount(steady.work));
-        let contacts = [segment_contact, &pending.contact];
-        sized
-            && steady
-            && [pending.work, pending.clipped, self.segment_work, self.transform_defect]
-                .iter()
-                .all(|value| amount(*value))
-            && pending.unplaced.is_finite()
-            && contacts.into_iter().flatten().all(is_contact)
-            && self.segment_start.is_finite()
-            && is_sign(self.segment_sliding)
-            && rhythm.as_ref().is_none_or(|rhythm| rhythm.is_sound())
-            && next_step.is_none_or(|(sliding, step)| is_motion(sliding) && amount(step))
+    fn is_sound(&self) -> bool {
+        self.backlog.is_sound()
+            && self.unplaced.is_finite()
+            && [self.limit, self.defect, self.clipped].iter().all(|value| amount(*value))
+            && self.expected.is_none_or(is_motion)
+            && self.next_step.is_none_or(|(sliding, step)| is_motion(sliding) && amount(step))
     }
 }

@@ -5,7 +5,6 @@
 //! asks for their slip, and one between a spring that sticks and one that slips would let wear leak across the front.
 
 use super::reading::Standing;
-use super::slips::Slip;
 use super::spring::{Vector, along, difference, norm};
 use super::{PlanarKnot, PlanarPath, PlanarRow};
 use crate::friction::Springs;
@@ -71,7 +70,7 @@ fn each_radius(surface: &Surface, spacing: f64, (from, to): (f64, f64), mut sink
 }
 
 /// The spring at a place behind sample j.
-pub(super) fn interpolated(row: &PlanarRow, j: usize, place: Place) -> (PlanarKnot, Slip) {
+pub(super) fn interpolated(row: &PlanarRow, j: usize, place: Place) -> PlanarKnot {
     let (p, q) = (&row.knots[j], &row.knots[(j + 1).min(row.knots.len() - 1)]);
     let rise = q.place.image - p.place.image;
     let share = if rise > 0.0 {
@@ -83,12 +82,7 @@ pub(super) fn interpolated(row: &PlanarRow, j: usize, place: Place) -> (PlanarKn
     let share = if share.is_nan() { 0.0 } else { share.clamp(0.0, 1.0) };
     let mix = |k: usize| p.origin[k] + share * (q.origin[k] - p.origin[k]);
     let origin = [mix(0), mix(1)];
-    let slip = match (row.slips.get(j), row.slips.get(j + 1)) {
-        (Some(inner), Some(outer)) => inner.between(outer, share),
-        (Some(inner), None) => *inner,
-        _ => Slip::starting(origin),
-    };
-    (PlanarKnot { place, origin }, slip)
+    PlanarKnot { place, origin }
 }
 
 impl PlanarRow {
@@ -112,17 +106,16 @@ impl PlanarRow {
         radii.sort_by(f64::total_cmp);
         let origins = springs.origins_at(surface, &radii);
         let knot = |(x, origin): (&f64, f64)| PlanarKnot { place: surface.place(*x), origin: [origin, y] };
-        Self { spacing, knots: radii.iter().zip(origins).map(knot).collect(), slips: Vec::new() }
+        Self { spacing, knots: radii.iter().zip(origins).map(knot).collect() }
     }
 
     /// The same springs at other radii, up to a contact radius, on the surface on which they lie or, where that `is_another`, on one
     /// whose nodes may be others or lie elsewhere.
     fn laid(&self, (surface, is_another): (&Surface, bool), spacing: f64, radius: f64) -> Self {
         let Some(first) = self.knots.first() else { return Self::default() };
-        let mut row = Self { spacing, knots: Vec::new(), slips: Vec::new() };
+        let mut row = Self { spacing, knots: Vec::new() };
         let place = surface.place(0.0);
         row.knots.push(PlanarKnot { place, ..*first });
-        row.slips.extend(self.slips.first());
         let mut j = 0;
         each_radius(surface, spacing, (0.0, radius), |x| {
             while j + 1 < self.knots.len() && self.knots[j + 1].place.x <= x {
@@ -130,11 +123,8 @@ impl PlanarRow {
             }
             let place = surface.place(x);
             let image = if is_another { self.former_image(j, x) } else { place.image };
-            let (knot, slip) = interpolated(self, j, Place { image, ..place });
+            let knot = interpolated(self, j, Place { image, ..place });
             row.knots.push(PlanarKnot { place, ..knot });
-            if !self.slips.is_empty() {
-                row.slips.push(slip);
-            }
         });
         row
     }
@@ -145,19 +135,6 @@ impl PlanarRow {
         let width = q.x - p.x;
         let share = if width > 0.0 { ((x - p.x) / width).clamp(0.0, 1.0) } else { 0.0 };
         p.image + share * (q.image - p.image)
-    }
-
-    /// The same row where the nodes of its surface have become others; the contact stays.
-    pub(crate) fn on_nodes(
-        &self,
-        surface: &Surface,
-        contact: &Contact,
-        (bound_slope, displacement): (f64, Vector),
-    ) -> Self {
-        let edge = self.knots.last().map_or(0.0, |knot| knot.place.x);
-        let mut row = self.laid((surface, true), self.spacing, edge);
-        row.keep_within(contact, (bound_slope, displacement));
-        row
     }
 
     /// Takes samples that were not there before to their bound, where the image of a rough profile falls between their neighbours'.
@@ -183,22 +160,14 @@ impl PlanarRow {
         }
         // the edge of before has no deflection, and the samples beyond it tell when they touched
         self.knots.pop();
-        self.slips.pop();
         let from = match self.knots.last() {
             Some(knot) => knot.place.x,
             None => {
-                self.take(path.touching(0.0), path.counts);
+                self.knots.push(path.touching(0.0));
                 0.0
             }
         };
-        each_radius(path.surface, self.spacing, (from, radius), |x| self.take(path.touching(x), path.counts));
-    }
-
-    fn take(&mut self, knot: PlanarKnot, counts: bool) {
-        self.knots.push(knot);
-        if counts {
-            self.slips.push(Slip::starting(knot.origin));
-        }
+        each_radius(path.surface, self.spacing, (from, radius), |x| self.knots.push(path.touching(x)));
     }
 
     /// Keeps the samples as close as asked for after the contact has shrunk.

@@ -3,6 +3,7 @@
 use super::laying::{Samples, interpolated};
 use super::spring::{Vector, difference, move_spring, norm, scaled, sum};
 use super::{PlanarKnot, PlanarRow};
+use crate::friction::SlipPiece;
 use crate::friction::interval::Interval;
 use crate::friction::walk::share_at_touch;
 use crate::parameters::NormalControl;
@@ -20,8 +21,6 @@ pub(crate) struct PlanarPath<'a> {
     pub(crate) start: Vector,
     pub(crate) end: Vector,
     pub(crate) samples: Samples,
-    /// Whether slip is counted, for wear.
-    pub(crate) counts: bool,
 }
 
 impl PlanarPath<'_> {
@@ -46,26 +45,22 @@ impl PlanarPath<'_> {
     }
 }
 
-/// The work of a walk.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Walked {
-    /// ∫|u| |de| dx, the work of friction over 2G*, m³.
-    pub(crate) work: f64,
-    /// Share of it that is found in mean deflections and whole slips of this line.
-    pub(crate) one_way: f64,
-}
-
 /// A spring after its line.
 struct End {
     place: Place,
     slip: f64,
     mean_bound: f64,
-    one_way: f64,
 }
 
 impl PlanarRow {
-    /// Walks a path. `spare` is a row no longer needed whose memory is used again.
-    pub(crate) fn walk(&self, path: &PlanarPath, mut spare: Self) -> (Self, Walked) {
+    /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³. `spare` is a row no longer needed whose
+    /// memory is used again. Where `slips` are asked for, they are put there.
+    pub(crate) fn walk(
+        &self,
+        path: &PlanarPath,
+        mut spare: Self,
+        mut slips: Option<&mut Vec<SlipPiece>>,
+    ) -> (Self, f64) {
         spare.copy_from(self);
         let mut row = spare;
         if path.to.radius > path.from.radius {
@@ -74,18 +69,13 @@ impl PlanarRow {
         let rounding = 4.0
             * f64::EPSILON
             * (path.bound_slope * path.to.depth.abs() + norm(path.start).max(norm(path.end)));
-        let counts = path.counts;
-        let (mut work, mut one_way) = (0.0, 0.0);
+        let mut work = 0.0;
         let mut last: Option<End> = None;
         let inside = row.knots.partition_point(|knot| knot.place.x <= path.to.radius);
         if !path.to.is_open() && row.knots.get(inside.max(1) - 1).is_some_and(|k| k.place.x < path.to.radius)
         {
             let place = path.surface.place(path.to.radius);
-            let (knot, slip) = interpolated(&row, inside - 1, place);
-            row.knots.insert(inside, knot);
-            if counts {
-                row.slips.insert(inside, slip);
-            }
+            row.knots.insert(inside, interpolated(&row, inside - 1, place));
         }
         for j in 0..row.knots.len() {
             let knot = &mut row.knots[j];
@@ -109,23 +99,16 @@ impl PlanarRow {
             if !held || norm(moved.deflection) == 0.0 {
                 knot.origin = difference(path.end, moved.deflection);
             }
-            let way = difference(knot.origin, before);
-            if counts {
-                row.slips[j] = row.slips[j].and(&moved, way);
-            }
-            let end = End {
-                place: knot.place,
-                slip: moved.slip,
-                mean_bound: moved.mean_bound,
-                one_way: norm(way).min(moved.slip),
-            };
+            let end = End { place: knot.place, slip: moved.slip, mean_bound: moved.mean_bound };
             if let Some(inner) = &last
                 && (inner.slip > 0.0 || end.slip > 0.0)
             {
                 let interval = Interval::between(&inner.place, &end.place);
-                let bounds = (inner.mean_bound, end.mean_bound);
-                work += interval.slip_work(bounds, (inner.slip, end.slip));
-                one_way += interval.slip_work(bounds, (inner.one_way, end.one_way));
+                let slip = (inner.slip, end.slip);
+                work += interval.slip_work((inner.mean_bound, end.mean_bound), slip);
+                if let Some(slips) = &mut slips {
+                    slips.push(SlipPiece::over((inner.place.image, end.place.image), slip, &interval));
+                }
             }
             last = Some(end);
         }
@@ -135,9 +118,7 @@ impl PlanarRow {
             row.knots.partition_point(|knot| knot.place.x <= path.to.radius)
         };
         row.knots.truncate(kept);
-        row.slips.truncate(kept);
         row.tidy(path);
-        let one_way = if work > 0.0 { one_way / work } else { 1.0 };
-        (row, Walked { work, one_way })
+        (row, work)
     }
 }

@@ -22,7 +22,7 @@ fn strokes(ends: &[f64], steps: u32) -> WearBacklog {
         end,
         sampling: 1.0 / 64.0,
     };
-    let (mut springs, _) = Springs::default().walk(&path(open, 0.0, 0.0), Springs::default());
+    let (mut springs, _) = Springs::default().walk(&path(open, 0.0, 0.0), Springs::default(), None);
     let (mut backlog, mut place) = (WearBacklog::default(), 0.0);
     for &end in ends {
         let start = place;
@@ -30,8 +30,8 @@ fn strokes(ends: &[f64], steps: u32) -> WearBacklog {
             let next = if k == steps { end } else { start + (end - start) * f64::from(k) / f64::from(steps) };
             let mut slips = Vec::new();
             let path = path(contact, place, next);
-            let (row, work) = springs.walk_and_record(&path, Springs::default(), Some(&mut slips));
-            backlog.record(&slips, work / M, (&contact, &contact), 0.0);
+            let (row, work) = springs.walk(&path, Springs::default(), Some(&mut slips));
+            backlog.record(&slips, (work, work / M), (&contact, &contact), 0.0);
             (springs, place) = (row, next);
         }
     }
@@ -46,7 +46,7 @@ fn equal_cycles_make_their_closed_law_whatever_the_steps() {
     let mut ends = vec![amplitude];
     ends.extend((0..10).flat_map(|_| [-amplitude, amplitude]));
     // the first quarter is a fourth of a cycle
-    let exact = SlipAtDepth::of_cycles(amplitude, 10.25, DEPTH, M);
+    let exact = SlipAtDepth::of_motion(Sliding::Cycles(amplitude), 10.25, DEPTH, M);
     for steps in [1, 7, 40] {
         let law = strokes(&ends, steps).law();
         assert_eq!(law.len(), 1, "{steps} steps");
@@ -110,4 +110,21 @@ fn a_random_history_leaves_a_bounded_backlog() {
         |count: usize| strokes(&ends[..count], 3).levels.iter().map(|l| l.hinges.len()).sum::<usize>();
     let (short, long) = (entries(2000), entries(4000));
     assert!(long <= 8 * OCTAVES as usize && long <= short + 16, "{short} {long}");
+}
+
+/// Equal cycles are recognised by their law, and so is sliding onward; strokes of two amplitudes, and a
+/// first stroke from elsewhere, are not.
+#[test]
+fn a_law_of_equal_cycles_is_recognised() {
+    let full = M * DEPTH;
+    let motion = |ends: &[f64]| strokes(ends, 5).law()[0].repeated_motion(M, 0.0);
+    for amplitude in [0.3 * full, 0.9 * full] {
+        let found = motion(&[amplitude, -amplitude, amplitude]).expect("they are cycles");
+        let Sliding::Cycles(size) = found.sliding else { panic!("{found:?}") };
+        assert!((size / amplitude - 1.0).abs() < 1e-9 && (found.amount - 1.25).abs() < 1e-9, "{found:?}");
+    }
+    assert_eq!(motion(&[0.9 * full, 0.2 * full, 0.9 * full]), None);
+    assert_eq!(motion(&[0.5 * full, -0.5 * full, 0.8 * full]), None);
+    let slide = SlipAtDepth::of_motion(Sliding::Onward, 3e-6, DEPTH, M).repeated_motion(M, 0.0);
+    assert_eq!(slide, Some(RepeatedMotion { sliding: Sliding::Onward, amount: 3e-6 }));
 }

@@ -1,0 +1,320 @@
+//! Slip gathered in the backlog, and worn off where the profile has to follow.
+
+use super::FrettingContact;
+use crate::error::Error;
+use crate::friction::Springs;
+use crate::surface::{Contact, FrontWay, Nodes, Surface};
+use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, WearBacklog};
+
+/// How much more than the limit between two updates may wear where an update can wait for the next reversal: at constant load, whose
+/// strokes make one law however many they are.
+pub(super) const STROKE: f64 = 20.0;
+
+/// Largest share of the work at hand of which the wear without a place may go along with it: much of it at one place would dig a
+/// groove there.
+const PLACED_WITH: f64 = 0.25;
+
+/// Most by which the depth of an update is scaled up to the volume that its work wears.
+const MOST_SCALE: f64 = 1.5;
+
+/// How near two amplitudes are that are taken for one, relative.
+const SAME_AMPLITUDE: f64 = 1e-3;
+
+impl FrettingContact {
+    /// Adds the slip of a line to another contact to the backlog.
+    pub(super) fn gather(&mut self, work: f64, to: &Contact) {
+        let (modulus, bound_slope, tip) =
+            (2.0 * self.constants.tangential_modulus, self.bound_slope, self.surface.tip());
+        let from = self.contact;
+        let Some(wear) = &mut self.wear else { return };
+        if work > 0.0
+            && !wear.backlog.record(&wear.slips, (work, work / (modulus * bound_slope)), (&from, to), tip)
+        {
+            wear.unplaced += work;
+        }
+        wear.slips.clear();
+    }
+
+    /// Whether the profile has to follow before the body turns to a direction.
+    pub(super) fn turns_to_update(&self, direction: f64) -> bool {
+        let Some(wear) = &self.wear else { return false };
+        direction != 0.0
+            && direction != self.direction
+            && self.constants.wear_per_work * wear.backlog.work > wear.limit
+    }
+
+    /// Whether the profile has to follow at the end of a line in a contact that does more work (J), amid a stroke as well.
+    pub(super) fn needs_update(&self, to: &Contact, work: f64, stick_radius: f64) -> bool {
+        let Some(wear) = &self.wear else { return false };
+        let volume = self.constants.wear_per_work * (wear.backlog.work + work);
+        if wear.limit == 0.0 || volume <= wear.limit {
+            return false;
+        }
+        // at constant load an update can wait for the reversal, which leaves strokes whole
+        volume > STROKE * wear.limit || !wear.backlog.is_at(to.depth) || stick_radius == 0.0
+    }
+
+    /// Work (J) that a slide may do before an update may be due.
+    pub(super) fn work_to_update(&self) -> f64 {
+        self.wear
+            .as_ref()
+            .map_or(f64::MAX, |wear| wear.limit / self.constants.wear_per_work - wear.backlog.work)
+    }
+
+    /// Finds how much may wear before the profile follows, where that is not known yet.
+    pub(super) fn set_limit(&mut self) {
+        if self.wear.as_ref().is_some_and(|wear| wear.limit == 0.0) {
+            let limit = self.update_limit();
+            if let Some(wear) = &mut self.wear {
+                wear.limit = limit;
+            }
+        }
+    }
+
+    /// Volume that may wear before the profile follows, m³.
+    pub(super) fn update_limit(&self) -> f64 {
+        let inner = self.stick_radius().min(0.9 * self.contact.radius);
+        wear::update_limit(self.parameters.tolerance, &self.surface, &self.contact, inner)
+    }
+
+    /// [`Self::absorb_backlog`] where the history is read or ends here: amid a stroke of cycles seen before, what has worn is a part of
+    /// them, as it will be at the reversal.
+    pub(super) fn close_backlog(&mut self) -> Result<(), Error> {
+        self.absorb(true)
+    }
+
+    /// Wears the backlog off and lets the contact settle at the present load and displacement.
+    ///
+    /// # Errors
+    /// [`Error::WearOutrun`] where the integrator cannot follow; those of the normal contact.
+    pub(super) fn absorb_backlog(&mut self) -> Result<(), Error> {
+        self.absorb(false)
+    }
+
+    fn absorb(&mut self, ends: bool) -> Result<(), Error> {
+        let Some(wear) = &mut self.wear else { return Ok(()) };
+        if wear.backlog.is_empty() {
+            return Ok(());
+        }
+        let backlog = std::mem::take(&mut wear.backlog);
+        let law = backlog.law();
+        let old = self.surface.clone();
+        let zone = self.springs.slip_zone(&self.contact, self.bound_slope, self.displacement);
+        let repeated = self.repeated_motion(&law);
+        let whole = repeated.filter(|motion| self.is_followed(motion));
+        let part = if whole.is_none() && ends { self.part_of_cycles(&backlog) } else { None };
+        if let Some(motion) = whole.or(part)
+            && self.absorb_motion(&motion, backlog.work)?
+        {
+            let drive = match motion.sliding {
+                Sliding::Cycles(own) => self.drive_amplitude(own),
+                Sliding::Onward => 0.0,
+            };
+            self.rest_on_worn(&old, zone)?;
+            if let (Sliding::Cycles(amplitude), true) = (motion.sliding, whole.is_some()) {
+                let own = self.own_amplitude(drive);
+                self.displacement += self.direction * (own - amplitude);
+                self.rest_at_reversal(own, zone.0);
+            }
+            self.expect(Some(motion));
+        } else {
+            self.absorb_law(&law, backlog.work, backlog.radius)?;
+            self.rest_on_worn(&old, zone)?;
+            self.expect(repeated);
+        }
+        Ok(())
+    }
+
+    /// Wears a motion off on the moving mesh; says whether that could follow.
+    fn absorb_motion(&mut self, motion: &RepeatedMotion, work: f64) -> Result<bool, Error> {
+        let taken = self.take_unplaced(work);
+        let control = self.contact.control;
+        match self.wear_by(control, (motion.sliding, None), motion.amount, Some(work + taken)) {
+            Ok(_) => Ok(true),
+            Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {
+                self.leave_unplaced(taken);
+                Ok(false)
+            }
+            Err(other) => Err(other),
+        }
+    }
+
+    /// As much of the work without a place as may go along with some more of it, J.
+    fn take_unplaced(&mut self, work: f64) -> f64 {
+        let most = PLACED_WITH * work.abs();
+        let Some(wear) = &mut self.wear else { return 0.0 };
+        let taken = wear.unplaced.max(-most).min(most);
+        wear.unplaced -= taken;
+        taken
+    }
+
+    /// Keeps work (J) whose wear has found no place, or below 0 has been worn too much, for a later update.
+    fn leave_unplaced(&mut self, work: f64) {
+        if let Some(wear) = &mut self.wear {
+            wear.unplaced += work;
+        }
+    }
+
+    /// Counts energy (J) that springs have lost where nothing moved outside: friction has taken it. Where it has worn is not known.
+    pub(super) fn lose_to_friction(&mut self, energy: f64) {
+        let work = energy.max(0.0);
+        self.work += work;
+        self.leave_unplaced(work);
+    }
+
+    /// The motion that the whole backlog is, where it is one that repeats at the present load.
+    fn repeated_motion(&self, law: &[SlipAtDepth]) -> Option<RepeatedMotion> {
+        let [law] = law else { return None };
+        let here = (law.depth - self.contact.depth).abs() <= 1e-9 * self.contact.depth.abs();
+        if !here || self.contact.is_open() || self.planar.is_some() {
+            return None;
+        }
+        law.repeated_motion(self.bound_slope, self.surface.tip())
+    }
+
+    /// Whether a motion is worth a moving mesh: on the unworn body, or where it has been seen before. A single stroke from anywhere to
+    /// anywhere looks like half a cycle.
+    fn is_followed(&self, motion: &RepeatedMotion) -> bool {
+        let Some(nodes) = self.surface.worn() else { return true };
+        match (motion.sliding, self.wear.as_ref().and_then(|wear| wear.expected)) {
+            (Sliding::Onward, _) => nodes.mesh().is_some(),
+            (Sliding::Cycles(a), Some(Sliding::Cycles(b))) => (a - b).abs() <= SAME_AMPLITUDE * b,
+            _ => false,
+        }
+    }
+
+    /// Amid a stroke of cycles that have been seen before: as much of them as its work is.
+    fn part_of_cycles(&mut self, backlog: &WearBacklog) -> Option<RepeatedMotion> {
+        let Some(Sliding::Cycles(amplitude)) = self.wear.as_ref()?.expected else { return None };
+        if self.planar.is_some() || self.contact.is_open() || !backlog.is_at(self.contact.depth) {
+            return None;
+        }
+        let contact = self.contact;
+        let (springs, quarter) = self.quarter(&contact, amplitude);
+        let front = springs.stick_radius(&contact, self.bound_slope, amplitude);
+        let here = self.stick_radius();
+        let amount = backlog.work / (4.0 * quarter);
+        (amount.is_finite() && here >= front * (1.0 - SAME_AMPLITUDE))
+            .then_some(RepeatedMotion { sliding: Sliding::Cycles(amplitude), amount })
+    }
+
+    fn expect(&mut self, motion: Option<RepeatedMotion>) {
+        if let Some(wear) = &mut self.wear {
+            wear.expected = motion.map(|motion| motion.sliding);
+        }
+    }
+
+    /// Wears a slip law off on nodes at rest, which is that of friction work (J) of the springs. `radius` is the largest of its
+    /// contacts, m.
+    ///
+    /// # Errors
+    /// [`Error::WearOutrun`] where one update cannot follow; those of the normal contact.
+    pub(super) fn absorb_law(&mut self, law: &[SlipAtDepth], work: f64, radius: f64) -> Result<(), Error> {
+        let per_work = self.constants.wear_per_work;
+        let before = self.surface.worn().map_or(0.0, Nodes::worn_volume);
+        let nodes = self.nodes_at_rest(law, radius);
+        let laid = (before - nodes.worn_volume()) / per_work;
+        if laid.is_finite() {
+            self.leave_unplaced(laid);
+        }
+        self.surface.set_worn(Some(nodes));
+        let work = work + self.take_unplaced(work);
+        let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(()) };
+        let (transforms, made) = wear.transforms.get(nodes);
+        self.counters.transform_tables += u64::from(made);
+        let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.constants)?;
+        let Some(fields) = fields else {
+            self.leave_unplaced(work);
+            return Ok(());
+        };
+        self.counters.pressure_transforms += fields.transforms;
+        self.counters.descent_transforms += fields.transforms;
+        wear.clipped += fields.clipped;
+        wear.defect += fields.defect;
+        let control = self.parameters.normal_control;
+        let update = wear::worn_depth(&self.surface, &transforms, &fields, control, &self.constants)?;
+        self.counters.descent_transforms += update.iterations;
+        self.counters.pressure_transforms += update.iterations;
+        if !update.followed {
+            return Err(Error::WearOutrun { from: self.displacement, displacement: self.displacement });
+        }
+        // what the springs dissipated is exact for the frozen profile: the update keeps its shape and takes that volume
+        let mut depth = update.depth;
+        let mut image = transforms.ascend(&depth);
+        let volume = nodes.volume(&depth);
+        let target = per_work * work;
+        let scale = if volume > 0.0 { (target / volume).min(MOST_SCALE) } else { 0.0 };
+        wear.unplaced += (target - scale * volume) / per_work;
+        let sum = |new: &mut [f64], old: &[f64]| {
+            new.iter_mut().zip(old).for_each(|(new, old)| *new = old + scale * *new);
+        };
+        sum(&mut depth, nodes.depth());
+        sum(&mut image, nodes.worn_image());
+        let mut nodes = nodes.clone();
+        nodes.set_worn(image, depth, self.surface.profile());
+        self.surface.set_worn(Some(nodes));
+        self.counters.descent_transforms += 1;
+        self.counters.profile_updates += 1;
+        Ok(())
+    }
+
+    /// Nodes at rest for a slip law whose largest contact has a radius (m): fine at its innermost front.
+    fn nodes_at_rest(&mut self, law: &[SlipAtDepth], radius: f64) -> Nodes {
+        let profile = self.surface.profile();
+        let front = law.iter().map(SlipAtDepth::front).fold(f64::INFINITY, f64::min);
+        let inner = if front <= self.surface.tip() {
+            0.0
+        } else if front < self.surface.image(radius) {
+            self.surface.radius_of_image(front, 0.0, radius)
+        } else {
+            radius
+        };
+        let (Some(nodes), Some(wear)) = (self.surface.worn(), &mut self.wear) else {
+            return Nodes::around(profile, self.parameters.resolution, radius.max(self.reach), inner);
+        };
+        let mut left = nodes.clone();
+        if nodes.mesh().is_some() {
+            let (transforms, made) = wear.transforms.get(nodes);
+            self.counters.transform_tables += u64::from(made);
+            self.counters.descent_transforms += 1;
+            left = nodes.without_mesh(transforms.descend(nodes.worn_image()));
+        }
+        let deepest = law.iter().map(|law| law.depth).fold(0.0, f64::max);
+        if let Some(spread) = left.spread_at_rim(deepest, profile) {
+            left = spread;
+        }
+        if let Some(thinned) = left.thinned(wear::THINNING * self.parameters.tolerance, radius, profile) {
+            left = thinned;
+        }
+        let way = if self.planar.is_some() { FrontWay::Creeps } else { FrontWay::Returns };
+        left.adapt(profile, radius, (inner, way));
+        left
+    }
+
+    /// Contact and springs on a surface that has worn at the present load and displacement, where the springs of a zone (its inner
+    /// radius and side) slipped: in truth they have followed their bound, up or down, all the time. Others keep their place.
+    fn rest_on_worn(&mut self, old: &Surface, zone: (f64, f64)) -> Result<(), Error> {
+        let to = self.contact_at(self.contact.control)?;
+        if self.planar.is_some() {
+            self.rest_in_plane(to);
+        } else {
+            let moved = self.springs.moved_to(old, &self.surface);
+            let path = self.path_to(to, self.displacement);
+            let (mut springs, _) = moved.walk(&path, Springs::default(), None);
+            if zone.1 != 0.0 && !to.is_open() {
+                springs.follow_bound(zone, &to, self.bound_slope, self.displacement);
+            }
+            let energy = |row: &Springs| row.energy_integral(self.displacement);
+            let lost = self.constants.tangential_modulus * (energy(&self.springs) - energy(&springs));
+            springs.simplify(&to, self.bound_slope);
+            (self.springs, self.contact) = (springs, to);
+            self.reach = self.reach.max(to.radius);
+            self.lose_to_friction(lost);
+        }
+        let limit = self.update_limit();
+        if let Some(wear) = &mut self.wear {
+            wear.limit = limit;
+        }
+        Ok(())
+    }
+}

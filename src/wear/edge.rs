@@ -1,0 +1,64 @@
+//! The contact edge among nodes at rest, and its part in the pressure.
+
+use super::NodeTransforms;
+use crate::surface::{Contact, Nodes};
+use crate::transform::leg;
+use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
+
+/// What lies between the last node inside the contact and the contact edge.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Edge {
+    /// Index of the last node with x < a (x ≤ a where the body ends there).
+    pub(crate) last: usize,
+    /// Contact radius a, m.
+    pub(crate) radius: f64,
+    /// Whether the load line jumps to zero at the last node (a body that ends there) instead of falling to zero at a.
+    pub(crate) jump: bool,
+}
+
+impl Edge {
+    pub(crate) fn new(nodes: &Nodes, contact: &Contact, outer_radius: f64) -> Self {
+        let jump = contact.radius >= outer_radius;
+        let inside = nodes.x().partition_point(|&x| x < contact.radius || (jump && x <= contact.radius));
+        Self { last: inside.max(1) - 1, radius: contact.radius, jump }
+    }
+
+    /// Weight of the load at the last node in the pressure at node i, 1/m, from the piece behind that node.
+    pub(super) fn weight(&self, x: &[f64], i: usize) -> f64 {
+        let (r, end) = (x[i], x[self.last]);
+        if !self.jump {
+            return FRAC_2_PI / (leg(self.radius, r) + leg(end, r));
+        }
+        if i < self.last {
+            FRAC_1_PI / leg(end, r)
+        } else {
+            // the edge node stands for the outer half of its cell (in Z): mean of 1/√(b² − r²) over that
+            let inner = x[i - 1];
+            let half = 0.5 * (end - inner) * (end + inner);
+            FRAC_2_PI / half.sqrt()
+        }
+    }
+
+    /// The same for a change of load there, which also moves the edge: q ≈ γ (a² − x²) keeps its slope.
+    pub(super) fn response(&self, x: &[f64], i: usize) -> f64 {
+        let weight = self.weight(x, i);
+        if self.jump {
+            return weight;
+        }
+        let (r, end) = (x[i], x[self.last]);
+        let reach = leg(self.radius, r);
+        let area = (self.radius - end) * (self.radius + end);
+        if reach > 0.0 { weight * (1.0 - area / (2.0 * reach * (reach + leg(end, r)))) } else { weight }
+    }
+}
+
+/// Transform of a load line given at the nodes up to the edge: p or τ at the nodes 0..=last.
+pub(crate) fn pressure_nodes(transforms: &NodeTransforms, x: &[f64], load: &[f64], edge: &Edge) -> Vec<f64> {
+    let k = edge.last;
+    let mut pressure = transforms.pressure(&load[..=k]);
+    pressure.truncate(k + 1);
+    for (i, p) in pressure.iter_mut().enumerate() {
+        *p += load[k] * edge.weight(x, i);
+    }
+    pressure
+}

@@ -1,0 +1,112 @@
+//! A slip law as fields at the nodes of a surface.
+
+use super::edge::{Edge, pressure_nodes};
+use super::{Constants, NodeTransforms, SlipAtDepth};
+use crate::error::Error;
+use crate::parameters::NormalControl;
+use crate::surface::{Contact, Nodes, Surface};
+
+/// Most by which the work at the nodes is scaled up where a part of it was left out.
+const MOST_SHARE: f64 = 1.25;
+
+/// What slip has done to a surface since its profile was last updated.
+#[derive(Debug, Clone)]
+pub(crate) struct SlipFields {
+    /// Work of friction per area at each node, J/m².
+    pub(crate) work_per_area: Vec<f64>,
+    /// Length of the slip path at each node, m.
+    pub(crate) slip_path: Vec<f64>,
+    /// The largest contact that has slipped: the one whose pressure the wear relieves.
+    pub(crate) contact: Contact,
+    /// Work left out since its sign would heal the surface, J.
+    pub(crate) clipped: f64,
+    /// Difference between the work at the nodes and that of the springs, J.
+    pub(crate) defect: f64,
+    /// Transforms of either kind.
+    pub(crate) transforms: u64,
+}
+
+impl SlipFields {
+    /// Fields of a slip law whose springs did friction work, J: A = Σ μ p(r; d_b) s_b and B = Σ s_b with s_b = D\[E_b\], over the depths
+    /// d_b of the law. The work at the nodes is scaled to that of the springs, which is exact. `None` where nothing slips on the nodes.
+    ///
+    /// # Errors
+    /// Those of the normal contact.
+    pub(crate) fn of_law(
+        surface: &Surface,
+        transforms: &NodeTransforms,
+        (law, work): (&[SlipAtDepth], f64),
+        constants: &Constants,
+    ) -> Result<Option<Self>, Error> {
+        let Some(nodes) = surface.worn() else { return Ok(None) };
+        let images: Vec<f64> = nodes.x().iter().map(|x| surface.image(*x)).collect();
+        let mut fields: Option<Self> = None;
+        let mut found = 0.0;
+        for law in law {
+            let contact = surface.contact(NormalControl::Indentation, law.depth, 1.0)?;
+            if contact.is_open() {
+                continue;
+            }
+            let fields = fields.get_or_insert_with(|| Self::none(nodes.x().len(), contact));
+            if contact.radius > fields.contact.radius {
+                fields.contact = contact;
+            }
+            found += fields.add(surface, nodes, transforms, (law, &images, &contact), constants);
+        }
+        let Some(mut fields) = fields else { return Ok(None) };
+        if constants.force_control {
+            fields.contact.control = fields.contact.load;
+        }
+        let most = if fields.clipped > 0.0 { MOST_SHARE } else { f64::MAX };
+        let share = if found > 0.0 { (work / found).min(most) } else { 0.0 };
+        fields.work_per_area.iter_mut().for_each(|gain| *gain *= share);
+        fields.defect = (found - work).abs();
+        Ok((found > 0.0 && fields.slip_path.iter().any(|path| *path > 0.0)).then_some(fields))
+    }
+
+    fn none(count: usize, contact: Contact) -> Self {
+        let (work_per_area, slip_path) = (vec![0.0; count], vec![0.0; count]);
+        Self { work_per_area, slip_path, contact, clipped: 0.0, defect: 0.0, transforms: 0 }
+    }
+
+    /// Adds the slip under one depth. Returns its work, J.
+    fn add(
+        &mut self,
+        surface: &Surface,
+        nodes: &Nodes,
+        transforms: &NodeTransforms,
+        (law, images, contact): (&SlipAtDepth, &[f64], &Contact),
+        constants: &Constants,
+    ) -> f64 {
+        let edge = Edge::new(nodes, contact, surface.profile().outer_radius());
+        let load: Vec<f64> =
+            images.iter().map(|g| constants.normal_modulus * (contact.depth - g).max(0.0)).collect();
+        let pressure = pressure_nodes(transforms, nodes.x(), &load, &edge);
+        // springs out of contact have gone along with the body, as those at the edge have
+        let slip: Vec<f64> = images.iter().map(|g| law.at(g.min(contact.depth)).0).collect();
+        let path = transforms.descend(&slip);
+        self.transforms += 1;
+        let (mut gain, mut healing) = (vec![0.0; path.len()], vec![0.0; path.len()]);
+        for (i, path) in path.iter().enumerate() {
+            let work = constants.friction_coefficient * pressure.get(i).copied().unwrap_or(0.0) * path;
+            // a pressure that overshoots stays: an update that did not know of it would drive it on
+            if *path >= 0.0 {
+                gain[i] = work
+            } else {
+                healing[i] = work.abs()
+            }
+            self.slip_path[i] += path.max(0.0);
+        }
+        for (sum, gain) in self.work_per_area.iter_mut().zip(&gain) {
+            *sum += gain;
+        }
+        self.clipped += nodes.volume(&healing);
+        nodes.integral_to_edge(&gain, contact.radius)
+    }
+
+    /// The same distribution with its slip times `factor`.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let scaled = |field: &[f64]| field.iter().map(|value| value * factor).collect();
+        Self { work_per_area: scaled(&self.work_per_area), slip_path: scaled(&self.slip_path), ..*self }
+    }
+}
