@@ -5,7 +5,6 @@
 
 mod backlog;
 mod bounds;
-mod counters;
 mod cyclic;
 mod derivatives;
 mod history;
@@ -19,7 +18,7 @@ mod snapshot;
 mod steady;
 mod undo;
 
-pub use counters::Counters;
+pub use crate::counters::Counters;
 pub use derivatives::Gradient;
 pub use snapshot::Snapshot;
 
@@ -27,8 +26,8 @@ use crate::error::Error;
 use crate::friction::{SlipPiece, Springs};
 use crate::parameters::{NormalControl, Parameters};
 use crate::range;
-use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Constants, Sliding, TransformCache, UnitMesh, WearBacklog};
+use crate::surface::{Contact, Nodes, Surface, TransformCache};
+use crate::wear::{Constants, Sliding, UnitMesh, WearBacklog};
 use serde::{Deserialize, Serialize};
 use std::cell::OnceCell;
 use std::sync::Arc;

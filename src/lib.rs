@@ -31,6 +31,7 @@
 //! as if they were similar, [`material::Pair::similarity_defect`] gives the deviation);
 //! no debris, no temperature, no rate effects.
 
+mod counters;
 pub mod engine;
 pub mod error;
 #[cfg(feature = "fmi2")]

@@ -4,9 +4,15 @@
 //! linear in X = x² between the nodes, so w = descent(h) has the square-root cusps of worn profiles built in and g can
 //! take the steep fronts that wear leaves. Without wear there are no nodes at all.
 
+mod depth_volume;
+mod node_transforms;
 mod nodes;
+mod region;
 
+pub(crate) use depth_volume::depth_volume;
+pub(crate) use node_transforms::{NodeTransforms, TransformCache};
 pub(crate) use nodes::{FrontWay, MeshPlace, Nodes, kept_nodes, outer_weight};
+pub(crate) use region::Region;
 
 use crate::error::Error;
 use crate::parameters::NormalControl;

@@ -20,7 +20,6 @@ mod krylov;
 mod laying;
 mod life;
 mod mesh;
-mod node_transforms;
 mod patch;
 mod rosenbrock;
 mod system;
@@ -29,8 +28,7 @@ mod update;
 pub(crate) use backlog::{RepeatedMotion, SlipAtDepth, WearBacklog};
 pub(crate) use fields::SlipFields;
 pub(crate) use life::{Amount, Fineness, THINNING, live};
-pub(crate) use mesh::{Region, UnitMesh, depth_volume};
-pub(crate) use node_transforms::{NodeTransforms, TransformCache};
+pub(crate) use mesh::UnitMesh;
 pub(crate) use patch::{Motion, Rig, Sliding};
 pub(crate) use update::worn_depth;
 

@@ -5,9 +5,9 @@ mod rim;
 mod shape;
 mod thinning;
 
-use super::Contact;
+use super::depth_volume::depth_volume;
+use super::{Contact, Region};
 use crate::profile::Profile;
-use crate::wear::{Region, depth_volume};
 pub(crate) use laying::FrontWay;
 use serde::{Deserialize, Serialize};
 pub(crate) use thinning::kept_nodes;

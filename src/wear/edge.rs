@@ -1,7 +1,6 @@
 //! The contact edge among nodes at rest, and its part in the pressure.
 
-use super::NodeTransforms;
-use crate::surface::{Contact, Nodes};
+use crate::surface::{Contact, NodeTransforms, Nodes};
 use crate::transform::leg;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 

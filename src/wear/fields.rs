@@ -1,10 +1,10 @@
 //! A slip law as fields at the nodes of a surface.
 
 use super::edge::{Edge, pressure_nodes};
-use super::{Constants, NodeTransforms, SlipAtDepth};
+use super::{Constants, SlipAtDepth};
 use crate::error::Error;
 use crate::parameters::NormalControl;
-use crate::surface::{Contact, Nodes, Surface};
+use crate::surface::{Contact, NodeTransforms, Nodes, Surface};
 
 /// Most by which the work at the nodes is scaled up where a part of it was left out.
 const MOST_SHARE: f64 = 1.25;

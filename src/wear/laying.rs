@@ -2,11 +2,12 @@
 
 use super::Constants;
 use super::life::{Fineness, MISSING, THINNING};
-use super::mesh::{Region, UnitMesh};
+use super::mesh::UnitMesh;
 use super::patch::{FRONT_CELLS, Frozen, Motion, Patch, RIM, State, lost};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
+use crate::surface::Region;
 use crate::surface::{Contact, MeshPlace, Nodes, Surface};
 
 /// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells of a disc do not see: they would

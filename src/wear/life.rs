@@ -5,7 +5,7 @@ use super::laying::{check_end_of_body, over};
 use super::mesh::UnitMesh;
 use super::patch::{Front, Motion, Patch, Rate, State, lost};
 use super::rosenbrock;
-use crate::engine::Counters;
+use crate::counters::Counters;
 use crate::error::Error;
 use crate::surface::{MeshPlace, Nodes, Surface};
 use std::sync::Arc;

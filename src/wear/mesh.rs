@@ -12,20 +12,11 @@
 mod diagonal;
 mod weights;
 
+use crate::surface::Region;
 use crate::transform::{Density, FastAbel, Scratch, dot};
 use std::cell::RefCell;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
-pub(crate) use weights::depth_volume;
 use weights::{annulus_integrals, annulus_table, disc_integrals, disc_table};
-
-/// What the mesh covers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-pub(crate) enum Region {
-    /// From the stick radius to the contact edge.
-    Annulus,
-    /// The whole contact, in gross slip.
-    Disc,
-}
 
 /// Tables on the shares φ₀ = 0 … φₙ = 1. A depth w at the nodes belongs to z = b·h with w = D̂ z, where h is the image,
 /// b = √L/x on an annulus and 1 on a disc.

@@ -20,9 +20,10 @@ mod rig;
 mod volume;
 
 use super::Constants;
-use super::mesh::{Region, UnitMesh};
+use super::mesh::UnitMesh;
 use crate::error::Error;
 use crate::parameters::NormalControl;
+use crate::surface::Region;
 use crate::surface::{Contact, Surface};
 use crate::transform::dot;
 use std::sync::Arc;

@@ -5,7 +5,7 @@
 //! explicit method would have to follow all; here one small linear system serves the four stages of a step.
 
 use super::patch::{Linear, Patch, Rate, State};
-use crate::engine::Counters;
+use crate::counters::Counters;
 
 pub(super) const GAMMA: f64 = 0.435_866_521_508_459;
 

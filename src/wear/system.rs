@@ -1,8 +1,8 @@
 //! The linear system of an implicit update, known by what it does to a vector, and an approximate inverse.
 
 use super::edge::Edge;
-use super::{Constants, NodeTransforms, SlipFields};
-use crate::surface::outer_weight;
+use super::{Constants, SlipFields};
+use crate::surface::{NodeTransforms, outer_weight};
 use crate::transform::{ascend_last, dot, pressure_weight};
 
 /// The operator 1 + κ E* B P S⁻¹ on depths at the nodes `first` to the edge.

@@ -2,10 +2,10 @@
 
 use super::edge::{Edge, pressure_nodes};
 use super::system::System;
-use super::{Constants, NodeTransforms, SlipFields, krylov};
+use super::{Constants, SlipFields, krylov};
 use crate::error::Error;
 use crate::parameters::NormalControl;
-use crate::surface::{Contact, Nodes, Surface};
+use crate::surface::{Contact, NodeTransforms, Nodes, Surface};
 use crate::transform::dot;
 
 /// The result of an update.
@@ -205,3 +205,6 @@ impl Solver<'_> {
 fn not_finite(contact: &Contact) -> Error {
     Error::NotFinite { what: "the worn depth", normal: contact.control, displacement: 0.0 }
 }
+
+#[cfg(test)]
+mod tests;

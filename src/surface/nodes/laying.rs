@@ -3,8 +3,8 @@
 use super::thinning::{met_by_lines, thin_unless};
 use super::{MeshPlace, Nodes};
 use crate::profile::Profile;
+use crate::surface::NodeTransforms;
 use crate::transform;
-use crate::wear::NodeTransforms;
 
 /// Nodes kept ready outside the contact, into which it may grow within one update.
 const SPARE: usize = 6;

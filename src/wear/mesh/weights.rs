@@ -1,7 +1,7 @@
 //! Weights of the transforms and integrals on a mesh of shares.
 
-use crate::quadrature::GAUSS;
-use crate::transform::{descent_row, leg};
+use crate::surface::depth_volume;
+use crate::transform::descent_row;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
 /// φ times the weights of a derivative at node i of a mesh graded with the power p, by the central difference in ξ; none at the ends.
@@ -89,24 +89,6 @@ pub(super) fn disc_integrals(share: &[f64]) -> (Vec<f64>, Vec<f64>) {
         volume[j + 1] += outer;
     }
     (width, volume)
-}
-
-/// Weights of the two ends of a cell in 4 ∫ h √(a² − x²) dx, the volume of the depth that belongs to an image h linear
-/// in x² and none beyond a.
-pub(crate) fn depth_volume(x0: f64, x1: f64, a: f64) -> (f64, f64) {
-    // x = a sin θ leaves a polynomial in sin θ, cos θ for three-point Gauss
-    let (t0, t1) = (x0.atan2(leg(a, x0)), x1.atan2(leg(a, x1)));
-    let (middle, half) = (0.5 * (t0 + t1), 0.5 * (t1 - t0));
-    let (mut inner, mut outer) = (0.0, 0.0);
-    for (node, weight) in GAUSS {
-        let (sin, cos) = (middle + half * node).sin_cos();
-        let x = a * sin;
-        let share = ((x - x0) * (x + x0) / ((x1 - x0) * (x1 + x0))).clamp(0.0, 1.0);
-        let value = 4.0 * half * weight * a * a * cos * cos;
-        inner += value * (1.0 - share);
-        outer += value * share;
-    }
-    (inner, outer)
 }
 
 /// Rows of K̂ for a line that falls to zero at the end.

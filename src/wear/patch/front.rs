@@ -1,7 +1,7 @@
 //! Where the springs first slip.
 
 use super::{Patch, RIM, Rate};
-use crate::wear::mesh::Region;
+use crate::surface::Region;
 
 /// Cells at the inner edge within which a front may stand; beyond, the mesh is laid anew. Where the front is pinned decides the
 /// profile there, and a front amid the mesh is only as sharp as the cell that it stands in: with a twelfth of the cells its

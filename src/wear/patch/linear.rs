@@ -3,7 +3,7 @@
 use super::direct::Direct;
 use super::multigrid::Multigrid;
 use super::{EdgeCondition, Patch, Rate};
-use crate::engine::Counters;
+use crate::counters::Counters;
 use crate::transform::dot;
 
 /// The system, factorised or by what it does to depths.

@@ -14,7 +14,7 @@
 mod level;
 
 use super::{Patch, Rate};
-use crate::engine::Counters;
+use crate::counters::Counters;
 use crate::transform::dot;
 use crate::wear::krylov;
 use level::Level;

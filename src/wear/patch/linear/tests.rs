@@ -1,8 +1,9 @@
 use super::*;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
+use crate::surface::Region;
 use crate::surface::Surface;
-use crate::wear::mesh::{Region, UnitMesh, grading};
+use crate::wear::mesh::{UnitMesh, grading};
 use crate::wear::patch::multigrid::TOLERANCE;
 use crate::wear::patch::{Frozen, Motion, Rate, Rig, State};
 use crate::wear::{Constants, Sliding, rosenbrock};

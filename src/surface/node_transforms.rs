@@ -1,6 +1,6 @@
 //! The transforms between image, profile and pressure at the nodes of a surface.
 
-use crate::surface::Nodes;
+use super::Nodes;
 use crate::transform::{Abel, Density, Scratch};
 use std::sync::Arc;
 
