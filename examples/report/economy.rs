@@ -123,7 +123,7 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
     let gross = Drive::Cycles { amplitude: 2.0, swing: 0.0 };
     let swings = Drive::Cycles { amplitude: 0.6, swing: 0.3 };
     let one = Drive::InOneCall { amplitude: 0.6 };
-    let list: [(&'static str, &Parameters, Drive, Reads, &'static [Work]); 24] = [
+    let list: [(&'static str, &Parameters, Drive, Reads, &'static [Work]); 26] = [
         ("nothing moves", &none, Drive::Still, Reads::Nothing, NOTHING),
         ("bodies apart", &none, Drive::Apart, Reads::Nothing, SAME_LOAD),
         ("full stick", &none, stick, Reads::Nothing, SAME_LOAD),
@@ -144,6 +144,8 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
         ("partial slip, slow wear, scalars read", &slow, partial, Reads::Scalars, SAME_LOAD),
         ("partial slip, slow wear, worn depth read", &slow, partial, Reads::WornDepth, &[]),
         ("gross slip, slow wear", &slow, gross, Reads::Nothing, SAME_LOAD),
+        ("load varies, slow wear", &slow, swings, Reads::Nothing, NO_WEAR),
+        ("depth varies, slow wear", &held(coefficient(SLOW)), swings, Reads::Nothing, NO_WEAR),
         ("partial slip, fast wear", &fast, partial, Reads::Nothing, &[]),
         ("partial slip, fast wear, depth held", &held(coefficient(FAST)), partial, Reads::Nothing, &[]),
         ("load varies, fast wear", &fast, swings, Reads::Nothing, &[]),
