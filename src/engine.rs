@@ -101,6 +101,8 @@ pub struct FrettingContact {
 #[derive(Debug, Clone, Default)]
 struct WearState {
     backlog: WearBacklog,
+    /// The backlog before a change that may fail, kept for its memory.
+    undo: WearBacklog,
     /// Pieces of slip of the line that is being walked.
     slips: Vec<SlipPiece>,
     /// Volume that may wear before the profile follows, m³.

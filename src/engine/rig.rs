@@ -59,7 +59,10 @@ impl FrettingContact {
         let mut row = std::mem::take(&mut self.undo);
         row.copy_from(&self.springs);
         let Self { displacement, direction, work, counters, .. } = *self;
-        let gathered = self.wear.as_ref().map(|wear| wear.backlog.clone());
+        let unplaced = self.wear.as_ref().map_or(0.0, |wear| wear.unplaced);
+        if let Some(wear) = &mut self.wear {
+            wear.undo.copy_from(&wear.backlog);
+        }
         let value = self.contact.control;
         let side = self.pull(drive).signum();
         let mut arrived = false;
@@ -76,8 +79,9 @@ impl FrettingContact {
             std::mem::swap(&mut self.springs, &mut row);
             (self.displacement, self.direction, self.work) = (displacement, direction, work);
             self.counters = counters;
-            if let (Some(wear), Some(backlog)) = (&mut self.wear, gathered) {
-                wear.backlog = backlog;
+            if let Some(wear) = &mut self.wear {
+                std::mem::swap(&mut wear.backlog, &mut wear.undo);
+                wear.unplaced = unplaced;
             }
         }
         self.undo = row;

@@ -98,6 +98,19 @@ impl WearBacklog {
         self.levels.is_empty()
     }
 
+    /// Becomes a copy of another backlog in its own memory.
+    pub(crate) fn copy_from(&mut self, other: &Self) {
+        (self.reference, self.work, self.radius) = (other.reference, other.work, other.radius);
+        self.levels.truncate(other.levels.len());
+        for (level, from) in self.levels.iter_mut().zip(&other.levels) {
+            let mut hinges = std::mem::take(&mut level.hinges);
+            hinges.clone_from(&from.hinges);
+            *level = Level { hinges, ..*from };
+        }
+        let kept = self.levels.len();
+        self.levels.extend_from_slice(&other.levels[kept..]);
+    }
+
     /// Whether all slip was under one depth (m).
     pub(crate) fn is_at(&self, depth: f64) -> bool {
         match &self.levels[..] {

@@ -83,6 +83,23 @@ fn a_slide_that_goes_on_slips_from_its_new_front() {
     }
 }
 
+/// A copy is the same whatever the backlog held before.
+#[test]
+fn a_copy_in_other_memory_is_the_same() {
+    let backlogs = [&[][..], &[0.4], &[0.4, -0.9], &[1.5, -0.2, 0.3]];
+    let backlogs = backlogs.map(|ends| {
+        let mut ends: Vec<f64> = ends.iter().map(|end| end * M * DEPTH).collect();
+        ends.push(0.0);
+        strokes(&ends, 3)
+    });
+    for from in &backlogs {
+        for mut to in backlogs.clone() {
+            to.copy_from(from);
+            assert_eq!(&to, from);
+        }
+    }
+}
+
 /// Gross slip to and fro: every spring slips, the innermost least.
 #[test]
 fn gross_slip_has_no_front() {
