@@ -1,7 +1,9 @@
-//! What wear adds to a step through the C interface, where the load or the direction varies at every step.
+//! What wear adds to a step through the C interface, where the load or the direction varies at
+//! every step.
 //!
-//! `cargo bench --bench wear_cost`. The ball of the default parameters, 100 steps a cycle; each scene without wear, with next to none and
-//! with that of steel, one after the other in one run. Means of µs a step, and their ratio to the step without wear.
+//! `cargo bench --bench wear_cost`. The ball of the default parameters, 100 steps a cycle; each
+//! scene without wear, with next to none and with that of steel, one after the other in one run.
+//! Means of µs a step, and their ratio to the step without wear.
 
 #[path = "../tests/host/mod.rs"]
 mod host;

@@ -107,8 +107,9 @@ struct WearState {
     slips: Vec<SlipPiece>,
     /// Volume that may wear before the profile follows, m³.
     limit: f64,
-    /// Work whose wear has found no place on the profile yet, J; below 0 where the profile has worn by more.
-    unplaced: f64,
+    /// Work whose wear is deferred to a later update, J; below 0 where the profile has worn by
+    /// more.
+    deferred_work: f64,
     /// The motion that the last backlog was.
     expected: Option<Sliding>,
     /// How much the next step of a steady motion should span, and of which.

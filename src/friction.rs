@@ -119,7 +119,8 @@ impl Springs {
         Self::from_origins(new, &origins)
     }
 
-    /// Leaves out knots that lie on the line between others, but for a share of the bound that no force shows.
+    /// Leaves out knots that lie on the line between others, but for a share of the bound that no
+    /// force shows.
     pub(crate) fn simplify(&mut self, contact: &Contact, bound_slope: f64) {
         let deviation = SIMPLIFIED * bound_slope * contact.depth.abs();
         let mut kept = Vec::with_capacity(self.knots.len());

@@ -27,9 +27,9 @@
 //! those of the former.
 //!
 //! # Limits of validity
-//! Bodies of revolution, half-spaces, small slopes; one contact disc; elastic similarity (other pairs are computed
-//! as if they were similar, [`material::Pair::similarity_defect`] gives the deviation);
-//! no debris, no temperature, no rate effects.
+//! Bodies of revolution, half-spaces, small slopes; one contact disc; elastic similarity (other
+//! pairs are computed as if they were similar, [`material::Pair::similarity_defect`] gives the
+//! deviation); no debris, no temperature, no rate effects.
 
 mod counters;
 pub mod engine;

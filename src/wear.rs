@@ -1,17 +1,19 @@
 //! Wear by the Reye–Archard–Khrushchov law (paper, eq. (18)): dw = (k/σ₀) τ ds at each radius.
 //!
-//! Between profile updates slip is gathered in one dimension ([`WearBacklog`]). A backlog is worn off by one implicit update
-//! ([`worn_depth`]) on nodes at rest, or, where it is nothing but equal cycles or sliding onward at constant load, by [`live`], on a
-//! mesh that moves with the contact edge.
+//! Between profile updates slip is gathered in one dimension ([`WearBacklog`]). A backlog is worn
+//! off by one implicit update ([`worn_depth`]) on nodes at rest, or, where it is nothing but equal
+//! cycles or sliding onward at constant load, by [`live`], on a mesh that moves with the contact
+//! edge.
 //!
-//! The update is linearly implicit: pressure falls where material goes, so with the pressure of the *new* profile, p + ∂p/∂h Δh, the
-//! worn depth Δw = D\[Δh\] obeys
+//! The update is linearly implicit: pressure falls where material goes, so with the pressure of the
+//! *new* profile, p + ∂p/∂h Δh, the worn depth Δw = D\[Δh\] obeys
 //!
 //! (D + κ E* B P) Δh = (k/σ₀) A, κ = kμ/σ₀,
 //!
-//! with A the work of friction per area, B the slip path, D the transform from image to profile and P = −∂p/∂(E* h). An explicit update
-//! would have to remove less than about (4/π)(p/E*) Δr at a time, which the fine cells at a stick front make hopeless. D is lower
-//! triangular: nodes that have not slipped get Δh = 0 exactly, whatever happens outside.
+//! with A the work of friction per area, B the slip path, D the transform from image to profile and
+//! P = −∂p/∂(E* h). An explicit update would have to remove less than about (4/π)(p/E*) Δr at a
+//! time, which the fine cells at a stick front make hopeless. D is lower triangular: nodes that
+//! have not slipped get Δh = 0 exactly, whatever happens outside.
 
 mod backlog;
 mod edge;

@@ -77,7 +77,8 @@ impl Outcome {
 
 const ROW: (f64, usize, usize) = (300.0, 300, 10);
 
-/// The engine takes traction and slip of a radius for parallel. On an orbit springs lag behind the motion, each by its own angle: 1 % of V.
+/// The engine takes traction and slip of a radius for parallel. On an orbit springs lag behind the
+/// motion, each by its own angle: 1 % of V.
 #[test]
 fn orbits_in_partial_and_in_gross_slip() {
     for radius in [0.6, 1.5] {

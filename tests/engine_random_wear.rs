@@ -171,8 +171,8 @@ fn a_flat_punch_to_and_fro_in_gross_slip() {
     }
 }
 
-/// Depth and displacement vary together, 20 cycles of 16 lines, ahead of each other by parts of a cycle, against a row of springs
-/// extrapolated to no spacing, which is good to some 1e-3.
+/// Depth and displacement vary together, 20 cycles of 16 lines, ahead of each other by parts of a
+/// cycle, against a row of springs extrapolated to no spacing, which is good to some 1e-3.
 #[test]
 fn a_varying_depth_wears_as_an_explicit_row_of_springs() {
     let (depth, radius, wear_per_work) = (3.48291e-6, 0.01, 4e-11);

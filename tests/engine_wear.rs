@@ -350,9 +350,9 @@ fn largest_healing(
     most
 }
 
-/// Nothing heals but by what the profile takes back of an estimate: in a first stroke the depth next to the contact edge is that of
-/// one update, which grows with the stroke, and later that of a part of the cycle. One stroke here wears some d₀/80, a hundred times
-/// what a user's would.
+/// Nothing heals but by what the profile takes back of an estimate: in a first stroke the depth
+/// next to the contact edge is that of one update, which grows with the stroke, and later that of a
+/// part of the cycle. One stroke here wears some d₀/80, a hundred times what a user's would.
 #[test]
 fn wear_never_heals_at_any_probe() {
     for profile in [BALL, CONE] {

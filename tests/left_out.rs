@@ -1,4 +1,5 @@
-//! Features that are not used cost nothing: the scenes of `reports/left_out.md`, asserted by counted work, without a clock.
+//! Features that are not used cost nothing: the scenes of `reports/left_out.md`, asserted by
+//! counted work, without a clock.
 
 #[path = "host/counting.rs"]
 mod counting;

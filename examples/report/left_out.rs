@@ -1,4 +1,5 @@
-//! Counts the work of features that a scene does not use, and writes `reports/left_out.md` and `.csv`.
+//! Counts the work of features that a scene does not use, and writes `reports/left_out.md` and
+//! `.csv`.
 //!
 //! `cargo run --release --no-default-features --example left_out [-- folder]`
 

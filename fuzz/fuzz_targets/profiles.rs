@@ -49,8 +49,8 @@ libfuzzer_sys::fuzz_target!(|bytes: &[u8]| {
     let sum = bytes.iter().fold(0u8, |sum, byte| sum.wrapping_mul(31).wrapping_add(*byte));
     let unit = [LengthUnit::M, LengthUnit::M, LengthUnit::Mm, LengthUnit::Um][usize::from(sum % 4)];
     let Ok(table) = ProfileTable::parse_in(text, unit) else { return };
-    // one in 64 wears, by a sum of the bytes, so that the fuzzer does not spend its time on the slow ones;
-    // refusing a load is an answer, too
+    // one in 64 wears, by a sum of the bytes, so that the fuzzer does not spend its time on the
+    // slow ones; refusing a load is an answer, too
     let _ = press(table.clone(), NormalControl::Force, sum >> 2 == 0);
     let _ = press(table, NormalControl::Indentation, false);
 });

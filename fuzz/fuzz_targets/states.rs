@@ -62,7 +62,8 @@ impl Host {
         unsafe {
             if fmi2DeSerializeFMUstate(c, bytes.as_ptr().cast(), bytes.len(), &raw mut state) == 0 {
                 assert_eq!(fmi2SetFMUstate(c, state), 0, "what was taken can be used");
-                // one in 16, by a sum of the bytes, so that the fuzzer does not spend its time on slow steps
+                // one in 16, by a sum of the bytes, so that the fuzzer does not spend its time on
+                // slow steps
                 let sum = content.iter().fold(0u8, |sum, byte| sum.wrapping_mul(31).wrapping_add(*byte));
                 self.use_it(state, sum >> 4 == 0);
                 assert_eq!(fmi2FreeFMUstate(c, &raw mut state), 0);

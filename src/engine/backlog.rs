@@ -2,16 +2,20 @@
 
 use super::FrettingContact;
 use crate::error::Error;
-use crate::friction::Springs;
+use crate::friction::{SlipPiece, Springs};
 use crate::surface::{Contact, FrontWay, Nodes, Surface};
 use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, WearBacklog};
 
-/// How much more than the limit between two updates may wear where an update can wait for the next reversal: at constant load, whose
-/// strokes make one law however many they are.
+/// How much more than the limit between two updates may wear where an update can wait for the next
+/// reversal: at constant load, whose strokes make one law however many they are.
 pub(super) const STROKE: f64 = 20.0;
 
-/// Largest share of the work at hand of which the wear without a place may go along with it: much of it at one place would dig a
-/// groove there.
+/// An annulus that slips is taken to begin at this share of the contact radius at the most: what
+/// little wears in a thin one need not be followed at once.
+pub(super) const WIDE: f64 = 0.9;
+
+/// Largest share of the work of an update by which deferred work may add to it: much of it at one
+/// place would dig a groove there.
 const PLACED_WITH: f64 = 0.25;
 
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
@@ -21,6 +25,20 @@ const MOST_SCALE: f64 = 1.5;
 const SAME_AMPLITUDE: f64 = 1e-3;
 
 impl FrettingContact {
+    /// Memory for the slip of a line, where it is wanted for wear.
+    pub(super) fn take_slips(&mut self) -> Option<Vec<SlipPiece>> {
+        let mut slips = self.wear.as_mut().map(|wear| std::mem::take(&mut wear.slips))?;
+        slips.clear();
+        Some(slips)
+    }
+
+    /// Keeps the slip of a line, to be gathered if the line is taken.
+    pub(super) fn keep_slips(&mut self, slips: Option<Vec<SlipPiece>>) {
+        if let (Some(wear), Some(slips)) = (&mut self.wear, slips) {
+            wear.slips = slips;
+        }
+    }
+
     /// Adds the slip of a line to another contact to the backlog.
     pub(super) fn gather(&mut self, work: f64, to: &Contact) {
         let (modulus, bound_slope, tip) =
@@ -30,7 +48,7 @@ impl FrettingContact {
         if work > 0.0
             && !wear.backlog.record(&wear.slips, (work, work / (modulus * bound_slope)), (&from, to), tip)
         {
-            wear.unplaced += work;
+            wear.deferred_work += work;
         }
         wear.slips.clear();
     }
@@ -43,7 +61,8 @@ impl FrettingContact {
             && self.constants.wear_per_work * wear.backlog.work > wear.limit
     }
 
-    /// Whether the profile has to follow at the end of a line in a contact that does more work (J), amid a stroke as well.
+    /// Whether the profile has to follow at the end of a line in a contact that does more work (J),
+    /// amid a stroke as well.
     pub(super) fn needs_update(&self, to: &Contact, work: f64, stick_radius: f64) -> bool {
         let Some(wear) = &self.wear else { return false };
         let volume = self.constants.wear_per_work * (wear.backlog.work + work);
@@ -73,12 +92,12 @@ impl FrettingContact {
 
     /// Volume that may wear before the profile follows, m³.
     pub(super) fn update_limit(&self) -> f64 {
-        let inner = self.stick_radius().min(0.9 * self.contact.radius);
+        let inner = self.stick_radius().min(WIDE * self.contact.radius);
         wear::update_limit(self.parameters.tolerance, &self.surface, &self.contact, inner)
     }
 
-    /// [`Self::absorb_backlog`] where the history is read or ends here: amid a stroke of cycles seen before, what has worn is a part of
-    /// them, as it will be at the reversal.
+    /// [`Self::absorb_backlog`] where the history is read or ends here: amid a stroke of cycles
+    /// seen before, what has worn is a part of them, as it will be at the reversal.
     pub(super) fn close_backlog(&mut self) -> Result<(), Error> {
         self.absorb(true)
     }
@@ -100,9 +119,14 @@ impl FrettingContact {
         let law = backlog.law();
         let old = self.surface.clone();
         let zone = self.springs.slip_zone(&self.contact, self.bound_slope, self.displacement);
-        let repeated = self.repeated_motion(&law);
+        let at_one_load =
+            self.planar.is_none() && !self.contact.is_open() && backlog.is_at(self.contact.depth);
+        let repeated = match &law[..] {
+            [law] if at_one_load => law.repeated_motion(self.bound_slope, self.surface.tip()),
+            _ => None,
+        };
         let whole = repeated.filter(|motion| self.is_followed(motion));
-        let part = if whole.is_none() && ends { self.part_of_cycles(&backlog) } else { None };
+        let part = if whole.is_none() && ends && at_one_load { self.part_of_cycles(&backlog) } else { None };
         if let Some(motion) = whole.or(part)
             && self.absorb_motion(&motion, backlog.work)?
         {
@@ -127,53 +151,44 @@ impl FrettingContact {
 
     /// Wears a motion off on the moving mesh; says whether that could follow.
     fn absorb_motion(&mut self, motion: &RepeatedMotion, work: f64) -> Result<bool, Error> {
-        let taken = self.take_unplaced(work);
+        let taken = self.take_deferred(work);
         let control = self.contact.control;
         match self.wear_by(control, (motion.sliding, None), motion.amount, Some(work + taken)) {
             Ok(_) => Ok(true),
             Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {
-                self.leave_unplaced(taken);
+                self.defer(taken);
                 Ok(false)
             }
             Err(other) => Err(other),
         }
     }
 
-    /// As much of the work without a place as may go along with some more of it, J.
-    fn take_unplaced(&mut self, work: f64) -> f64 {
+    /// As much of the deferred work as may add to an update of some work, J.
+    fn take_deferred(&mut self, work: f64) -> f64 {
         let most = PLACED_WITH * work.abs();
         let Some(wear) = &mut self.wear else { return 0.0 };
-        let taken = wear.unplaced.max(-most).min(most);
-        wear.unplaced -= taken;
+        let taken = wear.deferred_work.max(-most).min(most);
+        wear.deferred_work -= taken;
         taken
     }
 
-    /// Keeps work (J) whose wear has found no place, or below 0 has been worn too much, for a later update.
-    fn leave_unplaced(&mut self, work: f64) {
+    /// Defers the wear of work (J) to a later update; below 0 where the profile has worn too much.
+    fn defer(&mut self, work: f64) {
         if let Some(wear) = &mut self.wear {
-            wear.unplaced += work;
+            wear.deferred_work += work;
         }
     }
 
-    /// Counts energy (J) that springs have lost where nothing moved outside: friction has taken it. Where it has worn is not known.
+    /// Counts energy (J) that springs have lost where nothing moved outside: friction has taken it.
+    /// Where it has worn is not known.
     pub(super) fn lose_to_friction(&mut self, energy: f64) {
         let work = energy.max(0.0);
         self.work += work;
-        self.leave_unplaced(work);
+        self.defer(work);
     }
 
-    /// The motion that the whole backlog is, where it is one that repeats at the present load.
-    fn repeated_motion(&self, law: &[SlipAtDepth]) -> Option<RepeatedMotion> {
-        let [law] = law else { return None };
-        let here = (law.depth - self.contact.depth).abs() <= 1e-9 * self.contact.depth.abs();
-        if !here || self.contact.is_open() || self.planar.is_some() {
-            return None;
-        }
-        law.repeated_motion(self.bound_slope, self.surface.tip())
-    }
-
-    /// Whether a motion is worth a moving mesh: on the unworn body, or where it has been seen before. A single stroke from anywhere to
-    /// anywhere looks like half a cycle.
+    /// Whether a motion is worth a moving mesh: on the unworn body, or where it has been seen
+    /// before. A single stroke from anywhere to anywhere looks like half a cycle.
     fn is_followed(&self, motion: &RepeatedMotion) -> bool {
         let Some(nodes) = self.surface.worn() else { return true };
         match (motion.sliding, self.wear.as_ref().and_then(|wear| wear.expected)) {
@@ -186,9 +201,6 @@ impl FrettingContact {
     /// Amid a stroke of cycles that have been seen before: as much of them as its work is.
     fn part_of_cycles(&mut self, backlog: &WearBacklog) -> Option<RepeatedMotion> {
         let Some(Sliding::Cycles(amplitude)) = self.wear.as_ref()?.expected else { return None };
-        if self.planar.is_some() || self.contact.is_open() || !backlog.is_at(self.contact.depth) {
-            return None;
-        }
         let contact = self.contact;
         let (springs, quarter) = self.quarter(&contact, amplitude);
         let front = springs.stick_radius(&contact, self.bound_slope, amplitude);
@@ -204,8 +216,8 @@ impl FrettingContact {
         }
     }
 
-    /// Wears a slip law off on nodes at rest, which is that of friction work (J) of the springs. `radius` is the largest of its
-    /// contacts, m.
+    /// Wears a slip law off on nodes at rest, which is that of friction work (J) of the springs.
+    /// `radius` is the largest of its contacts, m.
     ///
     /// # Errors
     /// [`Error::WearOutrun`] where one update cannot follow; those of the normal contact.
@@ -213,18 +225,18 @@ impl FrettingContact {
         let per_work = self.constants.wear_per_work;
         let before = self.surface.worn().map_or(0.0, Nodes::worn_volume);
         let nodes = self.nodes_at_rest(law, radius);
-        let laid = (before - nodes.worn_volume()) / per_work;
-        if laid.is_finite() {
-            self.leave_unplaced(laid);
+        let lost = (before - nodes.worn_volume()) / per_work;
+        if lost.is_finite() {
+            self.defer(lost);
         }
         self.surface.set_worn(Some(nodes));
-        let work = work + self.take_unplaced(work);
+        let work = work + self.take_deferred(work);
         let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(()) };
         let (transforms, made) = wear.transforms.get(nodes);
         self.counters.transform_tables += u64::from(made);
         let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.constants)?;
         let Some(fields) = fields else {
-            self.leave_unplaced(work);
+            self.defer(work);
             return Ok(());
         };
         self.counters.pressure_transforms += fields.transforms;
@@ -238,13 +250,14 @@ impl FrettingContact {
         if !update.followed {
             return Err(Error::WearOutrun { from: self.displacement, displacement: self.displacement });
         }
-        // what the springs dissipated is exact for the frozen profile: the update keeps its shape and takes that volume
+        // what the springs dissipated is exact for the frozen profile: the update keeps its shape
+        // and takes that volume
         let mut depth = update.depth;
         let mut image = transforms.ascend(&depth);
         let volume = nodes.volume(&depth);
         let target = per_work * work;
         let scale = if volume > 0.0 { (target / volume).min(MOST_SCALE) } else { 0.0 };
-        wear.unplaced += (target - scale * volume) / per_work;
+        wear.deferred_work += (target - scale * volume) / per_work;
         let sum = |new: &mut [f64], old: &[f64]| {
             new.iter_mut().zip(old).for_each(|(new, old)| *new = old + scale * *new);
         };
@@ -258,7 +271,8 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// Nodes at rest for a slip law whose largest contact has a radius (m): fine at its innermost front.
+    /// Nodes at rest for a slip law whose largest contact has a radius (m): fine at its innermost
+    /// front.
     fn nodes_at_rest(&mut self, law: &[SlipAtDepth], radius: f64) -> Nodes {
         let profile = self.surface.profile();
         let front = law.iter().map(SlipAtDepth::front).fold(f64::INFINITY, f64::min);
@@ -291,8 +305,9 @@ impl FrettingContact {
         left
     }
 
-    /// Contact and springs on a surface that has worn at the present load and displacement, where the springs of a zone (its inner
-    /// radius and side) slipped: in truth they have followed their bound, up or down, all the time. Others keep their place.
+    /// Contact and springs on a surface that has worn at the present load and displacement, where
+    /// the springs of a zone (its inner radius and side) slipped: in truth they have followed their
+    /// bound, up or down, all the time. Others keep their place.
     fn rest_on_worn(&mut self, old: &Surface, zone: (f64, f64)) -> Result<(), Error> {
         let to = self.contact_at(self.contact.control)?;
         if self.planar.is_some() {

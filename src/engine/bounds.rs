@@ -8,10 +8,10 @@ use crate::wear::annulus;
 
 /// Least share of the worn volume and of π a² d that may have found no place on the profile, the usual tolerance. What an update leaves
 /// for the next does not fall with a tighter one.
-const UNPLACED: f64 = 1e-3;
+const DEFERRED: f64 = 1e-3;
 
-/// On coarse meshes, this over the square of the resolution: a volume told cell by cell is of second order, and told anew where a mesh is
-/// left. At 64 cells it is the same.
+/// On coarse meshes, this over the square of the resolution: a volume computed cell by cell is of
+/// second order, and computed again where a mesh is left. At 64 cells it is the same.
 const OF_CELLS: f64 = 4.0;
 
 /// Share of that which a step may add where others have left too much: what wears next takes it up.
@@ -37,7 +37,7 @@ impl FrettingContact {
         let (work, start, updates) = (self.work, self.displacement, self.counters.profile_updates);
         let start_y = self.displacement_y;
         let stored = self.stored_energy();
-        let (force, before, unplaced) = (self.normal_reaction(), self.contact, self.unplaced());
+        let (force, before, deferred) = (self.normal_reaction(), self.contact, self.deferred_volume());
         change(self)?;
         if self.wear.is_none() || self.counters.profile_updates == updates {
             return Ok(());
@@ -51,7 +51,7 @@ impl FrettingContact {
         let slack =
             OVERTAKEN * if before.is_open() { disc(&before).max(disc(&self.contact)) } else { disc(&before) };
         let bounded = per_work * taken <= (1.0 + SLACK) * per_work * (driven + stored) + slack;
-        let placed = self.is_placed((&before, unplaced));
+        let placed = self.is_placed((&before, deferred));
         if bounded && placed {
             return Ok(());
         }
@@ -66,26 +66,26 @@ impl FrettingContact {
         &mut self,
         change: impl FnOnce(&mut Self) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let (start, before, unplaced) = (self.displacement, self.contact, self.unplaced());
+        let (start, before, deferred) = (self.displacement, self.contact, self.deferred_volume());
         change(self)?;
-        if self.is_placed((&before, unplaced)) {
+        if self.is_placed((&before, deferred)) {
             return Ok(());
         }
         Err(Error::WearOutrun { displacement: self.displacement, from: start })
     }
 
-    /// Volume that has found no place on the profile, m³.
-    fn unplaced(&self) -> f64 {
-        let work = self.wear.as_ref().map_or(0.0, |wear| wear.unplaced);
+    /// Volume whose wear is deferred to a later update, m³.
+    fn deferred_volume(&self) -> f64 {
+        let work = self.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
         (self.constants.wear_per_work * work).abs()
     }
 
     /// Whether nearly all that has worn shows on the profile, or what does not is hardly more than before a step; the contact of then
     /// counts, too.
     fn is_placed(&self, (contact, before): (&Contact, f64)) -> bool {
-        let (now, size) = (self.unplaced(), disc(contact).max(disc(&self.contact)));
+        let (now, size) = (self.deferred_volume(), disc(contact).max(disc(&self.contact)));
         let cells = self.parameters.resolution as f64;
-        let share = self.parameters.tolerance.max(UNPLACED).max(OF_CELLS / (cells * cells));
+        let share = self.parameters.tolerance.max(DEFERRED).max(OF_CELLS / (cells * cells));
         let limit = share * (self.wear_volume() + size);
         now <= limit || now - before <= NOT_AT_FAULT * limit
     }

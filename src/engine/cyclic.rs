@@ -123,12 +123,12 @@ impl FrettingContact {
         let per_work = self.constants.wear_per_work;
         let known = known.map(|work| work * per_work);
         let on_profile = |surface: &Surface| surface.worn().map_or(0.0, Nodes::worn_volume);
-        let unplaced = self.wear.as_ref().map_or(0.0, |wear| wear.unplaced);
-        let worn = on_profile(&self.surface) + per_work * unplaced;
+        let deferred_work = self.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
+        let worn = on_profile(&self.surface) + per_work * deferred_work;
         let amount = Amount { cycles: amount, worn, known };
         let life = live(&self.surface, &motion, &amount, &self.constants, &fineness, &mut self.counters)?;
         let Some(wear) = &mut self.wear else { return Ok(0.0) };
-        wear.unplaced = (worn + life.volume - on_profile(&life.surface)) / per_work;
+        wear.deferred_work = (worn + life.volume - on_profile(&life.surface)) / per_work;
         wear.next_step = Some((sliding, life.next_step));
         wear.mesh = life.mesh.or(wear.mesh.take());
         wear.defect += life.defect / per_work;

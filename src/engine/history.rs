@@ -93,7 +93,8 @@ impl FrettingContact {
         ((high - low).abs() / high.max(low) / LOAD_SHARE).ceil().max(1.0) as u32
     }
 
-    /// Walks one piece, after the profile has followed where that is due. `splits` > 0 allows wear to split it.
+    /// Walks one piece, after the profile has followed where that is due. `splits` > 0 allows wear
+    /// to split it.
     pub(super) fn walk(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
         if let Some(onset) = self.onset_of_long_slide(value, displacement) {
             return self.transaction(|this| {
@@ -127,18 +128,13 @@ impl FrettingContact {
     fn walk_on(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
         let to = if value == self.contact.control { self.contact } else { self.solve_contact(value)? };
         let spare = std::mem::take(&mut self.spare);
-        let mut slips = self.wear.as_mut().map(|wear| std::mem::take(&mut wear.slips));
-        if let Some(slips) = &mut slips {
-            slips.clear();
-        }
+        let mut slips = self.take_slips();
         let path = self.path_to(to, displacement);
         let (springs, half_work) = self.springs.walk(&path, spare, slips.as_mut());
         let work = 2.0 * self.constants.tangential_modulus * half_work;
         self.counters.spring_walks += 1;
         self.counters.contact_solutions += u64::from(value != self.contact.control);
-        if let (Some(wear), Some(slips)) = (&mut self.wear, slips) {
-            wear.slips = slips;
-        }
+        self.keep_slips(slips);
         if self.wear.is_none() || work <= 0.0 {
             self.arrive(to, displacement, springs, work);
             return Ok(());

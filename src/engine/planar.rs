@@ -1,18 +1,21 @@
 //! Motion in both tangential directions.
 //!
-//! As long as the body keeps its place along y while it is in contact, all is as in one dimension, and a field that is empty is all
-//! that it costs. The first motion along y takes the row of knots over into one of vectors ([`PlanarRow`]), which serves from then on
-//! until the bodies part. Slip is gathered in the backlog as on a line, by its length: traction and slip are taken for parallel at each
-//! radius. Where steady cycles are asked for, they are along x, from rest, whatever was before.
+//! As long as the body keeps its place along y while it is in contact, all is as in one dimension,
+//! and a field that is empty is all that it costs. The first motion along y takes the row of knots
+//! over into one of vectors ([`PlanarRow`]), which serves from then on until the bodies part. Slip
+//! is gathered in the backlog as on a line, by its length: traction and slip are taken for parallel
+//! at each radius. Where steady cycles are asked for, they are along x, from rest, whatever was
+//! before.
 
 mod derivatives;
 mod reading;
 mod rig;
 
 use super::FrettingContact;
+use super::backlog::WIDE;
 use super::line::Line;
 use crate::error::Error;
-use crate::friction::{PlanarPath, PlanarRow, Resting, Samples, Springs, Vector, difference};
+use crate::friction::{PlanarPath, PlanarRow, Resting, Samples, SlipPiece, Springs, Vector, difference};
 use crate::range;
 use crate::surface::Contact;
 use serde::{Deserialize, Serialize};
@@ -24,12 +27,9 @@ const SAMPLES_PER_CELL: usize = 2;
 /// Most halvings of a piece that wears more than the profile can take at once.
 const MOST_HALVINGS: u32 = 9;
 
-/// Ratio of what one line wears to what may wear between two updates at which it is refused without being tried.
+/// Ratio of what one line wears to what may wear between two updates at which it is refused without
+/// being tried.
 const MOST_WEAR: f64 = 1e4;
-
-/// An annulus that slips is taken to begin at this share of the contact radius at the most: what little wears in a thin one need not be
-/// followed at once.
-const WIDE: f64 = 0.9;
 
 /// Name of the displacement along y in messages.
 const Y: &str = "tangential_displacement_y";
@@ -201,22 +201,27 @@ impl FrettingContact {
         }
     }
 
+    /// [`PlanarRow::walk`] of the present row, or of one that begins with the path.
+    fn walked_in_plane(
+        &self,
+        path: &PlanarPath,
+        spare: PlanarRow,
+        slips: Option<&mut Vec<SlipPiece>>,
+    ) -> (PlanarRow, f64) {
+        match &self.planar {
+            Some(planar) => planar.row.walk(path, spare, slips),
+            None => PlanarRow::default().walk(path, spare, slips),
+        }
+    }
+
     /// Contact, row and work of friction (J) at the end of a piece.
     fn try_in_plane(&mut self, value: f64, place: Vector) -> Result<PlanarEnd, Error> {
         let to = if value == self.contact.control { self.contact } else { self.contact_at(value)? };
         let spare = self.planar.as_mut().map(|planar| take(&mut planar.spare)).unwrap_or_default();
-        let mut slips = self.wear.as_mut().map(|wear| take(&mut wear.slips));
-        if let Some(slips) = &mut slips {
-            slips.clear();
-        }
+        let mut slips = self.take_slips();
         let path = self.planar_path(to, place);
-        let (row, half_work) = match &self.planar {
-            Some(planar) => planar.row.walk(&path, spare, slips.as_mut()),
-            None => PlanarRow::default().walk(&path, spare, slips.as_mut()),
-        };
-        if let (Some(wear), Some(slips)) = (&mut self.wear, slips) {
-            wear.slips = slips;
-        }
+        let (row, half_work) = self.walked_in_plane(&path, spare, slips.as_mut());
+        self.keep_slips(slips);
         self.counters.spring_walks += 1;
         let work = 2.0 * self.constants.tangential_modulus * half_work;
         if !work.is_finite() {
@@ -226,7 +231,8 @@ impl FrettingContact {
         Ok(PlanarEnd { to, row, work })
     }
 
-    /// Walks one piece; where it wears more than the profile can take at once, in halves, after each of which the profile follows.
+    /// Walks one piece; where it wears more than the profile can take at once, in halves, after
+    /// each of which the profile follows.
     fn slip_in_plane(&mut self, value: f64, place: Vector, halvings: u32) -> Result<(), Error> {
         let end = self.try_in_plane(value, place)?;
         if self.wear.is_some() && end.work > 0.0 {
@@ -278,7 +284,8 @@ impl FrettingContact {
         }
     }
 
-    /// Springs beyond a bound that has become another slip back to it where the body stands. Returns the energy that they lose, J.
+    /// Springs beyond a bound that has become another slip back to it where the body stands.
+    /// Returns the energy that they lose, J.
     pub(super) fn slip_back_in_plane(&mut self) -> f64 {
         let stored = self.stored_energy();
         let path = self.planar_path(self.contact, self.place());

@@ -123,8 +123,8 @@ impl FrettingContact {
         self.view().map_or(0.0, Nodes::worn_volume)
     }
 
-    /// Σ |∫A dA − W| over all profile updates of a transient history, J: what the transforms of slip and pressure, whose product
-    /// is the work per area A, miss of the springs' work W.
+    /// Σ |∫A dA − W| over all profile updates of a transient history, J: what the transforms of
+    /// slip and pressure, whose product is the work per area A, miss of the springs' work W.
     pub fn transform_defect(&self) -> f64 {
         self.wear.as_ref().map_or(0.0, |wear| wear.defect)
     }
@@ -134,7 +134,8 @@ impl FrettingContact {
         self.wear.as_ref().map_or(0.0, |wear| wear.clipped)
     }
 
-    /// The profile with the backlog taken off, made when first read; where it cannot be, that of the last update.
+    /// The profile with the backlog taken off, made when first read; where it cannot be, that of
+    /// the last update.
     pub(super) fn view(&self) -> Option<&Nodes> {
         self.wear.as_ref()?;
         if self.view.get().is_none() {

@@ -55,7 +55,7 @@ impl FrettingContact {
             this.counters.spring_walks += 1;
             if let Some(wear) = &mut this.wear {
                 // a volume, told as the work that wears it
-                wear.unplaced *= former_wear_per_work / constants.wear_per_work;
+                wear.deferred_work *= former_wear_per_work / constants.wear_per_work;
                 (wear.expected, wear.next_step) = (None, None);
             }
             this.lose_to_friction(work);

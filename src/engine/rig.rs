@@ -59,7 +59,7 @@ impl FrettingContact {
         let mut row = std::mem::take(&mut self.undo);
         row.copy_from(&self.springs);
         let Self { displacement, direction, work, counters, .. } = *self;
-        let unplaced = self.wear.as_ref().map_or(0.0, |wear| wear.unplaced);
+        let deferred_work = self.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
         if let Some(wear) = &mut self.wear {
             wear.undo.copy_from(&wear.backlog);
         }
@@ -81,7 +81,7 @@ impl FrettingContact {
             self.counters = counters;
             if let Some(wear) = &mut self.wear {
                 std::mem::swap(&mut wear.backlog, &mut wear.undo);
-                wear.unplaced = unplaced;
+                wear.deferred_work = deferred_work;
             }
         }
         self.undo = row;

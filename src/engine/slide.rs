@@ -1,4 +1,5 @@
-//! Steps under a steady load without wear, or with it within a half cycle that wears too little for the profile to follow.
+//! Steps under a constant load in which more springs slip the same way, and after which no update
+//! of the profile is due.
 
 use super::FrettingContact;
 
@@ -11,16 +12,11 @@ impl FrettingContact {
             return false;
         }
         let direction = self.direction_to(displacement);
-        let mut slips = None;
-        if self.wear.is_some() {
-            if direction != self.direction || self.onset_of_long_slide(value, displacement).is_some() {
-                return false;
-            }
-            slips = self.wear.as_mut().map(|wear| std::mem::take(&mut wear.slips));
+        let wears = self.wear.is_some();
+        if wears && (direction != self.direction || self.onset_of_long_slide(value, displacement).is_some()) {
+            return false;
         }
-        if let Some(slips) = &mut slips {
-            slips.clear();
-        }
+        let mut slips = self.take_slips();
         let most_work = self.work_to_update();
         let work_scale = (2.0 * self.constants.tangential_modulus, most_work);
         let work = self.springs.slide(
@@ -31,11 +27,9 @@ impl FrettingContact {
             work_scale,
             slips.as_mut(),
         );
-        if let (Some(wear), Some(slips)) = (&mut self.wear, slips) {
-            wear.slips = slips;
-        }
+        self.keep_slips(slips);
         let Some(work) = work else { return false };
-        if self.wear.is_some() {
+        if wears {
             let to = self.contact;
             self.gather(work, &to);
             // asked first, since taking moves the whole of it

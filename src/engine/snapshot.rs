@@ -34,7 +34,7 @@ pub struct Snapshot {
 struct WearSnapshot {
     backlog: WearBacklog,
     limit: f64,
-    unplaced: f64,
+    deferred_work: f64,
     expected: Option<Sliding>,
     next_step: Option<(Sliding, f64)>,
     defect: f64,
@@ -47,7 +47,7 @@ impl FrettingContact {
         let wear = self.wear.as_ref().map(|wear| WearSnapshot {
             backlog: wear.backlog.clone(),
             limit: wear.limit,
-            unplaced: wear.unplaced,
+            deferred_work: wear.deferred_work,
             expected: wear.expected,
             next_step: wear.next_step,
             defect: wear.defect,
@@ -110,7 +110,7 @@ impl FrettingContact {
             Box::new(WearState {
                 backlog: saved.backlog.clone(),
                 limit: saved.limit,
-                unplaced: saved.unplaced,
+                deferred_work: saved.deferred_work,
                 expected: saved.expected,
                 next_step: saved.next_step,
                 defect: saved.defect,

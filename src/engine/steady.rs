@@ -8,20 +8,23 @@ use crate::wear::{Sliding, SlipAtDepth, share_of_room};
 /// Most implicit updates in place of one call for a steady motion.
 const MOST_CHUNKS: u32 = 511;
 
-/// Most chunks' worth of a motion that is begun at all, in the hope that the mesh can follow a smoother profile.
+/// Most chunks' worth of a motion that is begun at all, in the hope that the mesh can follow a
+/// smoother profile.
 const FARTHEST: f64 = 1e6;
 
 impl FrettingContact {
-    /// Wears the surface by an amount (cycles or metres) of sliding at constant load, whatever the surface, and adds
-    /// the work to the history's. Afterwards the contact is that of the new surface; the springs are still
-    /// those of before.
+    /// Wears the surface by an amount (cycles or metres) of sliding at constant load, whatever the
+    /// surface, and adds the work to the history's. Afterwards the contact is that of the new
+    /// surface; the springs are still those of before.
     ///
-    /// The moving mesh of [`crate::wear::live`] needs fields that are smooth at the contact edge. Where they are not, the motion is worn
-    /// off by implicit updates, as much at a time as may wear before the profile follows. That smooths the profile, so that the mesh is
-    /// tried again after every doubling.
+    /// The moving mesh of [`crate::wear::live`] needs fields that are smooth at the contact edge.
+    /// Where they are not, the motion is worn off by implicit updates, as much at a time as may
+    /// wear before the profile follows. That smooths the profile, so that the mesh is tried again
+    /// after every doubling.
     ///
     /// # Errors
-    /// [`Error::TooMuchWear`] where neither the mesh nor [`MOST_CHUNKS`] updates can follow; those of the normal contact.
+    /// [`Error::TooMuchWear`] where neither the mesh nor [`MOST_CHUNKS`] updates can follow; those
+    /// of the normal contact.
     pub(super) fn wear_steadily(&mut self, value: f64, sliding: Sliding, amount: f64) -> Result<(), Error> {
         let (mut left, mut chunks, mut next_trial) = (amount, 0, 1);
         loop {

@@ -4,16 +4,16 @@ use crate::range::LEAST_RISE;
 use crate::surface::Place;
 
 /// Integrals over one interval between knots, for functions linear in g.
-pub(crate) struct Interval {
-    pub(crate) width: f64,
-    pub(crate) rise: f64,
-    pub(crate) first: f64,
-    pub(crate) second: f64,
+pub(super) struct Interval {
+    pub(super) width: f64,
+    pub(super) rise: f64,
+    pub(super) first: f64,
+    pub(super) second: f64,
 }
 
 impl Interval {
     /// Width Δx, rise Δg, ∫(g − g₁) dx and ∫(g − g₁)² dx between two places.
-    pub(crate) fn between(p: &Place, q: &Place) -> Self {
+    pub(super) fn between(p: &Place, q: &Place) -> Self {
         let width = q.x - p.x;
         let rise = q.image - p.image;
         if rise <= LEAST_RISE {
@@ -35,7 +35,7 @@ impl Interval {
     }
 
     /// ∫ f dx for f linear in g with the given end values.
-    pub(crate) fn linear(&self, f0: f64, f1: f64) -> f64 {
+    pub(super) fn linear(&self, f0: f64, f1: f64) -> f64 {
         if self.rise > 0.0 {
             f0 * self.width + (f1 - f0) * (self.first / self.rise)
         } else {
@@ -45,12 +45,12 @@ impl Interval {
 
     /// ∫ b s dx of bound and slip, both ≥ 0: in a cell in which nearly all the rise is at one end, rounding may deny it.
     #[inline(always)]
-    pub(crate) fn slip_work(&self, bound: (f64, f64), slip: (f64, f64)) -> f64 {
+    pub(super) fn slip_work(&self, bound: (f64, f64), slip: (f64, f64)) -> f64 {
         at_least(self.product(bound, slip), 0.0)
     }
 
     /// ∫ f h dx for two such functions.
-    pub(crate) fn product(&self, f: (f64, f64), h: (f64, f64)) -> f64 {
+    pub(super) fn product(&self, f: (f64, f64), h: (f64, f64)) -> f64 {
         if self.rise > 0.0 {
             // not by the reciprocal: on a punch worn flat, where the rise is rounding, it split one line of the snapshot test
             // into 15,000 profile updates

@@ -8,7 +8,8 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(crate) struct NodeTransforms {
     abel: Abel,
-    /// 1/unit of the radii that the transforms are made for, 1/m: squares of tiny radii must not vanish.
+    /// 1/unit of the radii that the transforms are made for, 1/m: squares of tiny radii must not
+    /// vanish.
     per_metre: f64,
     nodes: usize,
 }
@@ -20,8 +21,8 @@ impl NodeTransforms {
         Self { abel: Abel::new(&squares, Density::Image), per_metre, nodes: x.len() }
     }
 
-    /// Depth (m) of the profile that belongs to an image (m), or slip to that of the springs. Zero up to the first value
-    /// that is not.
+    /// Depth (m) of the profile that belongs to an image (m), or slip to that of the springs. Zero
+    /// up to the first value that is not.
     pub(crate) fn descend(&self, image: &[f64]) -> Vec<f64> {
         let mut depth = vec![0.0; self.nodes];
         self.abel.descend(image, &mut depth, &mut Scratch::default());

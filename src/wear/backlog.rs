@@ -1,10 +1,12 @@
 //! Slip gathered since the profile last changed, in one dimension.
 //!
-//! Springs with the same image g have the same history, so slip is a function of g. What it wears depends besides on the pressure
-//! under which it happens, so on the indentation depth. The backlog keeps, for each of a few depths, the slip path E(g) as a
-//! constant, a slope and *hinges* C (g − g_c)₊, all of which a straight line in (load, displacement) adds to in a few operations.
-//! Hinges are gathered in bins that are narrow next to the contact edge and keep their sum and their mean place, so a repeated
-//! motion stays exact, and the slip of a stroke does not depend on the steps that it is made of.
+//! Springs with the same image g have the same history, so slip is a function of g. What it wears
+//! depends besides on the pressure under which it happens, so on the indentation depth. The backlog
+//! keeps, for each of a few depths, the slip path E(g) as a constant, a slope and *hinges* C (g −
+//! g_c)₊, all of which a straight line in (load, displacement) adds to in a few operations. Hinges
+//! are gathered in bins that are narrow next to the contact edge and keep their sum and their mean
+//! place, so a repeated motion stays exact, and the slip of a stroke does not depend on the steps
+//! that it is made of.
 
 use super::Sliding;
 use crate::friction::SlipPiece;
@@ -14,7 +16,7 @@ use serde::{Deserialize, Serialize};
 /// Bits of a double below its three leading ones of the mantissa: eight bins in an octave.
 const BIN_SHIFT: u32 = 49;
 
-/// Octaves below the depth at first slip in which bins are told apart.
+/// Octaves below the depth at first slip in which bins are distinguished.
 const OCTAVES: i64 = 14;
 
 /// Bins in the range of a double.
@@ -156,9 +158,9 @@ impl WearBacklog {
         ((overlap.abs().to_bits() >> BIN_SHIFT) as i64 - 8 * OCTAVES).max(0)
     }
 
-    /// Adds the slip of a straight line between two contacts and its friction work, J; says whether there was slip. `overlap_moment`
-    /// is ∫ (d − g) e dx with d at the instant at which a spring slips, m³, which is the work over 2μE*; `tip` is the image at the
-    /// axis, m.
+    /// Adds the slip of a straight line between two contacts and its friction work, J; says whether
+    /// there was slip. `overlap_moment` is ∫ (d − g) e dx with d at the instant at which a spring
+    /// slips, m³, which is the work over 2μE*; `tip` is the image at the axis, m.
     pub(crate) fn record(
         &mut self,
         pieces: &[SlipPiece],
@@ -257,7 +259,8 @@ impl Level {
             if hinge.sum.abs() > rounding && mean >= low - slack && mean <= high + slack {
                 hinges.push((reference - mean.clamp(low, high), hinge.sum));
             } else if high - low > slack {
-                // slopes that nearly cancel have no place of their own: the ends of their range carry sum and moment
+                // slopes that nearly cancel have no place of their own: the ends of their range
+                // carry sum and moment
                 let outer = (hinge.moment - hinge.sum * low) / (high - low);
                 for (place, slope) in [(low, hinge.sum - outer), (high, outer)] {
                     if slope.abs() > rounding {
@@ -310,7 +313,8 @@ impl SlipAtDepth {
         Self { depth, least: ROUNDING * largest, first, knots }
     }
 
-    /// Cycles of an amplitude U₀, E = 4N (U₀ − m (d − g))₊, or sliding onward, E = s, under a depth d, m.
+    /// Cycles of an amplitude U₀, E = 4N (U₀ − m (d − g))₊, or sliding onward, E = s, under a depth
+    /// d, m.
     pub(crate) fn of_motion(sliding: Sliding, amount: f64, depth: f64, bound_slope: f64) -> Self {
         match sliding {
             Sliding::Onward => Self::new(depth, (0.0, amount), Vec::new()),
@@ -322,7 +326,8 @@ impl SlipAtDepth {
         }
     }
 
-    /// The motion that makes this law, where it is one that repeats in the contact of its depth; `tip` is the image at the axis.
+    /// The motion that makes this law, where it is one that repeats in the contact of its depth;
+    /// `tip` is the image at the axis.
     pub(crate) fn repeated_motion(&self, bound_slope: f64, tip: f64) -> Option<RepeatedMotion> {
         let (whole, slope) = self.at(self.depth);
         if whole <= 0.0 {

@@ -11,7 +11,8 @@ pub(crate) struct Edge {
     pub(crate) last: usize,
     /// Contact radius a, m.
     pub(crate) radius: f64,
-    /// Whether the load line jumps to zero at the last node (a body that ends there) instead of falling to zero at a.
+    /// Whether the load line jumps to zero at the last node (a body that ends there) instead of
+    /// falling to zero at a.
     pub(crate) jump: bool,
 }
 
@@ -22,7 +23,8 @@ impl Edge {
         Self { last: inside.max(1) - 1, radius: contact.radius, jump }
     }
 
-    /// Weight of the load at the last node in the pressure at node i, 1/m, from the piece behind that node.
+    /// Weight of the load at the last node in the pressure at node i, 1/m, from the piece behind
+    /// that node.
     pub(super) fn weight(&self, x: &[f64], i: usize) -> f64 {
         let (r, end) = (x[i], x[self.last]);
         if !self.jump {
@@ -31,14 +33,16 @@ impl Edge {
         if i < self.last {
             FRAC_1_PI / leg(end, r)
         } else {
-            // the edge node stands for the outer half of its cell (in Z): mean of 1/√(b² − r²) over that
+            // the edge node stands for the outer half of its cell (in Z): mean of 1/√(b² − r²) over
+            // that
             let inner = x[i - 1];
             let half = 0.5 * (end - inner) * (end + inner);
             FRAC_2_PI / half.sqrt()
         }
     }
 
-    /// The same for a change of load there, which also moves the edge: q ≈ γ (a² − x²) keeps its slope.
+    /// The same for a change of load there, which also moves the edge: q ≈ γ (a² − x²) keeps its
+    /// slope.
     pub(super) fn response(&self, x: &[f64], i: usize) -> f64 {
         let weight = self.weight(x, i);
         if self.jump {

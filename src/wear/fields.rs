@@ -6,9 +6,6 @@ use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, NodeTransforms, Nodes, Surface};
 
-/// Most by which the work at the nodes is scaled up where a part of it was left out.
-const MOST_SHARE: f64 = 1.25;
-
 /// What slip has done to a surface since its profile was last updated.
 #[derive(Debug, Clone)]
 pub(crate) struct SlipFields {
@@ -27,8 +24,9 @@ pub(crate) struct SlipFields {
 }
 
 impl SlipFields {
-    /// Fields of a slip law whose springs did friction work, J: A = Σ μ p(r; d_b) s_b and B = Σ s_b with s_b = D\[E_b\], over the depths
-    /// d_b of the law. The work at the nodes is scaled to that of the springs, which is exact. `None` where nothing slips on the nodes.
+    /// Fields of a slip law whose springs did friction work, J: A = Σ μ p(r; d_b) s_b and B = Σ s_b
+    /// with s_b = D\[E_b\], over the depths d_b of the law. The work at the nodes is scaled to that
+    /// of the springs, which is exact. `None` where nothing slips on the nodes.
     ///
     /// # Errors
     /// Those of the normal contact.
@@ -57,8 +55,7 @@ impl SlipFields {
         if constants.force_control {
             fields.contact.control = fields.contact.load;
         }
-        let most = if fields.clipped > 0.0 { MOST_SHARE } else { f64::MAX };
-        let share = if found > 0.0 { (work / found).min(most) } else { 0.0 };
+        let share = if found > 0.0 { work / found } else { 0.0 };
         fields.work_per_area.iter_mut().for_each(|gain| *gain *= share);
         fields.defect = (found - work).abs();
         Ok((found > 0.0 && fields.slip_path.iter().any(|path| *path > 0.0)).then_some(fields))

@@ -40,7 +40,8 @@ const LEAST_PART: f64 = 1.0 / 256.0;
 /// Most iterations of a linear system.
 const MOST_KRYLOV: usize = 200;
 
-/// Worn depth that slip brings, with the pressure and the contact edge taken at the end of the update.
+/// Worn depth that slip brings, with the pressure and the contact edge taken at the end of the
+/// update.
 ///
 /// Solves Δw = (k/σ₀) A + κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with the wear: were it held, a
 /// whole update's wear would end at it like a square root, and its image would have a logarithmic dip there. Where it moves so far

@@ -117,7 +117,8 @@ pub(crate) fn uniform(random: &mut StdRng, low: f64, high: f64) -> f64 {
     random.random_range(low..high)
 }
 
-/// The whole state of a contact, without the counters: these also count work that ended in an error.
+/// The whole state of a contact, without the counters: these also count work that ended in an
+/// error.
 pub(crate) fn state(contact: &FrettingContact) -> serde_json::Value {
     let mut state = serde_json::to_value(contact.snapshot()).expect("a snapshot is serialisable");
     state.as_object_mut().expect("a snapshot is a record").remove("counters").expect("it has counters");

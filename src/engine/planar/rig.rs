@@ -188,10 +188,7 @@ impl FrettingContact {
         spare: &mut PlanarRow,
     ) -> (Vector, Matrix) {
         let path = self.planar_path(*to, place);
-        let (row, _) = match &self.planar {
-            Some(planar) => planar.row.walk(&path, take(spare), None),
-            None => PlanarRow::default().walk(&path, take(spare), None),
-        };
+        let (row, _) = self.walked_in_plane(&path, take(spare), None);
         let modulus = self.compliance * 2.0 * self.constants.tangential_modulus;
         let force = row.deflection_integral(place);
         let ahead = difference(drive, self.drive_place());

@@ -48,7 +48,8 @@ fn is_contact(contact: &Contact) -> bool {
     contact.control.is_finite() && contact.depth.is_finite() && amount(contact.radius) && amount(contact.load)
 }
 
-/// Knots from the axis outward, to the edge of the contact. They lie on the surface, but for rounding, on the scale of its values at the outermost radius that counts.
+/// Knots from the axis outward, to the edge of the contact. They lie on the surface, but for
+/// rounding, on the scale of its values at the outermost radius that counts.
 fn is_row(row: &Springs, surface: &Surface, outermost: &Place, most: usize) -> bool {
     let knots = row.knots();
     let rises = knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x);
@@ -189,7 +190,7 @@ impl Snapshot {
 impl WearSnapshot {
     fn is_sound(&self) -> bool {
         self.backlog.is_sound()
-            && self.unplaced.is_finite()
+            && self.deferred_work.is_finite()
             && [self.limit, self.defect, self.clipped].iter().all(|value| amount(*value))
             && self.expected.is_none_or(is_motion)
             && self.next_step.is_none_or(|(sliding, step)| is_motion(sliding) && amount(step))

@@ -53,8 +53,9 @@ struct End {
 }
 
 impl PlanarRow {
-    /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³. `spare` is a row no longer needed whose
-    /// memory is used again. Where `slips` are asked for, they are put there.
+    /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³.
+    /// `spare` is a row no longer needed whose memory is used again. Where `slips` are asked for,
+    /// they are put there.
     pub(crate) fn walk(
         &self,
         path: &PlanarPath,

@@ -129,8 +129,8 @@ fn a_random_history_leaves_a_bounded_backlog() {
     assert!(long <= 8 * OCTAVES as usize && long <= short + 16, "{short} {long}");
 }
 
-/// Equal cycles are recognised by their law, and so is sliding onward; strokes of two amplitudes, and a
-/// first stroke from elsewhere, are not.
+/// Equal cycles are recognised by their law, and so is sliding onward; strokes of two amplitudes,
+/// and a first stroke from elsewhere, are not.
 #[test]
 fn a_law_of_equal_cycles_is_recognised() {
     let full = M * DEPTH;

@@ -48,7 +48,8 @@ fn update(surface: &Surface, tables: &NodeTransforms, fields: &SlipFields) -> Ve
         .depth
 }
 
-/// q is linear in x² between the nodes, as is that of a ball: p at the nodes is Hertz's, to rounding.
+/// q is linear in x² between the nodes, as is that of a ball: p at the nodes is Hertz's, to
+/// rounding.
 #[test]
 fn the_pressure_at_the_nodes_is_hertzs() {
     for (resolution, front) in [(8, 0.0), (64, 0.4)] {
@@ -86,7 +87,8 @@ fn no_slip_is_no_wear() {
     assert!(image[..stuck].iter().all(|h| *h == 0.0));
 }
 
-/// As the slip becomes small the implicit update becomes the explicit one, Δw = (k/σ₀) A, at first order.
+/// As the slip becomes small the implicit update becomes the explicit one, Δw = (k/σ₀) A, at first
+/// order.
 #[test]
 fn a_small_update_is_the_explicit_one() {
     let (surface, contact, tables) = scene(32, 0.0);
@@ -101,8 +103,8 @@ fn a_small_update_is_the_explicit_one() {
     assert!((coarse / fine).log10() > 1.8, "{coarse:e} {fine:e}");
 }
 
-/// One update that would remove many d explicitly: the pressure falls where material goes, so that under a held depth no
-/// more than the overlap can go, and the contact is not torn open.
+/// One update that would remove many d explicitly: the pressure falls where material goes, so that
+/// under a held depth no more than the overlap can go, and the contact is not torn open.
 #[test]
 fn a_stiff_update_stays_bounded() {
     let (surface, contact, tables) = scene(48, 0.4);
@@ -123,8 +125,8 @@ fn a_stiff_update_stays_bounded() {
     }
 }
 
-/// Sliding makes A = μ p s at every node, and cycles make the closed slip of their springs outside their front and none inside; both
-/// are scaled to the springs' work.
+/// Sliding makes A = μ p s at every node, and cycles make the closed slip of their springs outside
+/// their front and none inside; both are scaled to the springs' work.
 #[test]
 fn laws_of_repeated_motion_make_their_fields() {
     let (surface, contact, tables) = scene(64, 0.4);
@@ -222,8 +224,8 @@ fn an_update_takes_a_bounded_number_of_iterations_whatever_the_nodes() {
     }
 }
 
-/// Under a held force a contact that wears much grows through many cells, and the iteration loses its edge: it is then made in
-/// parts, and says so where even those are not followed.
+/// Under a held force a contact that wears much grows through many cells, and the iteration loses
+/// its edge: it is then made in parts, and says so where even those are not followed.
 #[test]
 fn an_update_under_which_the_contact_grows_far_is_followed_in_parts() {
     let constants = Constants { force_control: true, ..constants() };
