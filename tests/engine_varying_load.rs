@@ -193,8 +193,7 @@ fn random_histories_agree_with_a_plain_row_of_springs() {
     assert!(worst <= 3e-5, "{worst:e}");
 }
 
-/// The row's work needs sub-steps (its error falls with their square); the engine's takes the mean bound over pieces of
-/// 5 % of load, which is good to 1e-3.
+/// The row's work needs sub-steps (its error falls with their square), 400 here.
 #[test]
 fn the_work_of_random_histories_agrees_with_a_plain_row() {
     let mut worst: f64 = 0.0;
@@ -209,7 +208,7 @@ fn the_work_of_random_histories_agrees_with_a_plain_row() {
         worst = worst.max(error.abs());
     }
     println!("worst relative error of the work: {worst:e}");
-    assert!(worst <= 2e-3, "{worst:e}");
+    assert!(worst <= 2e-4, "{worst:e}");
 }
 
 /// Each line in one step, and in seven.
@@ -231,7 +230,7 @@ fn splitting_the_lines_of_random_histories_changes_next_to_nothing() {
     }
     println!("split in seven: T off by {force_off:e} of mu F_N,max, work by {work_off:e}");
     assert!(force_off <= 1e-5, "{force_off:e}");
-    assert!(work_off <= 2e-3, "{work_off:e}");
+    assert!(work_off <= 3e-4, "{work_off:e}");
 }
 
 /// Where no spring touches while the body moves there is nothing to sample: lines of falling or constant load may be

@@ -17,6 +17,20 @@ impl Line {
         (mix(self.from.0, self.to.0), mix(self.from.1, self.to.1))
     }
 
+    /// Point k of n that are even in the square root of the control, which is none below 0; the last
+    /// is the end to the bit.
+    pub(super) fn at_root(&self, k: u32, n: u32) -> (f64, f64) {
+        let (from, to) = (self.from.0, self.to.0);
+        if k == n || from == to {
+            return self.at(k, n);
+        }
+        let share = f64::from(k) / f64::from(n);
+        let (low, high) = (from.max(0.0).sqrt(), to.max(0.0).sqrt());
+        let root = low + share * (high - low);
+        let share = ((root * root - from) / (to - from)).clamp(0.0, 1.0);
+        (root * root, self.from.1 + share * (self.to.1 - self.from.1))
+    }
+
     /// The line in two where the control crosses `level`, else whole.
     pub(super) fn split_at(&self, level: f64) -> [Option<Line>; 2] {
         let (c0, c1) = (self.from.0 - level, self.to.0 - level);

@@ -88,7 +88,7 @@ impl FrettingContact {
     fn walk_line_in_plane(&mut self, line: &Line, to: Vector) -> Result<(), Error> {
         let from = self.drive_place();
         for part in line.split_at(self.touch_control()).iter().flatten() {
-            let pieces = self.pieces(part);
+            let pieces = self.even_pieces(part);
             for k in 1..=pieces {
                 let (value, share) = part.at(k, pieces);
                 let at = |k: usize| from[k] + share * (to[k] - from[k]);

@@ -94,7 +94,7 @@ impl FrettingContact {
         let line =
             Line { from: (self.contact.control, if still { drive } else { start }), to: (value, drive) };
         for part in line.split_at(self.touch_control()).iter().flatten() {
-            let pieces = self.pieces(part);
+            let pieces = self.even_pieces(part);
             for k in 1..=pieces {
                 let (value, drive) = part.at(k, pieces);
                 self.walk_piece(value, drive)?;

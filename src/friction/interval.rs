@@ -49,6 +49,19 @@ impl Interval {
         at_least(self.product(bound, slip), 0.0)
     }
 
+    /// ∫ f dx for a parabola in g with the given values at the inner end, in the middle and at the
+    /// outer end.
+    pub(super) fn parabola(&self, [inner, middle, outer]: [f64; 3]) -> f64 {
+        let slope = 4.0 * middle - 3.0 * inner - outer;
+        let curvature = 2.0 * (inner + outer) - 4.0 * middle;
+        let (first, second) = if self.rise > 0.0 {
+            (self.first / self.rise, self.second / (self.rise * self.rise))
+        } else {
+            (0.5 * self.width, self.width / 3.0)
+        };
+        inner * self.width + slope * first + curvature * second
+    }
+
     /// ∫ f h dx for two such functions.
     pub(super) fn product(&self, f: (f64, f64), h: (f64, f64)) -> f64 {
         if self.rise > 0.0 {

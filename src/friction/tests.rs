@@ -2,6 +2,7 @@ use super::*;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
 use crate::quadrature::composite;
+use rand::{RngExt, SeedableRng, rngs::StdRng};
 
 const M: f64 = 0.7;
 
@@ -272,5 +273,67 @@ fn the_work_of_a_minute_loop_is_that_of_its_minute_annulus() {
         // the bound is known to eps u_max, the annulus reaches θ u_max below its edge and the slip is of that size, too
         let tolerance = theta + 1e-14 / (theta * theta);
         assert!((work / expected - 1.0).abs() < tolerance, "{theta:e}: {work:e} against {expected:e}");
+    }
+}
+
+/// Work over a few lines of random load and displacement, one walk for each of `pieces` of a line.
+fn work_of_lines(surface: &Surface, control: NormalControl, lines: &[(f64, f64)], pieces: u32) -> f64 {
+    let at = |value| surface.contact(control, value, 1.0).expect("the profile carries it");
+    let mut from = (at(lines[0].0), lines[0].1);
+    let start = at(if control == NormalControl::Force { 0.0 } else { surface.image(0.0) });
+    let walk = |row: Springs, (from, start): (Contact, f64), (to, end): (Contact, f64)| {
+        let path = Path { surface, control, bound_slope: M, from, to, start, end, sampling: 1e-4 };
+        row.walk(&path, Springs::default(), None)
+    };
+    let (mut row, _) = walk(Springs::default(), (start, from.1), from);
+    let mut work = 0.0;
+    for &(value, displacement) in &lines[1..] {
+        let line = (from.0.control, from.1);
+        for k in 1..=pieces {
+            let share = f64::from(k) / f64::from(pieces);
+            let part = |a: f64, b: f64| if k == pieces { b } else { a + share * (b - a) };
+            let to = (at(part(line.0, value)), part(line.1, displacement));
+            let (next, more) = walk(row, from, to);
+            (row, from, work) = (next, to, work + more);
+        }
+    }
+    work
+}
+
+/// Largest error of the work of random lines between two loads that differ by `change`, relative.
+fn error_of_work(surface: &Surface, control: NormalControl, change: f64) -> f64 {
+    let contact = at_depth(surface, 4e-6);
+    let top = if control == NormalControl::Force { contact.load } else { contact.depth };
+    let error = |seed| {
+        let mut random = StdRng::seed_from_u64(seed);
+        let mut line = |k: u32| {
+            let value = if k == 0 || random.random_bool(0.5) { top } else { top * (1.0 - change) };
+            (value, random.random_range(-1.2..1.2) * M * contact.depth)
+        };
+        let lines: Vec<_> = (0..7).map(&mut line).collect();
+        let fine = work_of_lines(surface, control, &lines, 200);
+        (work_of_lines(surface, control, &lines, 1) / fine - 1.0).abs()
+    };
+    (0..10).map(error).fold(0.0, f64::max)
+}
+
+/// Bound and displacement change evenly: springs that touch and leave on the way, too.
+#[test]
+fn the_work_of_a_line_of_depth_is_exact_however_long() {
+    for profile in profiles() {
+        let error = error_of_work(&Surface::new(profile.clone()), NormalControl::Indentation, 0.8);
+        // 200 pieces sum the rounding of their fronts, next to a rim where the image is steep
+        assert!(error < 1e-8, "{profile:?}: {error:e}");
+    }
+}
+
+#[test]
+fn the_error_of_the_work_of_a_line_of_force_is_small_and_of_second_order_in_its_change() {
+    for profile in profiles() {
+        let surface = Surface::new(profile.clone());
+        let errors = [0.4, 0.2].map(|change| error_of_work(&surface, NormalControl::Force, change));
+        let order = (errors[0] / errors[1]).log2();
+        assert!(order > 2.0, "{profile:?}: {order}, {errors:?}");
+        assert!(errors[1] < 6e-5, "{profile:?}: {errors:?}");
     }
 }

@@ -51,21 +51,77 @@ impl Path<'_> {
         if contact.is_open() { 0.0 } else { self.bound_slope * (contact.depth - image).max(0.0) }
     }
 
-    /// State of a spring at the end, before it slips.
-    #[inline]
-    fn trial<'k>(&self, knot: &'k Knot, rounding: f64) -> Trial<'k> {
-        let trial = Trial::new(knot, self.end, self.bound(&self.to, knot.place.image), rounding);
-        if trial.slips() { Trial { mean_bound: self.mean_bound(&trial), ..trial } } else { trial }
+    /// B of the bound b(t) = b₀ + (b₁ − b₀) t + B t (1 − t) along the path, m. Under a prescribed
+    /// force the depth is a concave function of it, with dd/dF = 1/(2E*a). B keeps the mean that
+    /// values and slopes at the ends give; from or to first touch, the mean of a power law.
+    fn bulge(&self) -> f64 {
+        let (from, to) = (&self.from, &self.to);
+        let rise = (to.depth - from.depth).abs();
+        if self.control == NormalControl::Indentation || rise == 0.0 {
+            return 0.0;
+        }
+        let change = (to.load - from.load).abs();
+        let bulge = if from.is_open() || to.is_open() {
+            let exponent = change / (from.radius.max(to.radius) * rise);
+            6.0 * rise * (1.0 / (1.0 + exponent) - 0.5)
+        } else {
+            0.5 * change * (1.0 / from.radius - 1.0 / to.radius).abs()
+        };
+        self.bound_slope * bulge.clamp(0.0, rise)
     }
 
-    /// Mean bound while a spring slips: between its onset and the end of the path.
+    /// State of a spring at the end, or where it leaves contact, before it slips.
     #[inline]
-    fn mean_bound(&self, trial: &Trial) -> f64 {
-        let initial_bound = self.bound(&self.from, trial.knot.place.image);
-        let room = (initial_bound - trial.side() * (self.start - trial.knot.origin)).max(0.0);
-        let onset_bound = initial_bound + room / (room + trial.excess) * (trial.bound - initial_bound);
-        0.5 * (onset_bound + trial.bound)
+    fn trial<'k>(&self, knot: &'k Knot, rounding: f64, bulge: f64) -> Trial<'k> {
+        let leaves = knot.place.image > self.to.depth || self.to.is_open();
+        let end = if leaves { self.displacement_at_touch(&knot.place) } else { self.end };
+        let trial = Trial::new(knot, end, self.bound(&self.to, knot.place.image), rounding);
+        if trial.slips() {
+            Trial { mean_bound: self.mean_bound(&trial, leaves, bulge), ..trial }
+        } else {
+            trial
+        }
     }
+
+    /// Mean of the bound over what a spring slips, ∫ b |de| / ∫ |de|, m: exact for a bound that
+    /// is a parabola along the path, as [`Self::bulge`] has it.
+    #[inline]
+    fn mean_bound(&self, trial: &Trial, leaves: bool, bulge: f64) -> f64 {
+        let (place, side) = (&trial.knot.place, trial.side());
+        let touches = place.image > self.from.depth || self.from.is_open();
+        let bound = self.bound(&self.from, place.image);
+        let share = |place| share_at_touch(self.control, (&self.from, &self.to), place);
+        // the part of the path on which it is in contact
+        let (room, part) = if touches {
+            (0.0, 1.0 - share(place))
+        } else {
+            let room = (bound - side * (self.start - trial.knot.origin)).max(0.0);
+            (room, if leaves { share(place) } else { 1.0 })
+        };
+        let bulge = bulge * part * part;
+        let onset = onset(room, trial.excess, bulge);
+        let left = 1.0 - onset;
+        let onset_bound = bound + onset * (trial.bound - bound + bulge * left);
+        let mean = 0.5 * (onset_bound + trial.bound);
+        if bulge == 0.0 {
+            return mean;
+        }
+        let motion = side * (self.end - self.start) * part * left;
+        mean + bulge * left * left * motion / (6.0 * trial.excess)
+    }
+}
+
+/// Share of a path after which a spring slips that has `room` to its bound at the start and is
+/// `excess` beyond it at the end: the root of (room + excess) t − `bulge` t (1 − t) = room.
+#[inline]
+fn onset(room: f64, excess: f64, bulge: f64) -> f64 {
+    if bulge == 0.0 {
+        return room / (room + excess);
+    }
+    let slope = room + excess - bulge;
+    let root = (slope * slope + 4.0 * bulge * room).sqrt();
+    let share = if slope > 0.0 { 2.0 * room / (slope + root) } else { (root - slope) / (2.0 * bulge) };
+    share.min(1.0)
 }
 
 /// Share of what a spring slips below which its bound would be lost to rounding.
@@ -151,7 +207,7 @@ impl Springs {
         row.clear();
         row.reserve(self.knots.len() + 4);
         let rounding = rounding(path.bound_slope, &path.to, path.end);
-        let mut walk = Walk { path, row, rounding, last: None, work: 0.0, slips };
+        let mut walk = Walk { path, row, rounding, bulge: path.bulge(), last: None, work: 0.0, slips };
         self.reach(path, |knots| walk.take(knots));
         if path.to.is_open() {
             walk.row.clear();
@@ -167,8 +223,10 @@ impl Springs {
             take(&self.knots);
         } else if new > old {
             let moved = path.start != path.end;
+            // along a line of depth the origin is linear in g
+            let is_linear = !moved || path.control == NormalControl::Indentation;
             // divided by the radius first: a part of the smallest numbers may be none
-            let samples = if moved { ((new - old) / new / path.sampling).ceil().max(1.0) } else { 1.0 };
+            let samples = if is_linear { 1.0 } else { ((new - old) / new / path.sampling).ceil().max(1.0) };
             match &self.knots[..] {
                 [] => take(&[path.touching(0.0)]),
                 // a ramp in many small steps would leave a knot at each former edge
@@ -212,6 +270,8 @@ struct Walk<'p> {
     path: &'p Path<'p>,
     row: Vec<Knot>,
     rounding: f64,
+    /// [`Path::bulge`].
+    bulge: f64,
     /// The last knot taken.
     last: Option<Knot>,
     /// ∫ |u| |de| dx so far, m³.
@@ -220,12 +280,17 @@ struct Walk<'p> {
 }
 
 impl Walk<'_> {
+    #[inline]
+    fn trial<'k>(&self, knot: &'k Knot) -> Trial<'k> {
+        self.path.trial(knot, self.rounding, self.bulge)
+    }
+
     /// Takes the next knots to the end of the path.
     fn take(&mut self, knots: &[Knot]) {
         let last = self.last;
-        let mut before = last.as_ref().map(|knot| self.path.trial(knot, self.rounding));
+        let mut before = last.as_ref().map(|knot| self.trial(knot));
         for knot in knots {
-            let outer = self.path.trial(knot, self.rounding);
+            let outer = self.trial(knot);
             if let Some(inner) = before
                 && (inner.slips() || outer.slips())
             {
@@ -241,15 +306,15 @@ impl Walk<'_> {
     /// bound on which the inner end slips, and where they reach that on which the outer end does.
     fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
         if inner.slips_with(&outer) {
-            return slip_work(&inner, &outer, self.slips.as_deref_mut());
+            return self.slip_work(&inner, &outer);
         }
         let (end, start);
         let (mut work, mut left, mut share) = (0.0, inner, 0.0);
         if inner.slips() {
             share = share_at_bound(&inner, &outer, inner.side());
             end = between(self.path.surface, &inner, &outer, share);
-            let at_bound = self.path.trial(&end, self.rounding);
-            work += slip_work(&left, &at_bound, self.slips.as_deref_mut());
+            let at_bound = self.trial(&end);
+            work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
@@ -257,12 +322,25 @@ impl Walk<'_> {
             // rounding must not turn the two ends of the sticking part round
             share = share_at_bound(&inner, &outer, outer.side()).max(share);
             start = between(self.path.surface, &inner, &outer, share);
-            let at_bound = self.path.trial(&start, self.rounding);
-            work += slip_work(&left, &at_bound, self.slips.as_deref_mut());
+            let at_bound = self.trial(&start);
+            work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
-        work + slip_work(&left, &outer, self.slips.as_deref_mut())
+        work + self.slip_work(&left, &outer)
+    }
+
+    /// [`slip_work`] where the bound need not change evenly: its product with the slip is a parabola
+    /// in g through its values at the ends and in the middle.
+    fn slip_work(&mut self, inner: &Trial, outer: &Trial) -> f64 {
+        if self.bulge == 0.0 {
+            return slip_work(inner, outer, self.slips.as_deref_mut());
+        }
+        let Some(interval) = slip_interval(inner, outer, self.slips.as_deref_mut()) else { return 0.0 };
+        let middle = middle(inner.knot, outer.knot);
+        let density = |trial: &Trial| trial.mean_bound * trial.excess;
+        let densities = [inner, &self.trial(&middle), outer].map(density);
+        interval.parabola(densities).max(0.0)
     }
 
     /// Appends a knot that is still in contact.
@@ -300,15 +378,34 @@ pub(super) fn append(row: &mut Vec<Knot>, knot: Knot, rounding: f64) {
 /// ∫ |u| |de| dx over an interval that slips to one side.
 #[inline(always)]
 pub(super) fn slip_work(inner: &Trial, outer: &Trial, slips: Option<&mut Vec<SlipPiece>>) -> f64 {
+    slip_interval(inner, outer, slips).map_or(0.0, |interval| {
+        interval.slip_work((inner.mean_bound, outer.mean_bound), (inner.excess, outer.excess))
+    })
+}
+
+/// The interval between two springs of which at least one slips, after its slip is put to others.
+#[inline(always)]
+fn slip_interval(inner: &Trial, outer: &Trial, slips: Option<&mut Vec<SlipPiece>>) -> Option<Interval> {
     if !inner.slips() && !outer.slips() {
-        return 0.0;
+        return None;
     }
     let interval = Interval::between(&inner.knot.place, &outer.knot.place);
     if let Some(slips) = slips {
         let images = (inner.knot.place.image, outer.knot.place.image);
         slips.push(SlipPiece::over(images, (inner.excess, outer.excess), &interval));
     }
-    interval.slip_work((inner.mean_bound, outer.mean_bound), (inner.excess, outer.excess))
+    Some(interval)
+}
+
+/// The spring in the middle (in g) between two others, without its radius and square integral.
+fn middle(p: &Knot, q: &Knot) -> Knot {
+    let mean = |a: f64, b: f64| 0.5 * (a + b);
+    let rise = q.place.image - p.place.image;
+    // dφ/dg = x
+    let load = mean(p.place.load, q.place.load) - 0.125 * rise * (q.place.x - p.place.x);
+    let image = mean(p.place.image, q.place.image);
+    let place = Place { x: f64::NAN, image, load, square: f64::NAN };
+    Knot { place, origin: mean(p.origin, q.origin) }
 }
 
 /// The spring at the given share (in g) of the way between two others.

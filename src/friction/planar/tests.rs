@@ -198,7 +198,7 @@ fn a_line_at_any_angle_is_the_same_as_in_one_dimension() {
 fn a_line_under_a_load_that_varies_is_the_same_as_in_one_dimension() {
     for profile in profiles() {
         for control in [NormalControl::Indentation, NormalControl::Force] {
-            let error = |samples| line_error(&profile, control, samples, 0.7, 0.33, 96);
+            let error = |samples| line_error(&profile, control, samples, 0.7, 0.33, 384);
             let errors = (error(64), error(256));
             assert_order(&profile, &format!("{profile:?}, {control:?}"), errors, [1e-4, 2e-4]);
         }
