@@ -1,5 +1,6 @@
 //! Scenes, closed forms and small helpers shared by the engine's tests.
 
+use fretting_contact::problems::Problem;
 use fretting_contact::reference::{NormalContact, Shape, TangentialContact};
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
 use rand::rngs::StdRng;
@@ -124,58 +125,22 @@ pub(crate) fn state(contact: &FrettingContact) -> serde_json::Value {
     state
 }
 
-/// One wearing scene of `physics.md`-like seed units: stick radius c₀ = 0.4 a₀ at the start, life N₀ set by the wear
-/// coefficient.
-#[derive(Debug, Clone)]
-pub(crate) struct WearScene {
-    pub(crate) parameters: Parameters,
-    pub(crate) start: TangentialContact,
-    /// Value of the controlled quantity, N or m.
-    pub(crate) normal: f64,
-    /// U₀, m.
-    pub(crate) amplitude: f64,
-    /// N₀.
-    pub(crate) seed_cycles: f64,
+/// A body that wears, with c₀ = 0.4 a₀; its N₀ is `seed_cycles`.
+pub(crate) fn wear_scene(profile: &Profile, control: NormalControl, seed_cycles: f64) -> Problem {
+    Problem::partial_slip(shape(profile), control, 0.4).with_seed_cycles(seed_cycles)
 }
 
-impl WearScene {
-    /// `seed_cycles` N₀ is reached by the choice of the wear coefficient.
-    pub(crate) fn new(profile: Profile, normal_control: NormalControl, seed_cycles: f64) -> Self {
-        let start = exact(&profile, FORCE);
-        let a = start.normal.radius();
-        let stuck = NormalContact::at_radius(start.normal.shape(), E_STAR, 0.4 * a);
-        let amplitude = start.slip_ratio() * (start.normal.depth() - stuck.depth());
-        let hardness = 8e9;
-        let wear_per_work =
-            std::f64::consts::PI * a * a * start.normal.depth() / (seed_cycles * MU * FORCE * amplitude);
-        let wear_coefficient = wear_per_work * hardness;
-        let parameters =
-            Parameters { profile, normal_control, wear_coefficient, hardness, ..Parameters::default() };
-        let normal = match normal_control {
-            NormalControl::Force => FORCE,
-            NormalControl::Indentation => start.normal.depth(),
-        };
-        Self { parameters, start, normal, amplitude, seed_cycles }
-    }
+/// The contact of a problem, pressed and at rest.
+pub(crate) fn begun(problem: &Problem) -> FrettingContact {
+    problem.begin().expect("the load is carried")
+}
 
-    /// a₀² d₀, m³.
-    pub(crate) fn volume_unit(&self) -> f64 {
-        self.start.normal.radius().powi(2) * self.start.normal.depth()
-    }
-
-    pub(crate) fn begin(&self) -> FrettingContact {
-        let mut contact = contact(self.parameters.clone());
-        contact.start_at(self.normal, 0.0).expect("the load is carried");
-        contact
-    }
-
-    /// Runs whole cycles 0 → U₀ → −U₀ → 0 … in `steps` steps each, as a sine.
-    pub(crate) fn cycle(&self, contact: &mut FrettingContact, cycles: usize, steps: usize) {
-        for _ in 0..cycles {
-            for k in 1..=steps {
-                let phase = std::f64::consts::TAU * k as f64 / steps as f64;
-                to(contact, self.normal, self.amplitude * phase.sin());
-            }
+/// Runs whole cycles 0 → U₀ → −U₀ → 0 … in `steps` steps each, as a sine.
+pub(crate) fn cycle(problem: &Problem, contact: &mut FrettingContact, cycles: usize, steps: usize) {
+    for _ in 0..cycles {
+        for k in 1..=steps {
+            let phase = std::f64::consts::TAU * k as f64 / steps as f64;
+            to(contact, problem.normal, problem.amplitude * phase.sin());
         }
     }
 }

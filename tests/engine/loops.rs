@@ -80,7 +80,7 @@ fn motions_far_below_full_slip_are_elastic() {
     }
 }
 
-/// The numbers of `physics.md` for steel on steel, to their last digit.
+/// Steel on steel in six digits.
 #[test]
 fn the_steel_ball_gives_the_tabulated_numbers() {
     let full = exact(&BALL, FORCE).full_slip();

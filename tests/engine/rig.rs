@@ -2,8 +2,10 @@
 //! contact is one of the pair: U gives T(U), and the drive stands at D = U + T/k_rig.
 
 use crate::common::*;
-use fretting_contact::reference::ConstantDepthEnd;
+use fretting_contact::problems::{History, Problem};
+use fretting_contact::reference::{ConstantDepthEnd, NormalContact};
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile, SlipState};
+use std::f64::consts::PI;
 
 use NormalControl::{Force, Indentation};
 
@@ -231,13 +233,41 @@ fn cycles_of_the_drive_are_those_of_the_contact() {
     }
 }
 
-/// A scene of a life of 10⁴ cycles of the drive, in which the contact itself begins with c = 0.4 a₀.
-fn wearing(control: NormalControl, ratio: f64, tolerance: f64) -> (WearScene, FrettingContact) {
-    let mut scene = WearScene::new(BALL, control, 1e4);
-    let stiffness = ratio * 2.0 * G_STAR * scene.start.normal.radius();
-    scene.parameters = Parameters { rig_stiffness: stiffness, tolerance, ..scene.parameters };
-    scene.amplitude += scene.start.loading(scene.amplitude) / stiffness;
-    let contact = scene.begin();
+/// A life of 10⁴ cycles of the drive behind a rig of `ratio` times the stiffness of the sticking contact, which begins with
+/// c = 0.4 a₀; a body with a wider flat, which knows no such state, begins on the verge of gross slip.
+fn behind_a_rig(profile: Profile, normal_control: NormalControl, ratio: f64) -> Problem {
+    let start = exact(&profile, FORCE);
+    let a = start.normal.radius();
+    let stuck = NormalContact::at_radius(start.normal.shape(), E_STAR, 0.4 * a);
+    let own = start.slip_ratio() * (start.normal.depth() - stuck.depth());
+    let hardness = 8e9;
+    let wear_coefficient = PI * a * a * start.normal.depth() / (1e4 * MU * FORCE * own) * hardness;
+    let rig_stiffness = ratio * 2.0 * G_STAR * a;
+    let normal = if normal_control == Force { FORCE } else { start.normal.depth() };
+    Problem {
+        name: format!("{profile:?} behind a rig"),
+        parameters: Parameters {
+            profile,
+            normal_control,
+            wear_coefficient,
+            hardness,
+            rig_stiffness,
+            ..Parameters::default()
+        },
+        start,
+        normal,
+        amplitude: own + start.loading(own) / rig_stiffness,
+        checkpoints: Vec::new(),
+        history: History::Unknown,
+        end: None,
+    }
+}
+
+/// The ball.
+fn wearing(control: NormalControl, ratio: f64, tolerance: f64) -> (Problem, FrettingContact) {
+    let mut scene = behind_a_rig(BALL, control, ratio);
+    scene.parameters.tolerance = tolerance;
+    let contact = begun(&scene);
     (scene, contact)
 }
 
@@ -302,7 +332,7 @@ fn a_life_behind_a_rig_does_not_depend_on_how_it_is_asked_for() {
         let fine = life(1e-4, 1);
         let stepped = {
             let (scene, mut contact) = wearing(control, ratio, 1e-3);
-            scene.cycle(&mut contact, CYCLES, 4);
+            cycle(&scene, &mut contact, CYCLES, 4);
             contact
         };
         for (how, contact) in [("one", life(1e-3, 1)), ("forty", life(1e-3, 40)), ("strokes", stepped)] {
@@ -324,11 +354,9 @@ fn lived(
     (ratio, lives): (f64, f64),
     (tolerance, resolution): (f64, usize),
 ) -> FrettingContact {
-    let mut scene = WearScene::new(profile, Force, 1e4);
-    let rig_stiffness = ratio * 2.0 * G_STAR * scene.start.normal.radius();
-    scene.parameters = Parameters { rig_stiffness, tolerance, resolution, ..scene.parameters };
-    scene.amplitude += scene.start.loading(scene.amplitude) / rig_stiffness;
-    let mut contact = scene.begin();
+    let mut scene = behind_a_rig(profile, Force, ratio);
+    (scene.parameters.tolerance, scene.parameters.resolution) = (tolerance, resolution);
+    let mut contact = begun(&scene);
     contact.advance_cycles(scene.normal, scene.amplitude, 1e4 * lives).unwrap();
     contact
 }

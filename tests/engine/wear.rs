@@ -2,6 +2,7 @@
 //! gross slip, and the identity of worn volume and friction work.
 
 use crate::common::*;
+use fretting_contact::problems::Problem;
 use fretting_contact::reference::ConstantDepthEnd;
 use fretting_contact::reference::wear::worn_flat_radius;
 use fretting_contact::reference::wear_tables::{
@@ -17,9 +18,8 @@ use NormalControl::{Force, Indentation};
 const LIFE: usize = 200;
 const STEPS: usize = 40;
 
-fn end_of(scene: &WearScene) -> ConstantDepthEnd {
-    let a = scene.start.normal.radius();
-    ConstantDepthEnd::new(scene.start.normal.shape(), scene.start.normal.depth(), 0.4 * a)
+fn end_of(scene: &Problem) -> ConstantDepthEnd {
+    scene.end.expect("the depth is held")
 }
 
 /// The identities that hold in every scene. V = (k/σ₀) W by definition; the worn profile holds that volume, but for the
@@ -52,13 +52,13 @@ fn assert_stick_unworn(contact: &FrettingContact, what: &str) {
 
 #[test]
 fn constant_depth_by_plain_stepping_follows_the_table_and_does_not_move_the_stick_radius() {
-    let scene = WearScene::new(BALL, Indentation, LIFE as f64);
+    let scene = wear_scene(&BALL, Indentation, LIFE as f64);
     let c = 0.4 * scene.start.normal.radius();
-    let mut contact = scene.begin();
+    let mut contact = begun(&scene);
     let mut done = 0;
     for (cycles, volume) in PARABOLA_CONSTANT_DEPTH {
         let target = (cycles * LIFE as f64).round() as usize;
-        scene.cycle(&mut contact, target - done, STEPS);
+        cycle(&scene, &mut contact, target - done, STEPS);
         done = target;
         let measured = contact.wear_volume() / scene.volume_unit();
         println!(
@@ -77,10 +77,10 @@ fn constant_depth_by_plain_stepping_follows_the_table_and_does_not_move_the_stic
 
 #[test]
 fn constant_depth_by_plain_stepping_leaves_the_cone_below_its_final_volume() {
-    let scene = WearScene::new(CONE, Indentation, LIFE as f64);
+    let scene = wear_scene(&CONE, Indentation, LIFE as f64);
     let a = scene.start.normal.radius();
-    let mut contact = scene.begin();
-    scene.cycle(&mut contact, LIFE, STEPS);
+    let mut contact = begun(&scene);
+    cycle(&scene, &mut contact, LIFE, STEPS);
     let end = end_of(&scene).worn_volume();
     println!("stepping, cone: V = {} of V_inf at 1", contact.wear_volume() / end);
     assert!(contact.wear_volume() > 0.8 * end && contact.wear_volume() < 1.02 * end);
@@ -93,13 +93,13 @@ fn constant_depth_by_plain_stepping_leaves_the_cone_below_its_final_volume() {
 
 #[test]
 fn constant_depth_by_whole_cycles_follows_the_table_too() {
-    let scene = WearScene::new(BALL, Indentation, 1e4);
+    let scene = wear_scene(&BALL, Indentation, 1e4);
     let c = 0.4 * scene.start.normal.radius();
-    let mut contact = scene.begin();
+    let mut contact = begun(&scene);
     let mut done = 0.0;
     for (cycles, volume) in PARABOLA_CONSTANT_DEPTH {
         contact
-            .advance_cycles(scene.normal, scene.amplitude, (cycles - done) * scene.seed_cycles)
+            .advance_cycles(scene.normal, scene.amplitude, (cycles - done) * scene.seed_cycles())
             .expect("cycles");
         done = cycles;
         let measured = contact.wear_volume() / scene.volume_unit();
@@ -118,11 +118,11 @@ fn constant_depth_by_whole_cycles_follows_the_table_too() {
 #[test]
 fn the_final_state_at_constant_depth_is_the_closed_one() {
     for profile in [BALL, CONE] {
-        let scene = WearScene::new(profile.clone(), Indentation, 1e4);
+        let scene = wear_scene(&profile, Indentation, 1e4);
         let (a, d) = (scene.start.normal.radius(), scene.start.normal.depth());
         let end = end_of(&scene);
-        let mut contact = scene.begin();
-        contact.advance_cycles(scene.normal, scene.amplitude, 9.0 * scene.seed_cycles).expect("cycles");
+        let mut contact = begun(&scene);
+        contact.advance_cycles(scene.normal, scene.amplitude, 9.0 * scene.seed_cycles()).expect("cycles");
         let worst = (0..2000)
             .map(|k| 1.5 * a * f64::from(k) / 2000.0)
             .map(|r| {
@@ -156,7 +156,7 @@ fn the_final_state_at_constant_depth_is_the_closed_one() {
 }
 
 /// Compares a contact at +U₀ with a row of the table, all within 2 %.
-fn assert_row(contact: &FrettingContact, scene: &WearScene, row: &ConstantForceRow, what: &str) {
+fn assert_row(contact: &FrettingContact, scene: &Problem, row: &ConstantForceRow, what: &str) {
     let (a, d) = (scene.start.normal.radius(), scene.start.normal.depth());
     let pairs = [
         (contact.indentation_depth() / d, row.depth, "d"),
@@ -176,12 +176,12 @@ fn constant_force_by_plain_stepping_follows_the_tables() {
     for (profile, table, life) in
         [(BALL, PARABOLA_CONSTANT_FORCE, 1000.0), (CONE, CONE_CONSTANT_FORCE, 400.0)]
     {
-        let scene = WearScene::new(profile.clone(), Force, life);
-        let mut contact = scene.begin();
+        let scene = wear_scene(&profile, Force, life);
+        let mut contact = begun(&scene);
         let mut done = 0;
         for row in &table {
             let target = (row.cycles * life).round() as usize;
-            scene.cycle(&mut contact, target - done, STEPS);
+            cycle(&scene, &mut contact, target - done, STEPS);
             done = target;
             let mut top = contact.clone();
             to(&mut top, scene.normal, scene.amplitude);
@@ -195,8 +195,8 @@ fn constant_force_by_plain_stepping_follows_the_tables() {
 #[test]
 fn constant_force_by_whole_cycles_follows_the_tables() {
     for (profile, table) in [(BALL, PARABOLA_CONSTANT_FORCE), (CONE, CONE_CONSTANT_FORCE)] {
-        let scene = WearScene::new(profile.clone(), Force, 1e4);
-        let mut contact = scene.begin();
+        let scene = wear_scene(&profile, Force, 1e4);
+        let mut contact = begun(&scene);
         let mut done = 0.0;
         for row in &table {
             contact.advance_cycles(scene.normal, scene.amplitude, (row.cycles - done) * 1e4).expect("cycles");
@@ -328,11 +328,11 @@ fn without_wear_there_is_no_transform_whatever_happens() {
 fn largest_healing(
     profile: Profile,
     steps: usize,
-    mut next: impl FnMut(usize, &WearScene) -> (f64, f64),
+    mut next: impl FnMut(usize, &Problem) -> (f64, f64),
 ) -> f64 {
-    let mut scene = WearScene::new(profile, Force, 40.0);
+    let mut scene = wear_scene(&profile, Force, 40.0);
     scene.parameters.resolution = 32;
-    let mut contact = scene.begin();
+    let mut contact = begun(&scene);
     let radii: Vec<f64> = (0..60).map(|k| 1.6 * scene.start.normal.radius() * f64::from(k) / 60.0).collect();
     let mut before = vec![0.0; radii.len()];
     let mut most: f64 = 0.0;
@@ -371,9 +371,9 @@ fn wear_never_heals_at_any_probe() {
 /// Apart, the worn profile stays to the bit; pressed again, the contact is the same as without having been apart.
 #[test]
 fn contact_lost_and_found_keeps_the_worn_profile() {
-    let scene = WearScene::new(BALL, Force, 100.0);
-    let mut contact = scene.begin();
-    scene.cycle(&mut contact, 30, STEPS);
+    let scene = wear_scene(&BALL, Force, 100.0);
+    let mut contact = begun(&scene);
+    cycle(&scene, &mut contact, 30, STEPS);
     let probes: Vec<f64> = (0..50).map(|k| 4e-6 * f64::from(k)).collect();
     let depths = |c: &FrettingContact| probes.iter().map(|r| c.worn_depth_at(*r)).collect::<Vec<_>>();
     to(&mut contact, -5.0, 0.0);
@@ -406,10 +406,10 @@ fn contact_lost_and_found_keeps_the_worn_profile() {
 #[test]
 fn splitting_steps_changes_the_wear_within_the_tolerance() {
     for control in [Force, Indentation] {
-        let scene = WearScene::new(BALL, control, 100.0);
-        let (mut coarse, mut fine) = (scene.begin(), scene.begin());
-        scene.cycle(&mut coarse, 30, 40);
-        scene.cycle(&mut fine, 30, 400);
+        let scene = wear_scene(&BALL, control, 100.0);
+        let (mut coarse, mut fine) = (begun(&scene), begun(&scene));
+        cycle(&scene, &mut coarse, 30, 40);
+        cycle(&scene, &mut fine, 30, 400);
         let off = coarse.wear_volume() / fine.wear_volume() - 1.0;
         println!(
             "{control:?}: 40 against 400 steps a cycle: V {off:+.1e}, depth {:+.1e}",
@@ -429,9 +429,9 @@ fn splitting_steps_changes_the_wear_within_the_tolerance() {
 #[test]
 fn whole_cycles_agree_with_plain_stepping() {
     for control in [Force, Indentation] {
-        let scene = WearScene::new(CONE, control, 400.0);
-        let (mut stepped, mut averaged) = (scene.begin(), scene.begin());
-        scene.cycle(&mut stepped, 100, STEPS);
+        let scene = wear_scene(&CONE, control, 400.0);
+        let (mut stepped, mut averaged) = (begun(&scene), begun(&scene));
+        cycle(&scene, &mut stepped, 100, STEPS);
         averaged.advance_cycles(scene.normal, scene.amplitude, 100.0).expect("cycles");
         let off = stepped.wear_volume() / averaged.wear_volume() - 1.0;
         println!("{control:?}: stepping against cycles, V {off:+.1e}");
@@ -442,9 +442,9 @@ fn whole_cycles_agree_with_plain_stepping() {
 /// Counted work of known scenes: a loss of efficiency fails here, without a clock.
 #[test]
 fn the_counted_work_stays_bounded() {
-    let scene = WearScene::new(BALL, Indentation, LIFE as f64);
-    let mut stepped = scene.begin();
-    scene.cycle(&mut stepped, LIFE, STEPS);
+    let scene = wear_scene(&BALL, Indentation, LIFE as f64);
+    let mut stepped = begun(&scene);
+    cycle(&scene, &mut stepped, LIFE, STEPS);
     let counters = stepped.counters();
     println!("stepping: {counters}");
     assert_eq!(counters.steps, (LIFE * STEPS) as u64);
@@ -456,7 +456,7 @@ fn the_counted_work_stays_bounded() {
     assert_eq!(counters.pressure_transforms, 4 * counters.factorisations, "{counters}");
     assert!(counters.spring_walks <= counters.steps + 3 * updates, "{counters}");
     assert_eq!(counters.transform_tables, 0, "{counters}");
-    let mut averaged = scene.begin();
+    let mut averaged = begun(&scene);
     averaged.advance_cycles(scene.normal, scene.amplitude, 9.0 * LIFE as f64).expect("cycles");
     let counters = averaged.counters();
     println!("cycles: {counters}");
@@ -471,8 +471,8 @@ fn the_counted_work_stays_bounded() {
 #[test]
 fn a_step_that_outwears_the_contact_is_refused_and_leaves_it_usable() {
     for control in [Force, Indentation] {
-        let scene = WearScene::new(BALL, control, 0.02);
-        let mut contact = scene.begin();
+        let scene = wear_scene(&BALL, control, 0.02);
+        let mut contact = begun(&scene);
         let before = state(&contact);
         let error = contact.advance_to(scene.normal, 5.0 * scene.amplitude).expect_err("it wears too much");
         assert!(matches!(error, Error::WearOutrun { .. }), "{control:?}: {error}");

@@ -334,7 +334,7 @@ fn directional_derivatives_are_tangents_at_the_end_of_the_step() {
     let next = step(0.5e-6 + 1e-12);
     assert!(((next - force) / 1e-12 / tangent[0] - 1.0).abs() < 1e-3);
     let mean = force / 0.5e-6;
-    // physics.md: 2G*a (1 - θ)^(1/2) and μF [1 - (1 - θ)^(3/2)]/U at θ = 0.5/2.53755
+    // 2G*a (1 - θ)^(1/2) and μF [1 - (1 - θ)^(3/2)]/U at θ = 0.5/2.53755
     assert!((tangent[0] - 31.781e6).abs() < 1e4 && (mean - 33.66e6).abs() < 1e4, "{} {mean}", tangent[0]);
     assert!((tangent[0] / mean - 0.944).abs() < 1e-3, "{}", tangent[0] / mean);
 }

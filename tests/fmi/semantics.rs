@@ -7,7 +7,7 @@ use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
 #[test]
 fn with_nothing_set_it_is_the_steel_case() {
     let fmu = Fmu::started(|_| {});
-    // physics.md, section 3: Hertz in six digits.
+    // Hertz in six digits
     assert!((fmu.real("contact_radius") / 186.626e-6 - 1.0).abs() < 5e-6);
     assert!((fmu.real("indentation_depth") / 3.48291e-6 - 1.0).abs() < 5e-6);
     assert!((fmu.real("max_pressure") / 1.37088e9 - 1.0).abs() < 5e-6);

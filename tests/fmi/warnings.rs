@@ -102,7 +102,7 @@ fn a_contact_that_is_wide_for_its_body() {
 
 #[test]
 fn a_pressure_above_the_hardness() {
-    // physics.md: p0 = 1.37088 GPa
+    // p₀ = 1.37088 GPa
     let soft = run(real("hardness", 1.37e9), &[]);
     warned(&soft, &["1.371e9 Pa", "hardness = 1.37e9 Pa", "check hardness"]);
     assert_eq!(run(real("hardness", 1.38e9), &[]), [""; 0]);
@@ -147,7 +147,7 @@ fn a_rig_in_the_wrong_unit() {
 
 #[test]
 fn a_step_far_beyond_full_slip() {
-    // physics.md: u_max = 2.53755 µm
+    // u_max = 2.53755 µm
     warned(
         &run(real("wear_coefficient", 0.0), &[&[(X, 2.6e-4)], &[(X, -2.6e-4)]]),
         &["2.600e-4 m", "2.538e-6 m", "which is m"],
