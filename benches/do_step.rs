@@ -3,7 +3,8 @@
 //! `cargo bench --bench do_step`. The ball of the default parameters under 100 N, 100 steps a cycle.
 #![allow(missing_docs, reason = "criterion's macros")]
 
-#[path = "../tests/host/mod.rs"]
+#[path = "../tests/fmi/host.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
 mod host;
 
 use criterion::{Criterion, criterion_group, criterion_main};

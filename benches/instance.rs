@@ -3,9 +3,10 @@
 //!
 //! `cargo bench --bench instance`. Times are medians of repeats on this machine; bytes are what the allocator was asked for.
 
-#[path = "../tests/host/counting.rs"]
+#[path = "../tests/fmi/counting.rs"]
 mod counting;
-#[path = "../tests/host/mod.rs"]
+#[path = "../tests/fmi/host.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
 mod host;
 
 use counting::{Counting, allocations, live_bytes};

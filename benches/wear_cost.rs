@@ -5,7 +5,8 @@
 //! scene without wear, with next to none and with that of steel, one after the other in one run.
 //! Means of µs a step, and their ratio to the step without wear.
 
-#[path = "../tests/host/mod.rs"]
+#[path = "../tests/fmi/host.rs"]
+#[allow(dead_code, reason = "the tests use more of it")]
 mod host;
 
 use host::{Fmu, OK, reference};

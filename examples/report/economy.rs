@@ -1,8 +1,9 @@
 //! Scenes in which a contact can leave something out, run and counted.
 
 use crate::counting::{allocations, live_bytes};
-use fretting_contact::{Counters, Error, FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
-use std::f64::consts::{PI, TAU};
+use fretting_contact::problems::{PARABOLA, Problem};
+use fretting_contact::{Counters, Error, FrettingContact, NormalControl, Profile, ProfileTable};
+use std::f64::consts::TAU;
 use std::time::Instant;
 
 /// Steps of a cycle.
@@ -11,10 +12,6 @@ pub(crate) const CYCLE: u32 = 40;
 const WARM: u32 = 50;
 /// Steps that are counted: 25 cycles.
 pub(crate) const STEPS: u32 = 1000;
-/// Load of the steel ball of 10 mm, N.
-const FORCE: f64 = 100.0;
-/// Depth of the same, m.
-const DEPTH: f64 = 3.482_911e-6;
 /// N₀ of wear so slow that the profile need not follow within what is counted, and so fast that it
 /// must.
 const SLOW: f64 = 1e9;
@@ -69,7 +66,7 @@ pub(crate) const ALL: [(Work, &str); 7] = [
 
 pub(crate) struct Scene {
     pub(crate) name: &'static str,
-    pub(crate) parameters: Parameters,
+    problem: Problem,
     pub(crate) drive: Drive,
     pub(crate) reads: Reads,
     /// What has to be none at all.
@@ -111,30 +108,28 @@ const NOTHING: &[Work] = &[
 
 /// All scenes.
 pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
-    let ball = |wear_coefficient| Parameters { wear_coefficient, ..Parameters::default() };
-    let held = |wear_coefficient| Parameters {
-        normal_control: NormalControl::Indentation,
-        ..ball(wear_coefficient)
-    };
-    let (none, slow, fast) = (ball(0.0), ball(coefficient(SLOW)), ball(coefficient(FAST)));
-    let table = Parameters { profile: table()?, ..none.clone() };
+    let [[none, slow, fast], [held_none, held_slow, held_fast]] =
+        [NormalControl::Force, NormalControl::Indentation]
+            .map(|control| [f64::INFINITY, SLOW, FAST].map(|cycles| ball(control, cycles)));
+    let mut table = none.clone();
+    table.parameters.profile = sampled_ball()?;
     let stick = Drive::Cycles { amplitude: 1e-12, swing: 0.0 };
     let partial = Drive::Cycles { amplitude: 0.6, swing: 0.0 };
     let gross = Drive::Cycles { amplitude: 2.0, swing: 0.0 };
     let swings = Drive::Cycles { amplitude: 0.6, swing: 0.3 };
     let one = Drive::InOneCall { amplitude: 0.6 };
-    let list: [(&'static str, &Parameters, Drive, Reads, &'static [Work]); 26] = [
+    let list: [(&'static str, &Problem, Drive, Reads, &'static [Work]); 26] = [
         ("nothing moves", &none, Drive::Still, Reads::Nothing, NOTHING),
         ("bodies apart", &none, Drive::Apart, Reads::Nothing, SAME_LOAD),
         ("full stick", &none, stick, Reads::Nothing, SAME_LOAD),
         ("partial slip", &none, partial, Reads::Nothing, SAME_LOAD),
         ("partial slip, scalars read", &none, partial, Reads::Scalars, SAME_LOAD),
         ("partial slip, pressure read", &none, partial, Reads::Pressure, &SAME_LOAD[..5]),
-        ("partial slip, depth held", &held(0.0), partial, Reads::Nothing, SAME_LOAD),
+        ("partial slip, depth held", &held_none, partial, Reads::Nothing, SAME_LOAD),
         ("partial slip, table of 1e4 points", &table, partial, Reads::Nothing, SAME_LOAD),
         ("gross slip", &none, gross, Reads::Nothing, SAME_LOAD),
         ("load varies", &none, swings, Reads::Nothing, NO_WEAR),
-        ("depth varies", &held(0.0), swings, Reads::Nothing, NO_WEAR),
+        ("depth varies", &held_none, swings, Reads::Nothing, NO_WEAR),
         ("load varies, table of 1e4 points", &table, swings, Reads::Nothing, NO_WEAR),
         ("25 cycles in one call", &none, one, Reads::Nothing, &NO_WEAR[..4]),
         ("nothing moves, wear", &slow, Drive::Still, Reads::Nothing, NOTHING),
@@ -145,15 +140,15 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
         ("partial slip, slow wear, worn depth read", &slow, partial, Reads::WornDepth, &[]),
         ("gross slip, slow wear", &slow, gross, Reads::Nothing, SAME_LOAD),
         ("load varies, slow wear", &slow, swings, Reads::Nothing, NO_WEAR),
-        ("depth varies, slow wear", &held(coefficient(SLOW)), swings, Reads::Nothing, NO_WEAR),
+        ("depth varies, slow wear", &held_slow, swings, Reads::Nothing, NO_WEAR),
         ("partial slip, fast wear", &fast, partial, Reads::Nothing, &[]),
-        ("partial slip, fast wear, depth held", &held(coefficient(FAST)), partial, Reads::Nothing, &[]),
+        ("partial slip, fast wear, depth held", &held_fast, partial, Reads::Nothing, &[]),
         ("load varies, fast wear", &fast, swings, Reads::Nothing, &[]),
         ("25 cycles in one call, fast wear", &fast, one, Reads::Nothing, &[]),
     ];
-    let scene = |(name, parameters, drive, reads, leaves_out): (_, &Parameters, _, _, _)| Scene {
+    let scene = |(name, problem, drive, reads, leaves_out): (_, &Problem, _, _, _)| Scene {
         name,
-        parameters: parameters.clone(),
+        problem: problem.clone(),
         drive,
         reads,
         leaves_out,
@@ -161,21 +156,13 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
     Ok(list.into_iter().map(scene).collect())
 }
 
-/// The coefficient that makes N₀ = π a₀² d₀ σ₀/(k μ F_N U₀) so many cycles at 0.6 u_max.
-fn coefficient(cycles: f64) -> f64 {
-    let Parameters { hardness, friction_coefficient, .. } = Parameters::default();
-    let (radius, slip) = (1.866_26e-4, 0.6 * full_slip());
-    PI * radius * radius * DEPTH * hardness / (cycles * friction_coefficient * FORCE * slip)
-}
-
-/// u_max of the ball, m.
-fn full_slip() -> f64 {
-    let Parameters { materials, friction_coefficient, .. } = Parameters::default();
-    friction_coefficient * DEPTH * materials.normal_modulus() / materials.tangential_modulus()
+/// The ball at 0.6 u_max, which is 1 − c₀²/a₀², whose N₀ is so many cycles; ∞ is without wear.
+fn ball(control: NormalControl, cycles: f64) -> Problem {
+    Problem::partial_slip(PARABOLA, control, 0.4_f64.sqrt()).with_seed_cycles(cycles)
 }
 
 /// The ball as a table.
-fn table() -> Result<Profile, Error> {
+fn sampled_ball() -> Result<Profile, Error> {
     let points = (0..10_000).map(|i| {
         let r = 4e-4 * f64::from(i) / 9999.0;
         (r, r * r / 0.02)
@@ -184,28 +171,19 @@ fn table() -> Result<Profile, Error> {
 }
 
 impl Scene {
-    fn normal(&self) -> f64 {
-        match self.parameters.normal_control {
-            NormalControl::Force => FORCE,
-            NormalControl::Indentation => DEPTH,
-        }
-    }
-
     /// Steps from the `from`-th on.
     fn run(&self, contact: &mut FrettingContact, from: u32, steps: u32) -> Result<(), Error> {
-        let normal = self.normal();
+        let (normal, full_slip) = (self.problem.normal, self.problem.start.full_slip());
         if let Drive::InOneCall { amplitude } = self.drive {
-            return contact.advance_cycles(normal, amplitude * full_slip(), f64::from(steps / CYCLE));
+            return contact.advance_cycles(normal, amplitude * full_slip, f64::from(steps / CYCLE));
         }
         for k in from + 1..=from + steps {
             let phase = TAU * f64::from(k % CYCLE) / f64::from(CYCLE);
             match self.drive {
                 Drive::Still => contact.advance_to(normal, 0.0)?,
                 Drive::Apart => contact.advance_to(-normal, 1e-6 * phase.sin())?,
-                Drive::Cycles { amplitude, swing } => contact.advance_to(
-                    normal * (1.0 + swing * phase.cos()),
-                    amplitude * full_slip() * phase.sin(),
-                )?,
+                Drive::Cycles { amplitude, swing } => contact
+                    .advance_to(normal * (1.0 + swing * phase.cos()), amplitude * full_slip * phase.sin())?,
                 Drive::InOneCall { .. } => {}
             }
             self.read(contact);
@@ -231,8 +209,7 @@ impl Scene {
     /// Runs the scene; `repeats` runs of the same steps are timed.
     pub(crate) fn measure(&self, repeats: usize) -> Result<Measured, Error> {
         let held = live_bytes();
-        let mut contact = FrettingContact::new(self.parameters.clone())?;
-        contact.start_at(self.normal(), 0.0)?;
+        let mut contact = self.problem.begin()?;
         self.run(&mut contact, 0, WARM * CYCLE)?;
         let warm = contact.clone();
         let (counters, requests) = (*contact.counters(), allocations());

@@ -3,7 +3,7 @@
 //!
 //! `cargo run --release --no-default-features --example left_out [-- folder]`
 
-#[path = "../../tests/host/counting.rs"]
+#[path = "../../tests/fmi/counting.rs"]
 mod counting;
 mod economy;
 mod machine;
@@ -86,7 +86,7 @@ fn page(lines: &[(Scene, Measured)]) -> String {
         text,
         "Counted over {STEPS} steps, 25 cycles, after 50 cycles. A dash: none, as it has to be. Memory is that of the contact at the end, \
          without that of the table of a profile, which clones share. Time is the median of {REPEATS} runs, with the least and the most. \
-         Slow wear: N₀ = 1e9 cycles; fast: 1e3. The same is asserted by `cargo test --test left_out`, without the times.\n"
+         Slow wear: N₀ = 1e9 cycles; fast: 1e3. The same is asserted by `cargo test --test reports left_out`, without the times.\n"
     );
     let names = ALL.map(|(_, name)| name).join(" | ");
     let _ =

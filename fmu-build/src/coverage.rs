@@ -24,9 +24,10 @@ const SKIPPED: &str = "the_library_exports_the_functions_and_nothing_else";
 /// Lines of a file with how often they ran.
 type Lines = BTreeMap<usize, u64>;
 
-/// Runs the tests of the library, or of some of its files of tests; prints the lines that none of
-/// them runs, and the shares. An error below the least, or where a test fails.
-pub(crate) fn run(workspace: &Workspace, environment: &Environment, files: &[String]) -> Result<()> {
+/// Runs the tests of the library, or some of its test programs, or modules of these as in
+/// `fmi::bad_input`; prints the lines that none of them runs, and the shares. An error below the
+/// least, or where a test fails.
+pub(crate) fn run(workspace: &Workspace, environment: &Environment, some: &[String]) -> Result<()> {
     let (merge, export) = (tool("llvm-profdata")?, tool("llvm-cov")?);
     let directory = workspace.product("coverage");
     let profiles = directory.join("profiles");
@@ -36,10 +37,10 @@ pub(crate) fn run(workspace: &Workspace, environment: &Environment, files: &[Str
     let tests = |more: &[&str]| {
         let mut cargo = workspace.cargo();
         cargo.args(["test", "--locked", "--package", "fretting_contact"]);
-        if files.is_empty() {
+        if some.is_empty() {
             cargo.args(["--lib", "--tests"]);
         }
-        cargo.args(files.iter().flat_map(|file| ["--test", file]));
+        cargo.args(some.iter().flat_map(|name| ["--test", program_and_module(name).0]));
         cargo.args(more).arg("--target-dir").arg(&directory);
         cargo.envs(environment.iter().map(|(name, value)| (name, value)));
         cargo.env("RUSTFLAGS", "-Cinstrument-coverage").env_remove("CARGO_ENCODED_RUSTFLAGS");
@@ -58,6 +59,7 @@ pub(crate) fn run(workspace: &Workspace, environment: &Environment, files: &[Str
     let tested = progress::shown("Tests of the library", || {
         let mut cargo = tests(&["--no-fail-fast"]);
         cargo.args(["--", "--skip", SKIPPED]);
+        cargo.args(some.iter().filter_map(|name| program_and_module(name).1));
         run_shown(cargo)
     });
     let covered = progress::quiet("Merging the counters", |step| {
@@ -80,6 +82,11 @@ pub(crate) fn run(workspace: &Workspace, environment: &Environment, files: &[Str
     })?;
     report(&covered)?;
     tested
+}
+
+/// `fmi` and `bad_input` of `fmi::bad_input`; a program alone has no module.
+fn program_and_module(name: &str) -> (&str, Option<&str>) {
+    name.split_once("::").map_or((name, None), |(program, module)| (program, Some(module)))
 }
 
 /// Prints what is missed, and judges the parts.
@@ -212,6 +219,12 @@ mod tests {
         assert!(report(&files(95)).is_ok());
         let message = report(&files(94)).unwrap_err().to_string();
         assert!(message.contains("the engine") && !message.contains("fmi2"), "{message}");
+    }
+
+    #[test]
+    fn a_module_is_named_behind_its_program() {
+        assert_eq!(program_and_module("fmi"), ("fmi", None));
+        assert_eq!(program_and_module("fmi::bad_input"), ("fmi", Some("bad_input")));
     }
 
     #[test]

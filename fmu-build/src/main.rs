@@ -128,7 +128,8 @@ enum Task {
     /// Run the tests of the library with counters: lines that none of them runs; an error below 95
     /// %
     Coverage {
-        /// Files of tests, such as fmi_bad_input; all tests of the library if none is given
+        /// Test programs, such as engine, or modules of them, such as fmi::bad_input; all tests if
+        /// none is given
         tests: Vec<String>,
     },
     /// Make what is published, under target/dist: FMU for three platforms, presets, notes,

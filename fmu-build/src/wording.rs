@@ -15,7 +15,7 @@ const LONGEST: usize = 100;
 const ENDINGS: [&str; 6] = ["md", "rs", "py", "c", "html", "toml"];
 
 /// Folders whose Rust comments keep to [`LONGEST`]; those of the engine follow with its rewrite.
-const WRAPPED: [&str; 4] = ["fmu-build", "src/fmi2", "examples/rust", "tests/model_description"];
+const WRAPPED: [&str; 4] = ["fmu-build", "src/fmi2", "examples/rust", "tests/documents"];
 
 /// The findings in some files below `root`, each with its place and what to write instead.
 pub(crate) fn findings(root: &Path, files: &[PathBuf]) -> Result<Vec<String>> {

@@ -2,7 +2,7 @@
 //! caught at the C interface or not, ends the run.
 #![no_main]
 
-#[path = "../../tests/calls/mod.rs"]
+#[path = "../../tests/fmi/calls/mod.rs"]
 mod calls;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| calls::run(bytes));

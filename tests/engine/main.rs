@@ -1,0 +1,25 @@
+//! The engine through the public interface of the library: against closed forms, plain rows of
+//! springs and published tables, and in what holds for any history.
+
+mod common;
+mod derivatives;
+mod end_of_the_table;
+mod invariants;
+mod loops;
+mod normal_contact;
+mod own_states;
+mod planar;
+mod planar_derivatives;
+mod planar_rig;
+mod planar_state;
+mod planar_wear;
+mod problems;
+mod profile_files;
+mod random_wear;
+mod ranges;
+mod readout;
+mod retune;
+mod rig;
+mod snapshot;
+mod varying_load;
+mod wear;

@@ -1,0 +1,213 @@
+//! Wear under histories that repeat nothing, against a row of springs stepped explicitly.
+
+use crate::common::*;
+use fretting_contact::reference::{TangentialContact, WearingRow};
+use fretting_contact::{FrettingContact, NormalControl, Parameters};
+use std::f64::consts::PI;
+
+/// Ends of straight lines, as shares of the usual force and of u_max.
+type History = Vec<(f64, f64)>;
+
+/// The ball under the usual force, N₀ = 300 at 0.6 u_max: a stroke wears up to a third of a percent of a life.
+fn begin(parameters: &Parameters, cells: usize) -> (FrettingContact, WearingRow) {
+    let start = exact(&BALL, FORCE);
+    let (a, d) = (start.normal.radius(), start.normal.depth());
+    let wear_per_work = std::f64::consts::PI * a * a * d / (300.0 * 0.6 * MU * FORCE * start.full_slip());
+    let parameters =
+        Parameters { wear_coefficient: wear_per_work * parameters.hardness, ..parameters.clone() };
+    let mut contact = contact(parameters);
+    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    let radius = a * a / d;
+    let mut row =
+        WearingRow::new(|x| x * x / radius, (2.0 * a, cells), (E_STAR, G_STAR), (MU, wear_per_work));
+    row.walk(FORCE, 0.0, 1);
+    (contact, row)
+}
+
+/// What the two make of a history, side by side.
+#[derive(Debug)]
+struct Outcome {
+    /// V of the engine over that of the row, less 1.
+    volume: f64,
+    /// Largest difference of the worn profile, d₀.
+    profile: f64,
+    /// Largest difference of T at the ends of lines, μF_N.
+    force: f64,
+}
+
+impl Outcome {
+    /// What the README promises at default settings; the row itself is good to some 2e-3.
+    #[track_caller]
+    fn assert_within_a_percent(&self) {
+        assert!(self.volume.abs() < 1e-2 && self.profile < 1e-2 && self.force < 1e-2, "{self:?}");
+    }
+}
+
+fn compare(parameters: &Parameters, (cells, steps): (usize, usize), history: &History) -> Outcome {
+    let start: TangentialContact = exact(&BALL, FORCE);
+    let (mut contact, mut row) = begin(parameters, cells);
+    let mut force = 0.0_f64;
+    for &(load, place) in history {
+        let (normal, displacement) = (load * FORCE, place * start.full_slip());
+        to(&mut contact, normal, displacement);
+        row.walk(normal, displacement, steps);
+        force = force.max((contact.tangential_force() - row.tangential_force()).abs() / (MU * normal));
+    }
+    let profile = row.worn_profile().map(|(r, w)| (contact.worn_depth_at(r) - w).abs()).fold(0.0, f64::max);
+    let missed = contact.profile_volume() / contact.wear_volume() - 1.0;
+    assert!(missed.abs() < 1e-3, "the profile misses {missed:e} of the volume");
+    let volume = contact.wear_volume() / row.worn_volume() - 1.0;
+    let outcome = Outcome { volume, profile: profile / start.normal.depth(), force };
+    println!("{outcome:?}; {}", contact.counters());
+    outcome
+}
+
+fn usual() -> Parameters {
+    Parameters { normal_control: NormalControl::Force, ..Parameters::default() }
+}
+
+/// To and fro, each line to a random place between the given shares of u_max under a random share of the load.
+fn random(lines: usize, loads: (f64, f64), amplitudes: (f64, f64)) -> History {
+    let mut random = seeded(21);
+    let side = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
+    let mut share = |(low, high): (f64, f64)| if low < high { uniform(&mut random, low, high) } else { low };
+    (0..lines).map(|n| (share(loads), side(n) * share(amplitudes))).collect()
+}
+
+#[test]
+fn random_amplitudes_at_constant_load() {
+    let history = random(300, (1.0, 1.0), (0.1, 0.9));
+    let outcome = compare(&usual(), (240, 24), &history);
+    outcome.assert_within_a_percent();
+}
+
+#[test]
+fn random_amplitudes_under_random_loads() {
+    let history = random(300, (0.5, 1.5), (0.1, 0.9));
+    let outcome = compare(&usual(), (240, 24), &history);
+    outcome.assert_within_a_percent();
+}
+
+#[test]
+fn random_gross_slip_converges_with_the_tolerance() {
+    let history = random(150, (1.0, 1.0), (0.1, 1.6));
+    let at = |tolerance: f64| compare(&Parameters { tolerance, ..usual() }, (240, 40), &history);
+    let (coarse, fine) = (at(1e-3), at(2e-4));
+    fine.assert_within_a_percent();
+    assert!(fine.volume.abs() < 0.7 * coarse.volume.abs(), "{coarse:?} {fine:?}");
+    assert!(fine.profile < 0.7 * coarse.profile, "{coarse:?} {fine:?}");
+}
+
+/// Small cycles about a place to which a larger motion has brought the body: what sticks keeps the load of that motion.
+#[test]
+fn cycles_about_a_mean_keep_the_mean_force() {
+    let mut history = vec![(1.0, 0.9)];
+    history.extend((0..200).map(|n| (1.0, if n % 2 == 0 { 0.2 } else { 0.9 })));
+    let outcome = compare(&usual(), (240, 24), &history);
+    outcome.assert_within_a_percent();
+}
+
+/// A block of many strokes of one amplitude, then of another, and so on, as fatigue tests are made of.
+#[test]
+fn blocks_of_steady_amplitudes() {
+    let mut history = Vec::new();
+    for amplitude in [0.5, 0.8, 0.3, 0.7] {
+        history.extend((0..60).map(|n| (1.0, if n % 2 == 0 { amplitude } else { -amplitude })));
+    }
+    let outcome = compare(&usual(), (240, 24), &history);
+    outcome.assert_within_a_percent();
+}
+
+/// Load and displacement in step, as under a turning blade.
+#[test]
+fn load_and_displacement_in_step() {
+    let mut history = Vec::new();
+    for k in 1..=2000 {
+        let phase = std::f64::consts::PI * f64::from(k) / 20.0;
+        history.push((1.0 + 0.3 * (phase + 0.5).sin(), 0.7 * phase.sin()));
+    }
+    let outcome = compare(&usual(), (240, 2), &history);
+    outcome.assert_within_a_percent();
+}
+
+/// Gross slip wears a ball flat all over, then smaller and smaller strokes go on at its edge, which updates at rest know to a cell
+/// only: whatever is made of that edge decides which springs slip.
+#[test]
+fn blocks_that_shrink_from_gross_slip() {
+    let mut history = Vec::new();
+    for amplitude in [2.0, 0.9, 0.5, 0.1] {
+        history.extend((0..20).map(|n| (1.0, if n % 2 == 0 { amplitude } else { -amplitude })));
+    }
+    let outcome = compare(&usual(), (240, 60), &history);
+    // as the README says of gross slip amid strokes; the volume keeps what it says of the others
+    assert!(outcome.volume.abs() < 1e-2 && outcome.profile < 2e-2 && outcome.force < 2e-2, "{outcome:?}");
+}
+
+/// The rim of a flat punch wears off at once where all slips, again and again: every step is taken, and all that wears shows on the profile.
+#[test]
+fn a_flat_punch_to_and_fro_in_gross_slip() {
+    let start = exact(&PUNCH, FORCE);
+    let full = start.full_slip();
+    let wear_per_work =
+        PI * start.normal.radius().powi(2) * start.normal.depth() / (60.0 * MU * FORCE * full);
+    for (resolution, seed) in [(32, 2), (64, 0), (64, 6)] {
+        let mut contact = contact(Parameters {
+            profile: PUNCH,
+            wear_coefficient: wear_per_work * Parameters::default().hardness,
+            resolution,
+            ..Parameters::default()
+        });
+        contact.start_at(FORCE, 0.0).unwrap();
+        let mut random = seeded(seed);
+        for _ in 0..200 {
+            let (place, load) = (uniform(&mut random, -3.0, 3.0), uniform(&mut random, 0.7, 1.3));
+            contact.advance_to(load * FORCE, place * full).unwrap();
+        }
+        let (volume, on_profile) = (contact.wear_volume(), contact.profile_volume());
+        close_to(volume, wear_per_work * contact.dissipated_energy(), 1e-12, "by the work");
+        close_to(on_profile, volume, 1e-3, "on the profile");
+    }
+}
+
+/// Depth and displacement vary together, 20 cycles of 16 lines, ahead of each other by parts of a
+/// cycle, against a row of springs extrapolated to no spacing, which is good to some 1e-3.
+#[test]
+fn a_varying_depth_wears_as_an_explicit_row_of_springs() {
+    let (depth, radius, wear_per_work) = (3.48291e-6, 0.01, 4e-11);
+    let full_slip = MU * E_STAR / G_STAR * depth;
+    for (name, phase, amplitude) in [
+        ("in phase", 0.0, 0.6),
+        ("a quarter ahead", 0.25, 0.6),
+        ("anti-phase", 0.5, 0.6),
+        ("gross slip", 0.25, 1.2),
+    ] {
+        let depth = |k: f64| depth * (0.7 + 0.3 * (2.0 * PI * (k / 16.0 + phase)).sin());
+        let place = |k: f64| amplitude * full_slip * (2.0 * PI * k / 16.0).sin();
+        let row = |cells: usize, steps: usize| {
+            let edge = 1.5 * (3.48291e-6f64 * radius).sqrt();
+            let mut row =
+                WearingRow::new(|x| x * x / radius, (edge, cells), (E_STAR, G_STAR), (MU, wear_per_work));
+            row.walk_to_depth(depth(0.0), 0.0, 1);
+            (1..=320).map(f64::from).for_each(|k| row.walk_to_depth(depth(k), place(k), steps));
+            row.worn_volume()
+        };
+        let exact = 2.0 * row(240, 24) - row(120, 12);
+        for (tolerance, most) in [(1e-3, 5e-3), (1e-4, 1.5e-3)] {
+            let parameters =
+                Parameters { normal_control: NormalControl::Indentation, tolerance, ..Parameters::default() };
+            let wear_coefficient = wear_per_work * parameters.hardness;
+            let mut contact = contact(Parameters { wear_coefficient, ..parameters });
+            contact.start_at(depth(0.0), 0.0).expect("a ball can be pressed");
+            (1..=320).map(f64::from).for_each(|k| to(&mut contact, depth(k), place(k)));
+            let volume = contact.wear_volume() / exact - 1.0;
+            let on_profile = contact.profile_volume() / contact.wear_volume() - 1.0;
+            println!(
+                "{name}, {tolerance:e}: V {:+.2} %, on the profile {on_profile:+.1e}; {}",
+                100.0 * volume,
+                contact.counters()
+            );
+            assert!(volume.abs() < most, "{name}: {volume:e}");
+            assert!(on_profile.abs() < 1e-3, "{name}: {on_profile:e}");
+        }
+    }
+}

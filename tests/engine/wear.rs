@@ -1,0 +1,512 @@
+//! Wear against what is known of it: the final state and the way there at constant depth, the tables at constant force,
+//! gross slip, and the identity of worn volume and friction work.
+
+use crate::common::*;
+use fretting_contact::problems::Problem;
+use fretting_contact::reference::ConstantDepthEnd;
+use fretting_contact::reference::wear::worn_flat_radius;
+use fretting_contact::reference::wear_tables::{
+    CONE_CONSTANT_FORCE, ConstantForceRow, FLAT_PUNCH_GROSS_SLIP, PARABOLA_CONSTANT_DEPTH,
+    PARABOLA_CONSTANT_FORCE, SPHERE_GROSS_SLIP,
+};
+use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile};
+use std::f64::consts::PI;
+
+use NormalControl::{Force, Indentation};
+
+/// Cycles of the transient scenes to Ñ = 1, and steps of each.
+const LIFE: usize = 200;
+const STEPS: usize = 40;
+
+fn end_of(scene: &Problem) -> ConstantDepthEnd {
+    scene.end.expect("the depth is held")
+}
+
+/// The identities that hold in every scene. V = (k/σ₀) W by definition; the worn profile holds that volume, but for the
+/// clipping of rounding and the outermost cell; what the transforms alone miss of the work is put right at each update,
+/// and known.
+#[track_caller]
+fn assert_volumes_agree(contact: &FrettingContact, defect: f64, what: &str) {
+    let per_work = contact.parameters().wear_per_work();
+    assert_eq!(contact.wear_volume(), per_work * contact.dissipated_energy(), "{what}");
+    let missed = (contact.profile_volume() / contact.wear_volume() - 1.0).abs();
+    let share = contact.transform_defect() / contact.dissipated_energy();
+    let clipped = contact.clipped_work() / contact.dissipated_energy();
+    println!(
+        "{what}: profile misses {missed:.1e}, transforms {share:.1e}, clipped {clipped:.1e} of the work"
+    );
+    assert!(missed <= 1e-3, "{what}: the profile misses {missed:e} of the volume");
+    assert!(share <= defect, "{what}: the transforms miss {share:e} of the work");
+}
+
+/// Nothing wears where every spring sticks: exactly nothing, also between the probes.
+#[track_caller]
+fn assert_stick_unworn(contact: &FrettingContact, what: &str) {
+    let c = contact.stick_radius();
+    for k in 0..1000 {
+        let r = c * f64::from(k) / 1000.0;
+        assert_eq!(contact.worn_depth_at(r), 0.0, "{what}: worn at r = {r:e} inside c = {c:e}");
+    }
+    assert!(contact.worn_depth_at(1.05 * c) > 0.0, "{what}: not worn outside c");
+}
+
+#[test]
+fn constant_depth_by_plain_stepping_follows_the_table_and_does_not_move_the_stick_radius() {
+    let scene = wear_scene(&BALL, Indentation, LIFE as f64);
+    let c = 0.4 * scene.start.normal.radius();
+    let mut contact = begun(&scene);
+    let mut done = 0;
+    for (cycles, volume) in PARABOLA_CONSTANT_DEPTH {
+        let target = (cycles * LIFE as f64).round() as usize;
+        cycle(&scene, &mut contact, target - done, STEPS);
+        done = target;
+        let measured = contact.wear_volume() / scene.volume_unit();
+        println!(
+            "stepping, parabola at {cycles}: V = {measured:.5} against {volume}, {:+.2e}",
+            measured / volume - 1.0
+        );
+        close_to(measured, volume, 0.02, &format!("V at {cycles}"));
+        let mut top = contact.clone();
+        to(&mut top, scene.normal, scene.amplitude);
+        close_to(top.stick_radius(), c, 1e-9, &format!("c at {cycles}"));
+        assert_stick_unworn(&top, "parabola");
+    }
+    assert_volumes_agree(&contact, 5e-3, "stepping, parabola at constant depth");
+    println!("{}", contact.counters());
+}
+
+#[test]
+fn constant_depth_by_plain_stepping_leaves_the_cone_below_its_final_volume() {
+    let scene = wear_scene(&CONE, Indentation, LIFE as f64);
+    let a = scene.start.normal.radius();
+    let mut contact = begun(&scene);
+    cycle(&scene, &mut contact, LIFE, STEPS);
+    let end = end_of(&scene).worn_volume();
+    println!("stepping, cone: V = {} of V_inf at 1", contact.wear_volume() / end);
+    assert!(contact.wear_volume() > 0.8 * end && contact.wear_volume() < 1.02 * end);
+    to(&mut contact, scene.normal, scene.amplitude);
+    close_to(contact.stick_radius(), 0.4 * a, 1e-9, "c");
+    assert_stick_unworn(&contact, "cone");
+    assert_volumes_agree(&contact, 3e-2, "stepping, cone at constant depth");
+    println!("{}", contact.counters());
+}
+
+#[test]
+fn constant_depth_by_whole_cycles_follows_the_table_too() {
+    let scene = wear_scene(&BALL, Indentation, 1e4);
+    let c = 0.4 * scene.start.normal.radius();
+    let mut contact = begun(&scene);
+    let mut done = 0.0;
+    for (cycles, volume) in PARABOLA_CONSTANT_DEPTH {
+        contact
+            .advance_cycles(scene.normal, scene.amplitude, (cycles - done) * scene.seed_cycles())
+            .expect("cycles");
+        done = cycles;
+        let measured = contact.wear_volume() / scene.volume_unit();
+        println!(
+            "cycles, parabola at {cycles}: V = {measured:.5} against {volume}, {:+.2e}",
+            measured / volume - 1.0
+        );
+        close_to(measured, volume, 0.02, &format!("V at {cycles}"));
+        close_to(contact.stick_radius(), c, 1e-9, "c");
+        assert_stick_unworn(&contact, "parabola, cycles");
+    }
+    assert_volumes_agree(&contact, 1e-2, "cycles, parabola at constant depth");
+    println!("{}", contact.counters());
+}
+
+#[test]
+fn the_final_state_at_constant_depth_is_the_closed_one() {
+    for profile in [BALL, CONE] {
+        let scene = wear_scene(&profile, Indentation, 1e4);
+        let (a, d) = (scene.start.normal.radius(), scene.start.normal.depth());
+        let end = end_of(&scene);
+        let mut contact = begun(&scene);
+        contact.advance_cycles(scene.normal, scene.amplitude, 9.0 * scene.seed_cycles()).expect("cycles");
+        let worst = (0..2000)
+            .map(|k| 1.5 * a * f64::from(k) / 2000.0)
+            .map(|r| {
+                let worn = if r <= 0.4 * a || r >= end.outer_radius() { 0.0 } else { end.worn_depth(r) };
+                (contact.worn_depth_at(r) - worn).abs() / d
+            })
+            .fold(0.0, f64::max);
+        println!(
+            "final {profile:?}: sup error {worst:.2e} d0, V/V_inf - 1 = {:+.2e}, a/a_inf - 1 = {:+.2e}",
+            contact.wear_volume() / end.worn_volume() - 1.0,
+            contact.contact_radius() / end.outer_radius() - 1.0
+        );
+        println!(
+            "F/F_inf - 1 = {:+.2e}, T: {:+.2e}, deepest {:+.2e}",
+            contact.normal_reaction() / end.normal_force(E_STAR) - 1.0,
+            contact.tangential_force() / end.tangential_force(G_STAR, scene.amplitude) - 1.0,
+            contact.wear_depth() / end.deepest_wear().1 - 1.0
+        );
+        assert!(worst <= 5e-3, "{profile:?}: {worst:e} d0");
+        close_to(contact.wear_volume(), end.worn_volume(), 5e-3, "V");
+        // in the end g = d all over the slip zone, to the tolerance: where they cross last is ill-defined
+        close_to(contact.contact_radius(), end.outer_radius(), 0.05, "a");
+        close_to(contact.normal_reaction(), end.normal_force(E_STAR), 5e-3, "F_N");
+        close_to(contact.tangential_force(), end.tangential_force(G_STAR, scene.amplitude), 5e-3, "T");
+        close_to(contact.wear_depth(), end.deepest_wear().1, 5e-3, "deepest wear");
+        close_to(contact.stick_radius(), 0.4 * a, 1e-9, "c");
+        assert_stick_unworn(&contact, "final state");
+        assert_volumes_agree(&contact, 1e-2, &format!("{profile:?} to the final state"));
+        println!("{}", contact.counters());
+    }
+}
+
+/// Compares a contact at +U₀ with a row of the table, all within 2 %.
+fn assert_row(contact: &FrettingContact, scene: &Problem, row: &ConstantForceRow, what: &str) {
+    let (a, d) = (scene.start.normal.radius(), scene.start.normal.depth());
+    let pairs = [
+        (contact.indentation_depth() / d, row.depth, "d"),
+        (contact.stick_radius() / a, row.stick_radius, "c"),
+        (contact.wear_volume() / scene.volume_unit(), row.volume, "V"),
+        (contact.wear_depth() / d, row.deepest, "deepest"),
+    ];
+    let offs: Vec<String> = pairs.iter().map(|(m, t, n)| format!("{n} {:+.1e}", m / t - 1.0)).collect();
+    println!("{what} at {}: {}", row.cycles, offs.join(", "));
+    for (measured, tabulated, name) in pairs {
+        close_to(measured, tabulated, 0.02, &format!("{what} at {}: {name}", row.cycles));
+    }
+}
+
+#[test]
+fn constant_force_by_plain_stepping_follows_the_tables() {
+    for (profile, table, life) in
+        [(BALL, PARABOLA_CONSTANT_FORCE, 1000.0), (CONE, CONE_CONSTANT_FORCE, 400.0)]
+    {
+        let scene = wear_scene(&profile, Force, life);
+        let mut contact = begun(&scene);
+        let mut done = 0;
+        for row in &table {
+            let target = (row.cycles * life).round() as usize;
+            cycle(&scene, &mut contact, target - done, STEPS);
+            done = target;
+            let mut top = contact.clone();
+            to(&mut top, scene.normal, scene.amplitude);
+            assert_row(&top, &scene, row, &format!("stepping, {profile:?}"));
+        }
+        assert_volumes_agree(&contact, 2e-2, &format!("stepping, {profile:?} at constant force"));
+        println!("{}", contact.counters());
+    }
+}
+
+#[test]
+fn constant_force_by_whole_cycles_follows_the_tables() {
+    for (profile, table) in [(BALL, PARABOLA_CONSTANT_FORCE), (CONE, CONE_CONSTANT_FORCE)] {
+        let scene = wear_scene(&profile, Force, 1e4);
+        let mut contact = begun(&scene);
+        let mut done = 0.0;
+        for row in &table {
+            contact.advance_cycles(scene.normal, scene.amplitude, (row.cycles - done) * 1e4).expect("cycles");
+            done = row.cycles;
+            assert_row(&contact, &scene, row, &format!("cycles, {profile:?}"));
+        }
+        assert_volumes_agree(&contact, 1e-2, &format!("cycles, {profile:?} at constant force"));
+        println!("{}", contact.counters());
+    }
+}
+
+/// A contact in gross slip over a path s with κ = kμ/σ₀ such that κE* s/length = S at s = `path`.
+fn sliding(profile: Profile, length: f64, most: f64, path: f64) -> FrettingContact {
+    let hardness = 8e9;
+    let wear_coefficient = most * length / (E_STAR * path) / MU * hardness;
+    let mut contact = contact(Parameters { profile, wear_coefficient, hardness, ..Parameters::default() });
+    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    contact
+}
+
+/// Under a flat punch all springs slip at once, at U = u_max; from there on V = κ F_N s.
+#[test]
+fn a_flat_punch_in_gross_slip_flattens_its_pressure_as_tabulated() {
+    let b = 1e-4;
+    let (most, path) = (2.0, 1e-3);
+    let mut contact = sliding(PUNCH, b, most, path);
+    let full = exact(&PUNCH, FORCE).full_slip();
+    let mean = FORCE / (std::f64::consts::PI * b * b);
+    let mut at = 0.0;
+    for (s, ratio) in FLAT_PUNCH_GROSS_SLIP {
+        let slid = s / most * path;
+        in_steps(&mut contact, (FORCE, at), (FORCE, full + slid), 400);
+        at = full + slid;
+        let measured = contact.pressure_at(0.0) / mean;
+        let per_path = contact.parameters().wear_per_work() * MU * FORCE;
+        let volume = contact.wear_volume() / (per_path * slid) - 1.0;
+        println!("punch at {s}: p(0)/mean {measured:.4}: {:+.2e}, V {volume:+.1e}", measured / ratio - 1.0);
+        close_to(measured, ratio, 0.01, &format!("p(0) at {s}"));
+        // integrated in time, as the pressure falls
+        close(volume, 0.0, 1e-6, &format!("V at {s}"));
+    }
+    // the pressure of the rim is singular at first
+    assert_volumes_agree(&contact, 0.02, "punch in gross slip");
+}
+
+#[test]
+fn a_sphere_in_gross_slip_wears_at_the_centre_as_tabulated() {
+    let start = exact(&BALL, FORCE);
+    let (a, d) = (start.normal.radius(), start.normal.depth());
+    let (most, path) = (10.0, 10e-3);
+    let mut contact = sliding(BALL, a, most, path);
+    let full = start.full_slip();
+    // up to full slip the springs dissipate as much as over a path of u_max/5, which counts
+    to(&mut contact, FORCE, full);
+    let lead = contact.dissipated_energy() / (MU * FORCE);
+    close_to(lead, 0.2 * full, 1e-2, "path of the onset");
+    let mut at = full;
+    for (s, centre) in SPHERE_GROSS_SLIP {
+        let slid = s / most * path;
+        let next = full + slid - lead;
+        in_steps(&mut contact, (FORCE, at), (FORCE, next), 400);
+        at = next;
+        let measured = contact.worn_depth_at(0.0) / d;
+        let per_path = contact.parameters().wear_per_work() * MU * FORCE;
+        let volume = contact.wear_volume() / (per_path * slid) - 1.0;
+        println!("sphere at {s}: w0/d0 {measured:.4}: {:+.2e}, V {volume:+.1e}", measured / centre - 1.0);
+        close_to(measured, centre, 0.01, &format!("central wear at {s}"));
+        // while the pressure spreads, the springs give back some of their elastic energy: that of a path of u_max/10
+        close(volume, 0.0, 0.3 * full / slid, &format!("V at {s}"));
+    }
+    // the segment worn off; at S = 10 the law for late times is not yet exact
+    let late = worn_flat_radius(0.01, contact.wear_volume());
+    println!("late radius {:+.2e}", contact.contact_radius() / late - 1.0);
+    close_to(contact.contact_radius(), late, 0.05, "a of the worn flat");
+    assert_volumes_agree(&contact, 0.05, "sphere in gross slip");
+}
+
+#[test]
+fn a_contact_that_sticks_makes_no_nodes_and_no_transforms() {
+    // a flat punch sticks as a whole
+    let full = exact(&PUNCH, FORCE).full_slip();
+    let mut punch = contact(Parameters { profile: PUNCH, ..Parameters::default() });
+    punch.start_at(FORCE, 0.0).expect("the load is carried");
+    for k in 0..200 {
+        to(&mut punch, FORCE, 0.9 * full * f64::from(k % 9 - 4) / 4.0);
+    }
+    // a ball whose load rises along with its displacement sticks, too
+    let mut ball = contact(Parameters { normal_control: Indentation, ..Parameters::default() });
+    for k in 0..=100 {
+        to(&mut ball, 3e-8 * f64::from(k), 0.5e-8 * f64::from(k));
+    }
+    for contact in [punch, ball] {
+        let counters = contact.counters();
+        assert_eq!(
+            (counters.pressure_transforms, counters.transform_tables, counters.profile_updates),
+            (0, 0, 0)
+        );
+        close(contact.wear_volume(), 0.0, 1e-33, "V");
+        assert_eq!(contact.wear_depth(), 0.0);
+        assert!(contact.probe_radii().iter().all(|r| contact.worn_depth_at(*r) == 0.0));
+    }
+}
+
+#[test]
+fn without_wear_there_is_no_transform_whatever_happens() {
+    for (wear_coefficient, friction_coefficient) in [(0.0, MU), (3.2e-4, 0.0)] {
+        let mut contact =
+            contact(Parameters { wear_coefficient, friction_coefficient, ..Parameters::default() });
+        let mut random = seeded(3);
+        for _ in 0..300 {
+            to(&mut contact, uniform(&mut random, -10.0, 100.0), uniform(&mut random, -5e-6, 5e-6));
+        }
+        contact.advance_cycles(50.0, 2e-6, 1e5).expect("cycles");
+        let counters = contact.counters();
+        let transforms = [
+            counters.descent_transforms,
+            counters.pressure_transforms,
+            counters.transform_tables,
+            counters.factorisations,
+            counters.profile_updates,
+        ];
+        assert_eq!(transforms, [0; 5]);
+        assert_eq!((contact.wear_volume(), contact.wear_depth(), contact.profile_volume()), (0.0, 0.0, 0.0));
+        assert_eq!(contact.dissipated_energy() > 0.0, friction_coefficient > 0.0);
+    }
+}
+
+/// Largest fall of the worn depth at any probe of a run, in d₀.
+fn largest_healing(
+    profile: Profile,
+    steps: usize,
+    mut next: impl FnMut(usize, &Problem) -> (f64, f64),
+) -> f64 {
+    let mut scene = wear_scene(&profile, Force, 40.0);
+    scene.parameters.resolution = 32;
+    let mut contact = begun(&scene);
+    let radii: Vec<f64> = (0..60).map(|k| 1.6 * scene.start.normal.radius() * f64::from(k) / 60.0).collect();
+    let mut before = vec![0.0; radii.len()];
+    let mut most: f64 = 0.0;
+    for k in 1..=steps {
+        let (normal, displacement) = next(k, &scene);
+        to(&mut contact, normal, displacement);
+        for (r, before) in radii.iter().zip(&mut before) {
+            let now = contact.worn_depth_at(*r);
+            most = most.max((*before - now) / scene.start.normal.depth());
+            *before = now;
+        }
+    }
+    most
+}
+
+/// Nothing heals but by what the profile takes back of an estimate: in a first stroke the depth
+/// next to the contact edge is that of one update, which grows with the stroke, and later that of a
+/// part of the cycle. One stroke here wears some d₀/80, a hundred times what a user's would.
+#[test]
+fn wear_never_heals_at_any_probe() {
+    for profile in [BALL, CONE] {
+        let healing = largest_healing(profile.clone(), 300, |k, scene| {
+            (scene.normal, scene.amplitude * (std::f64::consts::TAU * k as f64 / 20.0).sin())
+        });
+        println!("{profile:?}, constant load: heals {healing:.1e} d0");
+        assert!(healing <= 3e-3, "{profile:?}: {healing:e}");
+        let mut random = seeded(11);
+        let healing = largest_healing(profile.clone(), 60, |_, scene| {
+            (uniform(&mut random, -0.1, 1.0) * FORCE, uniform(&mut random, -1.5, 1.5) * scene.amplitude)
+        });
+        println!("{profile:?}, random: heals {healing:.1e} d0");
+        assert!(healing <= 5e-4, "{profile:?}: {healing:e}");
+    }
+}
+
+/// Apart, the worn profile stays to the bit; pressed again, the contact is the same as without having been apart.
+#[test]
+fn contact_lost_and_found_keeps_the_worn_profile() {
+    let scene = wear_scene(&BALL, Force, 100.0);
+    let mut contact = begun(&scene);
+    cycle(&scene, &mut contact, 30, STEPS);
+    let probes: Vec<f64> = (0..50).map(|k| 4e-6 * f64::from(k)).collect();
+    let depths = |c: &FrettingContact| probes.iter().map(|r| c.worn_depth_at(*r)).collect::<Vec<_>>();
+    to(&mut contact, -5.0, 0.0);
+    let (worn, volume) = (depths(&contact), contact.wear_volume());
+    assert!(worn.iter().any(|w| *w > 0.0));
+    for displacement in [1e-3, -1e-3, 0.0] {
+        to(&mut contact, -5.0, displacement);
+        assert_eq!((contact.wear_volume(), depths(&contact)), (volume, worn.clone()));
+        assert_eq!(
+            [contact.tangential_force(), contact.contact_radius(), contact.normal_reaction()],
+            [0.0; 3]
+        );
+    }
+    to(&mut contact, FORCE, 0.0);
+    close(contact.tangential_force(), 0.0, 1e-12 * MU * FORCE, "pressed again at rest");
+    assert_eq!((contact.wear_volume(), depths(&contact)), (volume, worn.clone()));
+    let radius = contact.contact_radius();
+    contact.start_at(FORCE, 3e-6).expect("the load is carried");
+    assert_eq!((contact.wear_volume(), depths(&contact)), (volume, worn));
+    // a new start takes off what was still to wear
+    close_to(contact.contact_radius(), radius, 1e-9, "a");
+    close(contact.tangential_force(), 0.0, 1e-12 * MU * FORCE, "started again");
+    // and it goes on wearing
+    to(&mut contact, FORCE, 5e-6);
+    assert!(contact.wear_volume() > volume);
+}
+
+/// Steps ten times smaller put the profile updates at other instants, each of which is good to the tolerance of 1e-3:
+/// together they differ by 2.5e-3.
+#[test]
+fn splitting_steps_changes_the_wear_within_the_tolerance() {
+    for control in [Force, Indentation] {
+        let scene = wear_scene(&BALL, control, 100.0);
+        let (mut coarse, mut fine) = (begun(&scene), begun(&scene));
+        cycle(&scene, &mut coarse, 30, 40);
+        cycle(&scene, &mut fine, 30, 400);
+        let off = coarse.wear_volume() / fine.wear_volume() - 1.0;
+        println!(
+            "{control:?}: 40 against 400 steps a cycle: V {off:+.1e}, depth {:+.1e}",
+            coarse.wear_depth() / fine.wear_depth() - 1.0
+        );
+        assert!(off.abs() <= 4e-3, "{control:?}: {off:e}");
+        let updates = (coarse.counters().profile_updates, fine.counters().profile_updates);
+        println!("{control:?}: updates {updates:?}");
+        assert!(
+            updates.1 <= updates.0 + updates.0 / 3,
+            "small steps must not cost more updates: {updates:?}"
+        );
+    }
+}
+
+/// Transient stepping and the cycle-averaged form are different code for the same law.
+#[test]
+fn whole_cycles_agree_with_plain_stepping() {
+    for control in [Force, Indentation] {
+        let scene = wear_scene(&CONE, control, 400.0);
+        let (mut stepped, mut averaged) = (begun(&scene), begun(&scene));
+        cycle(&scene, &mut stepped, 100, STEPS);
+        averaged.advance_cycles(scene.normal, scene.amplitude, 100.0).expect("cycles");
+        let off = stepped.wear_volume() / averaged.wear_volume() - 1.0;
+        println!("{control:?}: stepping against cycles, V {off:+.1e}");
+        assert!(off.abs() <= 5e-3, "{control:?}: {off:e}");
+    }
+}
+
+/// Counted work of known scenes: a loss of efficiency fails here, without a clock.
+#[test]
+fn the_counted_work_stays_bounded() {
+    let scene = wear_scene(&BALL, Indentation, LIFE as f64);
+    let mut stepped = begun(&scene);
+    cycle(&scene, &mut stepped, LIFE, STEPS);
+    let counters = stepped.counters();
+    println!("stepping: {counters}");
+    assert_eq!(counters.steps, (LIFE * STEPS) as u64);
+    // an update per half cycle, since here each wears more than the limit; four stages each, and nothing on other nodes
+    let updates = counters.profile_updates;
+    assert!(updates <= 2 * LIFE as u64 + 20, "{counters}");
+    assert!(counters.rejected_steps <= 10, "{counters}");
+    assert_eq!(counters.factorisations, updates + counters.rejected_steps, "{counters}");
+    assert_eq!(counters.pressure_transforms, 4 * counters.factorisations, "{counters}");
+    assert!(counters.spring_walks <= counters.steps + 3 * updates, "{counters}");
+    assert_eq!(counters.transform_tables, 0, "{counters}");
+    let mut averaged = begun(&scene);
+    averaged.advance_cycles(scene.normal, scene.amplitude, 9.0 * LIFE as f64).expect("cycles");
+    let counters = averaged.counters();
+    println!("cycles: {counters}");
+    assert!(counters.profile_updates <= 60, "{counters}");
+    assert!(counters.rejected_steps <= 25, "{counters}");
+    assert!(counters.factorisations <= 80, "{counters}");
+    assert!(counters.pressure_transforms <= 4 * counters.factorisations, "{counters}");
+    assert_eq!(counters.transform_tables, 0, "{counters}");
+}
+
+/// One step that would wear many times the depth is refused; the contact is as it was and can be moved on.
+#[test]
+fn a_step_that_outwears_the_contact_is_refused_and_leaves_it_usable() {
+    for control in [Force, Indentation] {
+        let scene = wear_scene(&BALL, control, 0.02);
+        let mut contact = begun(&scene);
+        let before = state(&contact);
+        let error = contact.advance_to(scene.normal, 5.0 * scene.amplitude).expect_err("it wears too much");
+        assert!(matches!(error, Error::WearOutrun { .. }), "{control:?}: {error}");
+        assert_eq!(state(&contact), before, "{control:?}");
+        to(&mut contact, scene.normal, 1e-3 * scene.amplitude);
+        assert!(contact.tangential_force() > 0.0);
+    }
+}
+
+/// Strokes that wear so much that no two are alike, until a mesh can be laid over what they have left: at constant depth the stick
+/// circle does not move, and inside it nothing wears.
+#[test]
+fn a_mesh_laid_over_a_rough_profile_leaves_the_sticking_centre_alone() {
+    let mut parameters = Parameters { normal_control: Indentation, ..Parameters::default() };
+    parameters.wear_coefficient *= 5000.0;
+    let Profile::Parabola { radius } = parameters.profile else { panic!("the default is a ball") };
+    let depth = 3.5e-6;
+    let edge = (radius * depth).sqrt();
+    let amplitude = MU * E_STAR / G_STAR * depth * (1.0 - 0.4 * 0.4);
+    let mut contact = FrettingContact::new(parameters).expect("valid");
+    contact.start_at(depth, 0.0).expect("the load is carried");
+    for stroke in 0..40 {
+        for point in 1..=8 {
+            let share = (PI * f64::from(point) / 8.0).cos() * if stroke % 2 == 0 { 1.0 } else { -1.0 };
+            to(&mut contact, depth, share * amplitude);
+        }
+        close_to(contact.stick_radius(), 0.4 * edge, 1e-9, "stick radius");
+        for share in [0.1, 0.3, 0.399, 0.4] {
+            assert_eq!(
+                contact.worn_depth_at(share * edge * (1.0 - 1e-9)),
+                0.0,
+                "stroke {stroke}, at {share}"
+            );
+        }
+    }
+    assert!(contact.counters().factorisations > 10, "no mesh was laid");
+}
