@@ -195,6 +195,12 @@ impl FrettingContact {
         self.dissipated_energy_gradient().times(self.constants.wear_per_work)
     }
 
+    /// Of [`Self::wear_volumes`].
+    pub fn wear_volumes_gradient(&self) -> [Gradient; 2] {
+        let work = self.dissipated_energy_gradient();
+        self.parameters.wear_per_work_of_bodies().map(|per_work| work.times(per_work))
+    }
+
     /// Of [`Self::wear_depth`]: dw = (k/σ₀) |τ| ds at the deepest point, where a slip δ of all springs outside c moves the
     /// surface by δ (2/π) arccos(c/r).
     pub fn wear_depth_gradient(&self) -> Gradient {
@@ -253,6 +259,12 @@ impl FrettingContact {
     /// Volume that one cycle of this amplitude (m) wears, m³.
     pub fn wear_volume_per_cycle(&self, amplitude: f64) -> f64 {
         self.constants.wear_per_work * self.work_per_cycle(amplitude)
+    }
+
+    /// Volumes that one cycle of this amplitude (m) wears off body 1 and body 2, m³.
+    pub fn wear_volumes_per_cycle(&self, amplitude: f64) -> [f64; 2] {
+        let work = self.work_per_cycle(amplitude);
+        self.parameters.wear_per_work_of_bodies().map(|per_work| per_work * work)
     }
 
     /// Depth by which one cycle of this amplitude (m) wears the deepest point: dw/dN = 4 (kμ/σ₀) p s there, with the surface

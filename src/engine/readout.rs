@@ -56,10 +56,18 @@ impl FrettingContact {
         self.work
     }
 
-    /// Worn volume (k/σ₀) W so far, m³: the exact integral of the wear law, at every instant. Each part of the work counts by
+    /// Volume (k₁/σ₁ + k₂/σ₂) W that both bodies have lost so far, m³: the exact integral of the wear law, at every instant. Each part of the work counts by
     /// the coefficient of its time.
     pub fn wear_volume(&self) -> f64 {
-        self.former.volume + self.constants.wear_per_work * (self.work - self.former.work)
+        let [body_1, body_2] = self.wear_volumes();
+        body_1 + body_2
+    }
+
+    /// Volumes worn off body 1 and body 2 so far, m³; their sum is [`Self::wear_volume`].
+    pub fn wear_volumes(&self) -> [f64; 2] {
+        let per_work = self.parameters.wear_per_work_of_bodies();
+        let work = self.work - self.former.work;
+        [0, 1].map(|body| self.former.volumes[body] + per_work[body] * work)
     }
 
     /// ∂F_N/∂d = 2E*a, N/m.
@@ -107,12 +115,12 @@ impl FrettingContact {
         self.surface.image(x)
     }
 
-    /// Worn depth w at radius r, m.
+    /// Worn depth w at radius r, the sum of both bodies, m.
     pub fn worn_depth_at(&self, r: f64) -> f64 {
         self.view().map_or(0.0, |nodes| nodes.depth_at(r))
     }
 
-    /// Deepest worn point, m. Where updates of the profile have moved it, it may be a few parts in
+    /// Deepest worn point, the sum of both bodies, m. Where updates of the profile have moved it, it may be a few parts in
     /// 10⁶ less than before.
     pub fn wear_depth(&self) -> f64 {
         self.view().map_or(0.0, |nodes| nodes.depth().iter().fold(0.0, |most, w| most.max(*w)))

@@ -68,7 +68,7 @@ pub(super) struct Attempt {
     inputs: Inputs,
     slopes: Option<Inputs>,
     friction_coefficient: f64,
-    wear_coefficient: f64,
+    wear_coefficients: [f64; 2],
 }
 
 /// A copy of a model.
@@ -160,8 +160,9 @@ impl Model {
     /// A step of `length`, s, from `point`, s, as it would be done now.
     pub(super) fn attempt(&self, point: f64, length: f64) -> Attempt {
         let Staged { settings, inputs, slopes, .. } = &self.staged;
-        let Settings { friction_coefficient, wear_coefficient, .. } = *settings;
-        Attempt { point, length, inputs: *inputs, slopes: *slopes, friction_coefficient, wear_coefficient }
+        let friction_coefficient = settings.friction_coefficient;
+        let wear_coefficients = settings.wear_coefficients();
+        Attempt { point, length, inputs: *inputs, slopes: *slopes, friction_coefficient, wear_coefficients }
     }
 
     /// One step of `length`, s, at whose end the clock is `end`.
@@ -176,7 +177,7 @@ impl Model {
         // a step that cannot be done must not leave the contact retuned either
         let before = staged.retune.then(|| contact.clone());
         let retuned = if staged.retune {
-            contact.retune(settings.friction_coefficient, settings.wear_coefficient)
+            contact.retune_bodies(settings.friction_coefficient, settings.wear_coefficients())
         } else {
             Ok(())
         };
@@ -263,6 +264,7 @@ impl SavedModel {
         if staged.retune {
             settings.friction_coefficient = parameters.friction_coefficient;
             settings.wear_coefficient = parameters.wear_coefficient;
+            settings.wear_coefficient_2 = parameters.wear_coefficient_2;
         }
         if !settings.give(parameters) {
             return refuse("its contact has other parameters than it sets");

@@ -81,7 +81,7 @@ impl Snapshot {
             && self.displacement_y.is_finite()
             && is_sign(self.direction)
             && amount(self.work)
-            && amount(self.former.volume)
+            && self.former.volumes.iter().all(|volume| amount(*volume))
             && amount(self.former.work)
             && self.former.work <= self.work;
         if !(numbers

@@ -77,7 +77,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
             "worn_depth",
             "m",
             FrettingContact::worn_depth_at,
-            "Depth of the wear at radius_probe"
+            "Depth of the wear at radius_probe, the sum of both bodies"
         ),
         &at_every_probe!("pressure", "Pa", FrettingContact::pressure_at, "Contact pressure at radius_probe"),
         &at_every_probe!(
@@ -96,6 +96,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
         &second_direction(),
         &profile_unit(),
         &slip_state_value(),
+        &second_body(),
     ];
     let mut table = [parts[0][0]; COUNT];
     let (mut part, mut row) = (0, 0);
@@ -120,7 +121,8 @@ const COUNT: usize = inputs().len()
     + rig().len()
     + second_direction().len()
     + profile_unit().len()
-    + slip_state_value().len();
+    + slip_state_value().len()
+    + second_body().len();
 
 const fn inputs() -> [Variable; 5] {
     [
@@ -157,9 +159,9 @@ const fn outputs() -> [Variable; 12] {
         output("tangential_force", "N", 10.0, Range::FINITE, &[], force)
             .about("Tangential force that body 1 exerts on body 2; in cyclic loading its amplitude"),
         output("wear_volume", "m3", 1e-15, Range::NOT_NEGATIVE, &[], volume)
-            .about("Worn volume, accumulated"),
+            .about("Volume worn off both bodies, accumulated"),
         output("wear_depth", "m", 1e-6, Range::NOT_NEGATIVE, &[], depth)
-            .about("Deepest point of the wear, accumulated"),
+            .about("Deepest point of the wear, the sum of both bodies, accumulated"),
         output("dissipated_energy", "J", 1e-6, Range::NOT_NEGATIVE, &[], work)
             .about("Work of friction, accumulated"),
         output("normal_reaction", "N", 100.0, Range::NOT_NEGATIVE, NORMAL, reaction)
@@ -225,7 +227,7 @@ const fn parameters() -> [Variable; 18] {
         ),
         real("youngs_modulus_1", "Pa", stress, |s| &mut s.youngs_modulus_1)
             .shown_in("GPa")
-            .about("Young's modulus of body 1, which moves and wears"),
+            .about("Young's modulus of body 1, which moves"),
         real("poisson_ratio_1", "1", poisson, |s| &mut s.poisson_ratio_1).about("Poisson ratio of body 1"),
         real("youngs_modulus_2", "Pa", stress, |s| &mut s.youngs_modulus_2)
             .shown_in("GPa")
@@ -234,8 +236,8 @@ const fn parameters() -> [Variable; 18] {
         tunable("friction_coefficient", "1", friction, |s| &mut s.friction_coefficient)
             .about("Coefficient of friction; a change counts from the next step; 0 at the start cannot be changed"),
         tunable("wear_coefficient", "1", wear, |s| &mut s.wear_coefficient).about(
-            "Wear coefficient k: a friction work W wears the volume W*wear_coefficient/hardness; a change counts from the next step, 0 computes \
-             no wear, and cannot be changed",
+            "Wear coefficient k of body 1: a friction work W wears the volume W*wear_coefficient/hardness off it; a change \
+             counts from the next step, 0: body 1 does not wear, and cannot be changed",
         ),
         real("hardness", "Pa", stress, |s| &mut s.hardness)
             .shown_in("GPa").about("Hardness of body 1"),
@@ -282,6 +284,35 @@ const fn slip_state_value() -> [Variable; 1] {
     let data_type = DataType::Real { unit: Some(unit_named("1")), nominal: None, range };
     [variable("slip_state_value", data_type, Access::SlipNumber(FrettingContact::slip_state))
         .about("slip_state as a Real: 1 separated, 2 stick, 3 partial_slip, 4 gross_slip")]
+}
+
+/// Wear of body 2, and what either body has lost.
+const fn second_body() -> [Variable; 4] {
+    type C = FrettingContact;
+    let volume_1 = grows(
+        |c: &C| c.wear_volumes()[0],
+        |c: &C| c.wear_volumes_gradient()[0],
+        |c: &C, amplitude| c.wear_volumes_per_cycle(amplitude)[0],
+    );
+    let volume_2 = grows(
+        |c: &C| c.wear_volumes()[1],
+        |c: &C| c.wear_volumes_gradient()[1],
+        |c: &C, amplitude| c.wear_volumes_per_cycle(amplitude)[1],
+    );
+    let hardness = Range { low: Bound::Included(0.0), high: Bound::Included(*range::STRESS.end()) };
+    [
+        tunable("wear_coefficient_2", "1", Range::of(&range::WEAR), |s| &mut s.wear_coefficient_2).about(
+            "Wear coefficient of body 2: a friction work W wears the volume W*wear_coefficient_2/hardness_2 off it; a \
+             change counts from the next step, 0: body 2 does not wear, and cannot be changed",
+        ),
+        real("hardness_2", "Pa", hardness, |s| &mut s.hardness_2)
+            .shown_in("GPa")
+            .about("Hardness of body 2, needed where wear_coefficient_2 > 0"),
+        output("wear_volume_1", "m3", 1e-15, Range::NOT_NEGATIVE, &[], volume_1)
+            .about("Volume worn off body 1, accumulated"),
+        output("wear_volume_2", "m3", 1e-15, Range::NOT_NEGATIVE, &[], volume_2)
+            .about("Volume worn off body 2, accumulated"),
+    ]
 }
 
 /// The other tangential direction.
