@@ -37,6 +37,14 @@ pub struct Parameters {
     /// 0.
     #[serde(default)]
     pub hardness_2: f64,
+    /// Thickness of a coating, m, up to 1e30; 0 where there is none. The wear depth at which
+    /// [`crate::FrettingContact::worn_through`] is true; it changes nothing else.
+    #[serde(default)]
+    pub coating_thickness: f64,
+    /// Outermost radius of [`crate::FrettingContact::probe_radii`], m, up to 1e30; 0 where they
+    /// follow the contact.
+    #[serde(default)]
+    pub probe_radius_max: f64,
     /// What [`crate::FrettingContact::advance_to`] takes as its first argument.
     pub normal_control: NormalControl,
     /// Stiffness of what holds the moving body, in series with the contact, N/m; infinite by default. Where it is less than
@@ -60,6 +68,8 @@ impl Default for Parameters {
             hardness: 8e9,
             wear_coefficient_2: 0.0,
             hardness_2: 0.0,
+            coating_thickness: 0.0,
+            probe_radius_max: 0.0,
             normal_control: NormalControl::Force,
             rig_stiffness: f64::INFINITY,
             resolution: 64,
@@ -120,6 +130,20 @@ impl Parameters {
             range::parameter(name, value, &range, requirement)?;
         }
         self.validate_body_2()?;
+        for (name, value, requirement) in [
+            (
+                "coating_thickness",
+                self.coating_thickness,
+                "the thickness of a coating lies in 0 to 1e30 m; give 0 where there is none",
+            ),
+            (
+                "probe_radius_max",
+                self.probe_radius_max,
+                "the outermost probe lies in 0 to 1e30 m; give 0 to let the probes follow the contact",
+            ),
+        ] {
+            range::parameter(name, value, &(0.0..=*range::LENGTH.end()), requirement)?;
+        }
         let held = self.rig_stiffness >= Self::LEAST_RIG_STIFFNESS;
         if !held {
             let requirement =

@@ -216,7 +216,7 @@ impl FrettingContact {
         };
         let rate = match self.deepest() {
             Some(r) => rate(r),
-            None => self.probe_radii().into_iter().map(rate).fold(0.0, f64::max),
+            None => self.reached_radii().into_iter().map(rate).fold(0.0, f64::max),
         };
         let rate = if self.wear.is_some() { rate } else { 0.0 };
         self.gradient(-self.bound_slope * rate, side * rate)
@@ -294,7 +294,7 @@ impl FrettingContact {
         };
         match self.deepest() {
             Some(r) => rate(r),
-            None => self.probe_radii().into_iter().map(rate).fold(0.0, f64::max),
+            None => self.reached_radii().into_iter().map(rate).fold(0.0, f64::max),
         }
     }
 }

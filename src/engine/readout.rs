@@ -100,14 +100,39 @@ impl FrettingContact {
         }
     }
 
-    /// 64 radii from the axis to the outermost radius that has ever been in contact, m.
+    /// 64 radii from the axis to [`crate::Parameters::probe_radius_max`], m; where that is 0, to the
+    /// outermost radius that has ever been in contact. None lies beyond the end of the body.
     pub fn probe_radii(&self) -> [f64; PROBES] {
-        std::array::from_fn(|i| self.reach * i as f64 / (PROBES - 1) as f64)
+        let fixed = self.parameters.probe_radius_max.min(self.surface.profile().outer_radius());
+        Self::radii_up_to(if fixed > 0.0 { fixed } else { self.reach })
+    }
+
+    /// 64 radii over all that has ever been in contact, m.
+    pub(super) fn reached_radii(&self) -> [f64; PROBES] {
+        Self::radii_up_to(self.reach)
+    }
+
+    fn radii_up_to(outer: f64) -> [f64; PROBES] {
+        std::array::from_fn(|i| outer * i as f64 / (PROBES - 1) as f64)
     }
 
     /// Height f of the unworn profile at radius r, m.
     pub fn unworn_height_at(&self, r: f64) -> f64 {
         self.surface.profile().height(r)
+    }
+
+    /// Height f of the worn profile at radius r, m: the unworn profile and the worn depth of both
+    /// bodies. It is the gap between the bodies where they touch without load at the unworn tip.
+    pub fn profile_height_at(&self, r: f64) -> f64 {
+        self.unworn_height_at(r) + self.worn_depth_at(r)
+    }
+
+    /// Work of friction per area at radius r so far, J/m²: worn depth over k₁/σ₁ + k₂/σ₂. `None`
+    /// where that is not known: without wear it is not gathered, and after a change of a wear
+    /// coefficient the depths of before and after it are added up.
+    pub fn energy_density_at(&self, r: f64) -> Option<f64> {
+        let known = self.wear.is_some() && !self.former.mixed;
+        known.then(|| self.worn_depth_at(r) / self.constants.wear_per_work)
     }
 
     /// 1-D image g of the profile at x, m, as the contact sees it now.

@@ -14,6 +14,8 @@ pub(super) struct FormerWear {
     pub(super) volumes: [f64; 2],
     /// Work of friction by which it wore, J.
     pub(super) work: f64,
+    /// Whether a part of the depth has worn by another ratio of depth to work than the present one.
+    pub(super) mixed: bool,
 }
 
 impl FrettingContact {
@@ -63,8 +65,10 @@ impl FrettingContact {
         self.view.take();
         self.transaction(|this| {
             this.close_backlog()?;
-            this.former = FormerWear { volumes: this.wear_volumes(), work: this.work };
             let former_wear_per_work = this.constants.wear_per_work;
+            let mixed = this.former.mixed
+                || (former_wear_per_work != constants.wear_per_work && this.wear_volume() > 0.0);
+            this.former = FormerWear { volumes: this.wear_volumes(), work: this.work, mixed };
             this.parameters = Arc::new(new);
             (this.constants, this.bound_slope) = (constants, bound_slope);
             let work = if this.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };

@@ -90,6 +90,12 @@ impl Snapshot {
         {
             return Some("displacement, work or reach are out of range");
         }
+        if !self.stroke.is_sound(most) {
+            return Some("the springs at the last reversal are out of order");
+        }
+        if !self.coating.is_sound() {
+            return Some("the cycles at which the coating wore through are out of range");
+        }
         if !is_contact(&self.contact) {
             return Some("the contact is no contact");
         }
