@@ -1,7 +1,7 @@
 //! The rows. The table is made by the compiler: a library that is loaded and unloaded many times
 //! leaves nothing behind.
 
-use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable};
+use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable, WearThrough};
 use crate::engine::{FrettingContact, Gradient, SlipState};
 use crate::fmi2::enumerations::{Enumeration, LENGTH_UNIT, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
@@ -97,6 +97,26 @@ pub(super) static TABLE: [Variable; COUNT] = {
         &profile_unit(),
         &slip_state_value(),
         &second_body(),
+        &coating(),
+        &at_every_probe!(
+            "profile_height",
+            "m",
+            FrettingContact::profile_height_at,
+            "Height of the worn profile at radius_probe, of both bodies together"
+        ),
+        &at_every_probe!(
+            "slip_amplitude",
+            "m",
+            FrettingContact::slip_amplitude_at,
+            "Slip since the last reversal at radius_probe; in cyclic loading its amplitude"
+        ),
+        &at_every_probe!(
+            "energy_density",
+            "J/m2",
+            |contact, r| contact.energy_density_at(r).unwrap_or(f64::NAN),
+            "Friction work per area so far at radius_probe; not a number without wear or after a change of a wear coefficient"
+        ),
+        &probes(),
     ];
     let mut table = [parts[0][0]; COUNT];
     let (mut part, mut row) = (0, 0);
@@ -112,7 +132,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
     table
 };
 
-const FIELDS: usize = 5;
+const FIELDS: usize = 8;
 
 const COUNT: usize = inputs().len()
     + outputs().len()
@@ -122,7 +142,9 @@ const COUNT: usize = inputs().len()
     + second_direction().len()
     + profile_unit().len()
     + slip_state_value().len()
-    + second_body().len();
+    + second_body().len()
+    + coating().len()
+    + probes().len();
 
 const fn inputs() -> [Variable; 5] {
     [
@@ -313,6 +335,39 @@ const fn second_body() -> [Variable; 4] {
         output("wear_volume_2", "m3", 1e-15, Range::NOT_NEGATIVE, &[], volume_2)
             .about("Volume worn off body 2, accumulated"),
     ]
+}
+
+/// A coating and its end.
+const fn coating() -> [Variable; 4] {
+    let thickness = Range { low: Bound::Included(0.0), high: Bound::Included(*range::LENGTH.end()) };
+    [
+        real("coating_thickness", "m", thickness, |s| &mut s.coating_thickness)
+            .about("Thickness of a coating, the wear_depth at which worn_through becomes true; 0: none"),
+        variable("worn_through", DataType::Boolean, Access::WornThrough)
+            .about("Whether wear_depth has reached coating_thickness; false without a coating"),
+        event("worn_through_time", "s", WearThrough::Time).about(
+            "Time at which worn_through became true, 0 before: in cyclic loading that of the cycle, in transient loading \
+             the end of the step in which it was found",
+        ),
+        event("cycles_to_wear_through", "1", WearThrough::Cycles).about(
+            "Cycles of cyclic loading since the start at which worn_through became true, 0 before, within tolerance",
+        ),
+    ]
+}
+
+/// A number that belongs to the wear-through.
+const fn event(name: &'static str, unit: &str, which: WearThrough) -> Variable {
+    let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: None, range: Range::FINITE };
+    variable(name, data_type, Access::WearThrough(which))
+}
+
+/// Where the fields are given.
+const fn probes() -> [Variable; 1] {
+    let radius = Range { low: Bound::Included(0.0), high: Bound::Included(*range::LENGTH.end()) };
+    [real("probe_radius_max", "m", radius, |s| &mut s.probe_radius_max).about(
+        "Outermost radius_probe, so that fields of two times have the same radii; at most the end of the body; 0: the \
+         probes follow the contact",
+    )]
 }
 
 /// The other tangential direction.
