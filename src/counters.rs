@@ -28,6 +28,9 @@ pub struct Counters {
     pub profile_updates: u64,
     /// Cyclic steps that were rejected by the error control.
     pub rejected_steps: u64,
+    /// Trial runs for the cycle at which a coating wears through.
+    #[serde(default)]
+    pub coating_trials: u64,
 }
 
 impl fmt::Display for Counters {
@@ -35,7 +38,7 @@ impl fmt::Display for Counters {
         write!(
             f,
             "{} steps, {} spring walks, {} contact solutions, {} descent and {} pressure transforms, {} transform \
-             tables, {} factorisations, {} solver iterations, {} profile updates, {} rejected steps",
+             tables, {} factorisations, {} solver iterations, {} profile updates, {} rejected steps, {} coating trials",
             self.steps,
             self.spring_walks,
             self.contact_solutions,
@@ -45,7 +48,8 @@ impl fmt::Display for Counters {
             self.factorisations,
             self.solver_iterations,
             self.profile_updates,
-            self.rejected_steps
+            self.rejected_steps,
+            self.coating_trials
         )
     }
 }

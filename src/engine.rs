@@ -5,6 +5,7 @@
 
 mod backlog;
 mod bounds;
+mod coating;
 mod cyclic;
 mod derivatives;
 mod history;
@@ -16,6 +17,7 @@ mod rig;
 mod slide;
 mod snapshot;
 mod steady;
+mod stroke;
 mod undo;
 
 pub use crate::counters::Counters;
@@ -86,12 +88,15 @@ pub struct FrettingContact {
     direction: f64,
     /// Work of friction, J.
     work: f64,
+    /// The present stroke.
+    stroke: stroke::Stroke,
     /// What has worn before the coefficients were last changed.
     former: retune::FormerWear,
     /// Largest contact radius so far, m.
     reach: f64,
     /// Present only where wear is computed.
     wear: Option<Box<WearState>>,
+    coating: coating::Coating,
     counters: Counters,
     /// The worn profile up to this instant, made when read.
     view: OnceCell<Nodes>,
@@ -158,9 +163,11 @@ impl FrettingContact {
             planar: None,
             direction: 0.0,
             work: 0.0,
+            stroke: stroke::Stroke::default(),
             former: retune::FormerWear::default(),
             reach: 0.0,
             wear,
+            coating: coating::Coating::default(),
             counters: Counters::default(),
             view: OnceCell::new(),
         })

@@ -20,16 +20,31 @@ pub enum NormalControl {
 /// [`crate::FrettingContact::retune`] changes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Parameters {
-    /// Elastic constants; body 1 moves and wears.
+    /// Elastic constants; body 1 moves.
     pub materials: Pair,
     /// Shape of the unworn body 1.
     pub profile: Profile,
     /// Coefficient of friction μ, in [0, 1e9].
     pub friction_coefficient: f64,
-    /// Wear coefficient k of eq. (18), in [0, 1e30]; 0 computes no wear.
+    /// Wear coefficient k of body 1, eq. (18), in [0, 1e30]; 0 where body 1 does not wear.
     pub wear_coefficient: f64,
-    /// Hardness σ₀ of the worn body, Pa, in [1e-30, 1e30].
+    /// Hardness σ₀ of body 1, Pa, in [1e-30, 1e30].
     pub hardness: f64,
+    /// Wear coefficient of body 2, in [0, 1e30]; 0 where body 2 does not wear.
+    #[serde(default)]
+    pub wear_coefficient_2: f64,
+    /// Hardness of body 2, Pa, in [1e-30, 1e30] where body 2 wears; otherwise not used, and may be
+    /// 0.
+    #[serde(default)]
+    pub hardness_2: f64,
+    /// Thickness of a coating, m, up to 1e30; 0 where there is none. The wear depth at which
+    /// [`crate::FrettingContact::worn_through`] is true; it changes nothing else.
+    #[serde(default)]
+    pub coating_thickness: f64,
+    /// Outermost radius of [`crate::FrettingContact::probe_radii`], m, up to 1e30; 0 where they
+    /// follow the contact.
+    #[serde(default)]
+    pub probe_radius_max: f64,
     /// What [`crate::FrettingContact::advance_to`] takes as its first argument.
     pub normal_control: NormalControl,
     /// Stiffness of what holds the moving body, in series with the contact, N/m; infinite by default. Where it is less than
@@ -51,6 +66,10 @@ impl Default for Parameters {
             friction_coefficient: 0.6,
             wear_coefficient: 3.2e-4,
             hardness: 8e9,
+            wear_coefficient_2: 0.0,
+            hardness_2: 0.0,
+            coating_thickness: 0.0,
+            probe_radius_max: 0.0,
             normal_control: NormalControl::Force,
             rig_stiffness: f64::INFINITY,
             resolution: 64,
@@ -74,9 +93,20 @@ impl Parameters {
         if self.rig_stiffness >= Self::RIGID { 0.0 } else { 1.0 / self.rig_stiffness }
     }
 
-    /// k/σ₀, the worn volume per unit of friction work, m³/J.
+    /// k₁/σ₁ + k₂/σ₂, the volume that both bodies lose per unit of friction work, m³/J.
+    ///
+    /// Slip is small against the contact, so both bodies lose material at the same radius:
+    /// dw₁ + dw₂ = (k₁/σ₁ + k₂/σ₂) τ ds. The contact depends on the sum of the depths alone.
     pub fn wear_per_work(&self) -> f64 {
-        self.wear_coefficient / self.hardness
+        let [body_1, body_2] = self.wear_per_work_of_bodies();
+        body_1 + body_2
+    }
+
+    /// k₁/σ₁ and k₂/σ₂, the volumes that body 1 and body 2 lose per unit of friction work, m³/J.
+    pub fn wear_per_work_of_bodies(&self) -> [f64; 2] {
+        let body_2 =
+            if self.wear_coefficient_2 == 0.0 { 0.0 } else { self.wear_coefficient_2 / self.hardness_2 };
+        [self.wear_coefficient / self.hardness, body_2]
     }
 
     /// Checks every field.
@@ -99,6 +129,21 @@ impl Parameters {
         ] {
             range::parameter(name, value, &range, requirement)?;
         }
+        self.validate_body_2()?;
+        for (name, value, requirement) in [
+            (
+                "coating_thickness",
+                self.coating_thickness,
+                "the thickness of a coating lies in 0 to 1e30 m; give 0 where there is none",
+            ),
+            (
+                "probe_radius_max",
+                self.probe_radius_max,
+                "the outermost probe lies in 0 to 1e30 m; give 0 to let the probes follow the contact",
+            ),
+        ] {
+            range::parameter(name, value, &(0.0..=*range::LENGTH.end()), requirement)?;
+        }
         let held = self.rig_stiffness >= Self::LEAST_RIG_STIFFNESS;
         if !held {
             let requirement =
@@ -111,6 +156,22 @@ impl Parameters {
             return Err(Error::Parameter { name: "resolution", value: self.resolution as f64, requirement });
         }
         Ok(())
+    }
+}
+
+impl Parameters {
+    fn validate_body_2(&self) -> Result<(), Error> {
+        let (coefficient, hardness) = (self.wear_coefficient_2, self.hardness_2);
+        let requirement = "a wear coefficient lies in 0 to 1e30";
+        range::parameter("wear_coefficient_2", coefficient, &range::WEAR, requirement)?;
+        if coefficient > 0.0 {
+            let requirement = "body 2 wears, since wear_coefficient_2 > 0: its hardness lies in 1e-30 to 1e30 Pa; give \
+                               it, or set wear_coefficient_2 = 0";
+            return range::parameter("hardness_2", hardness, &range::STRESS, requirement);
+        }
+        let requirement =
+            "the hardness of body 2 lies in 1e-30 to 1e30 Pa, or is 0 where body 2 does not wear";
+        range::parameter("hardness_2", hardness, &(0.0..=*range::STRESS.end()), requirement)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::counting::{allocations, live_bytes};
 use fretting_contact::problems::{PARABOLA, Problem};
-use fretting_contact::{Counters, Error, FrettingContact, NormalControl, Profile, ProfileTable};
+use fretting_contact::{Counters, Error, FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
 use std::f64::consts::TAU;
 use std::time::Instant;
 
@@ -40,6 +40,8 @@ pub(crate) enum Reads {
     Pressure,
     /// The worn depth at 64 radii.
     WornDepth,
+    /// Worn height, slip of the stroke and work per area at 64 radii.
+    Fields,
 }
 
 /// Work that is counted.
@@ -113,12 +115,25 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
             .map(|control| [f64::INFINITY, SLOW, FAST].map(|cycles| ball(control, cycles)));
     let mut table = none.clone();
     table.parameters.profile = sampled_ball()?;
+    let with = |one: &Problem, change: fn(&mut Parameters)| {
+        let mut problem = one.clone();
+        change(&mut problem.parameters);
+        problem
+    };
+    let both = |one| {
+        with(one, |p| {
+            p.wear_coefficient *= 0.5;
+            (p.wear_coefficient_2, p.hardness_2) = (p.wear_coefficient, p.hardness);
+        })
+    };
+    let coated = |one| with(one, |p| p.coating_thickness = 1.0);
+    let fixed = |one| with(one, |p| p.probe_radius_max = 3e-4);
     let stick = Drive::Cycles { amplitude: 1e-12, swing: 0.0 };
     let partial = Drive::Cycles { amplitude: 0.6, swing: 0.0 };
     let gross = Drive::Cycles { amplitude: 2.0, swing: 0.0 };
     let swings = Drive::Cycles { amplitude: 0.6, swing: 0.3 };
     let one = Drive::InOneCall { amplitude: 0.6 };
-    let list: [(&'static str, &Problem, Drive, Reads, &'static [Work]); 26] = [
+    let list: [(&'static str, &Problem, Drive, Reads, &'static [Work]); 33] = [
         ("nothing moves", &none, Drive::Still, Reads::Nothing, NOTHING),
         ("bodies apart", &none, Drive::Apart, Reads::Nothing, SAME_LOAD),
         ("full stick", &none, stick, Reads::Nothing, SAME_LOAD),
@@ -145,6 +160,13 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
         ("partial slip, fast wear, depth held", &held_fast, partial, Reads::Nothing, &[]),
         ("load varies, fast wear", &fast, swings, Reads::Nothing, &[]),
         ("25 cycles in one call, fast wear", &fast, one, Reads::Nothing, &[]),
+        ("partial slip, slow wear, both bodies", &both(&slow), partial, Reads::Nothing, SAME_LOAD),
+        ("partial slip, fast wear, both bodies", &both(&fast), partial, Reads::Nothing, &[]),
+        ("partial slip, slow wear, coated", &coated(&slow), partial, Reads::Nothing, SAME_LOAD),
+        ("partial slip, fast wear, coated", &coated(&fast), partial, Reads::Nothing, &[]),
+        ("25 cycles in one call, fast wear, coated", &coated(&fast), one, Reads::Nothing, &[]),
+        ("partial slip, slow wear, fixed probes", &fixed(&slow), partial, Reads::Nothing, SAME_LOAD),
+        ("partial slip, slow wear, fields read", &fixed(&slow), partial, Reads::Fields, &[]),
     ];
     let scene = |(name, problem, drive, reads, leaves_out): (_, &Problem, _, _, _)| Scene {
         name,
@@ -201,6 +223,14 @@ impl Scene {
                     + contact.wear_volume()
             }
             Reads::Pressure => contact.probe_radii().iter().map(|r| contact.pressure_at(*r)).sum(),
+            Reads::Fields => contact
+                .probe_radii()
+                .iter()
+                .map(|r| {
+                    let density = contact.energy_density_at(*r).unwrap_or_default();
+                    contact.profile_height_at(*r) + contact.slip_amplitude_at(*r) + density
+                })
+                .sum(),
             Reads::WornDepth => contact.probe_radii().iter().map(|r| contact.worn_depth_at(*r)).sum(),
         };
         std::hint::black_box(sum);

@@ -173,6 +173,8 @@ class ContactFmu:
     def _decode(variable: Any, value: Any) -> Any:
         if variable.type == "Enumeration":
             return next(item.name for item in variable.declaredType.items if int(item.value) == value)
+        if variable.type == "Boolean":
+            return bool(value)
         return value.decode() if isinstance(value, bytes) else value
 
     def _call(self, function: Callable[..., Any], *arguments: Any, **keywords: Any) -> Any:

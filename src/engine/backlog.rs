@@ -268,6 +268,7 @@ impl FrettingContact {
         self.surface.set_worn(Some(nodes));
         self.counters.descent_transforms += 1;
         self.counters.profile_updates += 1;
+        self.look_at_coating();
         Ok(())
     }
 

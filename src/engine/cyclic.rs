@@ -35,13 +35,14 @@ impl FrettingContact {
             }
         }
         self.view.take();
-        let run = self.transaction(|this| this.placed(|this| this.run_cycles(value, amplitude, cycles)));
+        let run =
+            self.transaction(|this| this.placed(|this| this.run_cycles_on_coating(value, amplitude, cycles)));
         run.map_err(|error| self.told_of_step(error, amplitude))?;
         self.counters.steps += 1;
         Ok(())
     }
 
-    fn run_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
+    pub(super) fn run_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         self.close_backlog()?;
         self.planar = None;
         self.contact = self.contact_at(value)?;
@@ -60,6 +61,7 @@ impl FrettingContact {
         range::contact(radius, depth, load, self.normal_reaction())?;
         self.displacement = amplitude;
         self.direction = 1.0;
+        self.begin_quarter();
         Ok(())
     }
 
@@ -133,6 +135,7 @@ impl FrettingContact {
         wear.mesh = life.mesh.or(wear.mesh.take());
         wear.defect += life.defect / per_work;
         self.surface = life.surface;
+        self.look_at_coating();
         Ok(life.volume / per_work)
     }
 }

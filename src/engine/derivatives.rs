@@ -195,6 +195,12 @@ impl FrettingContact {
         self.dissipated_energy_gradient().times(self.constants.wear_per_work)
     }
 
+    /// Of [`Self::wear_volumes`].
+    pub fn wear_volumes_gradient(&self) -> [Gradient; 2] {
+        let work = self.dissipated_energy_gradient();
+        self.parameters.wear_per_work_of_bodies().map(|per_work| work.times(per_work))
+    }
+
     /// Of [`Self::wear_depth`]: dw = (k/σ₀) |τ| ds at the deepest point, where a slip δ of all springs outside c moves the
     /// surface by δ (2/π) arccos(c/r).
     pub fn wear_depth_gradient(&self) -> Gradient {
@@ -210,7 +216,7 @@ impl FrettingContact {
         };
         let rate = match self.deepest() {
             Some(r) => rate(r),
-            None => self.probe_radii().into_iter().map(rate).fold(0.0, f64::max),
+            None => self.reached_radii().into_iter().map(rate).fold(0.0, f64::max),
         };
         let rate = if self.wear.is_some() { rate } else { 0.0 };
         self.gradient(-self.bound_slope * rate, side * rate)
@@ -255,6 +261,12 @@ impl FrettingContact {
         self.constants.wear_per_work * self.work_per_cycle(amplitude)
     }
 
+    /// Volumes that one cycle of this amplitude (m) wears off body 1 and body 2, m³.
+    pub fn wear_volumes_per_cycle(&self, amplitude: f64) -> [f64; 2] {
+        let work = self.work_per_cycle(amplitude);
+        self.parameters.wear_per_work_of_bodies().map(|per_work| per_work * work)
+    }
+
     /// Depth by which one cycle of this amplitude (m) wears the deepest point: dw/dN = 4 (kμ/σ₀) p s there, with the surface
     /// slip s = (2/π) ∫ (U₀ − b(x))⁺ dx/√(r² − x²) from 0 to r, b = m (d − g).
     pub fn wear_depth_per_cycle(&self, amplitude: f64) -> f64 {
@@ -282,7 +294,7 @@ impl FrettingContact {
         };
         match self.deepest() {
             Some(r) => rate(r),
-            None => self.probe_radii().into_iter().map(rate).fold(0.0, f64::max),
+            None => self.reached_radii().into_iter().map(rate).fold(0.0, f64::max),
         }
     }
 }

@@ -221,9 +221,13 @@ impl FrettingContact {
         if self.view.get().is_some() {
             self.view.take();
         }
+        let direction = self.direction_to(displacement);
+        if self.contact.is_open() || (direction != 0.0 && direction != self.direction) {
+            self.begin_stroke();
+        }
         self.spare = std::mem::replace(&mut self.springs, springs);
-        if displacement != self.displacement {
-            self.direction = (displacement - self.displacement).signum();
+        if direction != 0.0 {
+            self.direction = direction;
         }
         self.contact = to;
         self.displacement = displacement;

@@ -174,6 +174,9 @@ impl FrettingContact {
     /// Takes the row of knots over into one of vectors, after what the line so far has worn has been taken off.
     fn enter_plane(&mut self) -> Result<(), Error> {
         self.absorb_backlog()?;
+        if self.direction == 0.0 {
+            self.begin_stroke();
+        }
         let y = self.displacement_y;
         let row = PlanarRow::of_line(&self.springs, &self.surface, y, self.samples());
         self.springs = Springs::default();
@@ -301,6 +304,9 @@ impl FrettingContact {
     fn arrive_in_plane(&mut self, end: PlanarEnd, place: Vector) {
         let moved = [place[0] - self.displacement, place[1] - self.displacement_y];
         let length = moved[0].hypot(moved[1]);
+        if self.contact.is_open() || self.turns_in_plane(place) {
+            self.begin_stroke();
+        }
         if let Some(planar) = &mut self.planar {
             planar.spare = replace(&mut planar.row, end.row);
             if length > 0.0 {

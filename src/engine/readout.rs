@@ -56,10 +56,18 @@ impl FrettingContact {
         self.work
     }
 
-    /// Worn volume (k/σ₀) W so far, m³: the exact integral of the wear law, at every instant. Each part of the work counts by
+    /// Volume (k₁/σ₁ + k₂/σ₂) W that both bodies have lost so far, m³: the exact integral of the wear law, at every instant. Each part of the work counts by
     /// the coefficient of its time.
     pub fn wear_volume(&self) -> f64 {
-        self.former.volume + self.constants.wear_per_work * (self.work - self.former.work)
+        let [body_1, body_2] = self.wear_volumes();
+        body_1 + body_2
+    }
+
+    /// Volumes worn off body 1 and body 2 so far, m³; their sum is [`Self::wear_volume`].
+    pub fn wear_volumes(&self) -> [f64; 2] {
+        let per_work = self.parameters.wear_per_work_of_bodies();
+        let work = self.work - self.former.work;
+        [0, 1].map(|body| self.former.volumes[body] + per_work[body] * work)
     }
 
     /// ∂F_N/∂d = 2E*a, N/m.
@@ -92,9 +100,20 @@ impl FrettingContact {
         }
     }
 
-    /// 64 radii from the axis to the outermost radius that has ever been in contact, m.
+    /// 64 radii from the axis to [`crate::Parameters::probe_radius_max`], m; where that is 0, to the
+    /// outermost radius that has ever been in contact. None lies beyond the end of the body.
     pub fn probe_radii(&self) -> [f64; PROBES] {
-        std::array::from_fn(|i| self.reach * i as f64 / (PROBES - 1) as f64)
+        let fixed = self.parameters.probe_radius_max.min(self.surface.profile().outer_radius());
+        Self::radii_up_to(if fixed > 0.0 { fixed } else { self.reach })
+    }
+
+    /// 64 radii over all that has ever been in contact, m.
+    pub(super) fn reached_radii(&self) -> [f64; PROBES] {
+        Self::radii_up_to(self.reach)
+    }
+
+    fn radii_up_to(outer: f64) -> [f64; PROBES] {
+        std::array::from_fn(|i| outer * i as f64 / (PROBES - 1) as f64)
     }
 
     /// Height f of the unworn profile at radius r, m.
@@ -102,17 +121,31 @@ impl FrettingContact {
         self.surface.profile().height(r)
     }
 
+    /// Height f of the worn profile at radius r, m: the unworn profile and the worn depth of both
+    /// bodies. It is the gap between the bodies where they touch without load at the unworn tip.
+    pub fn profile_height_at(&self, r: f64) -> f64 {
+        self.unworn_height_at(r) + self.worn_depth_at(r)
+    }
+
+    /// Work of friction per area at radius r so far, J/m²: worn depth over k₁/σ₁ + k₂/σ₂. `None`
+    /// where that is not known: without wear it is not gathered, and after a change of a wear
+    /// coefficient the depths of before and after it are added up.
+    pub fn energy_density_at(&self, r: f64) -> Option<f64> {
+        let known = self.wear.is_some() && !self.former.mixed;
+        known.then(|| self.worn_depth_at(r) / self.constants.wear_per_work)
+    }
+
     /// 1-D image g of the profile at x, m, as the contact sees it now.
     pub fn image_at(&self, x: f64) -> f64 {
         self.surface.image(x)
     }
 
-    /// Worn depth w at radius r, m.
+    /// Worn depth w at radius r, the sum of both bodies, m.
     pub fn worn_depth_at(&self, r: f64) -> f64 {
         self.view().map_or(0.0, |nodes| nodes.depth_at(r))
     }
 
-    /// Deepest worn point, m. Where updates of the profile have moved it, it may be a few parts in
+    /// Deepest worn point, the sum of both bodies, m. Where updates of the profile have moved it, it may be a few parts in
     /// 10⁶ less than before.
     pub fn wear_depth(&self) -> f64 {
         self.view().map_or(0.0, |nodes| nodes.depth().iter().fold(0.0, |most, w| most.max(*w)))

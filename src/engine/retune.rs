@@ -10,10 +10,12 @@ use std::sync::Arc;
 /// What has worn by former coefficients of wear.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct FormerWear {
-    /// Worn volume, m³.
-    pub(super) volume: f64,
+    /// Volume worn off each body, m³.
+    pub(super) volumes: [f64; 2],
     /// Work of friction by which it wore, J.
     pub(super) work: f64,
+    /// Whether a part of the depth has worn by another ratio of depth to work than the present one.
+    pub(super) mixed: bool,
 }
 
 impl FrettingContact {
@@ -25,12 +27,28 @@ impl FrettingContact {
     /// [`Error::Parameter`] for a coefficient out of its range, or that would switch friction or wear on or off; those of
     /// [`Self::advance_to`].
     pub fn retune(&mut self, friction_coefficient: f64, wear_coefficient: f64) -> Result<(), Error> {
+        self.retune_bodies(friction_coefficient, [wear_coefficient, self.parameters.wear_coefficient_2])
+    }
+
+    /// [`Self::retune`] with the wear coefficients of body 1 and body 2. The volumes that the
+    /// bodies have lost so far stay; the new ratio counts for what follows.
+    ///
+    /// # Errors
+    /// As [`Self::retune`].
+    pub fn retune_bodies(
+        &mut self,
+        friction_coefficient: f64,
+        wear_coefficients: [f64; 2],
+    ) -> Result<(), Error> {
         let old = &self.parameters;
-        let new = Parameters { friction_coefficient, wear_coefficient, ..(**old).clone() };
+        let [wear_coefficient, wear_coefficient_2] = wear_coefficients;
+        let new =
+            Parameters { friction_coefficient, wear_coefficient, wear_coefficient_2, ..(**old).clone() };
         new.validate()?;
         for (name, before, value) in [
             ("friction_coefficient", old.friction_coefficient, friction_coefficient),
             ("wear_coefficient", old.wear_coefficient, wear_coefficient),
+            ("wear_coefficient_2", old.wear_coefficient_2, wear_coefficient_2),
         ] {
             if (before == 0.0) != (value == 0.0) {
                 let requirement = "friction and wear are switched on or off by a new contact only";
@@ -47,8 +65,10 @@ impl FrettingContact {
         self.view.take();
         self.transaction(|this| {
             this.close_backlog()?;
-            this.former = FormerWear { volume: this.wear_volume(), work: this.work };
             let former_wear_per_work = this.constants.wear_per_work;
+            let mixed = this.former.mixed
+                || (former_wear_per_work != constants.wear_per_work && this.wear_volume() > 0.0);
+            this.former = FormerWear { volumes: this.wear_volumes(), work: this.work, mixed };
             this.parameters = Arc::new(new);
             (this.constants, this.bound_slope) = (constants, bound_slope);
             let work = if this.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };

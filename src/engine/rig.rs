@@ -59,6 +59,7 @@ impl FrettingContact {
         let mut row = std::mem::take(&mut self.undo);
         row.copy_from(&self.springs);
         let Self { displacement, direction, work, counters, .. } = *self;
+        let strokes = self.stroke.mark();
         let deferred_work = self.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
         if let Some(wear) = &mut self.wear {
             wear.undo.copy_from(&wear.backlog);
@@ -79,6 +80,7 @@ impl FrettingContact {
             std::mem::swap(&mut self.springs, &mut row);
             (self.displacement, self.direction, self.work) = (displacement, direction, work);
             self.counters = counters;
+            self.stroke.go_back(strokes);
             if let Some(wear) = &mut self.wear {
                 std::mem::swap(&mut wear.backlog, &mut wear.undo);
                 wear.deferred_work = deferred_work;

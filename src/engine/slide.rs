@@ -16,6 +16,10 @@ impl FrettingContact {
         if wears && (direction != self.direction || self.onset_of_long_slide(value, displacement).is_some()) {
             return false;
         }
+        let strokes = self.stroke.mark();
+        if direction != self.direction {
+            self.begin_stroke();
+        }
         let mut slips = self.take_slips();
         let most_work = self.work_to_update();
         let work_scale = (2.0 * self.constants.tangential_modulus, most_work);
@@ -28,7 +32,10 @@ impl FrettingContact {
             slips.as_mut(),
         );
         self.keep_slips(slips);
-        let Some(work) = work else { return false };
+        let Some(work) = work else {
+            self.stroke.go_back(strokes);
+            return false;
+        };
         if wears {
             let to = self.contact;
             self.gather(work, &to);

@@ -2,8 +2,10 @@
 
 mod soundness;
 
+use super::coating::Coating;
 use super::planar::Planar;
 use super::retune::FormerWear;
+use super::stroke::{Stroke, StrokeStart};
 use super::{Counters, FrettingContact, WearState};
 use crate::error::Error;
 use crate::friction::Springs;
@@ -23,10 +25,13 @@ pub struct Snapshot {
     planar: Option<Box<Planar>>,
     direction: f64,
     work: f64,
+    stroke: StrokeStart,
     former: FormerWear,
     reach: f64,
     nodes: Option<Nodes>,
     wear: Option<WearSnapshot>,
+    #[serde(default)]
+    coating: Coating,
     counters: Counters,
 }
 
@@ -61,10 +66,12 @@ impl FrettingContact {
             planar: self.planar.as_ref().map(|planar| Box::new(planar.saved())),
             direction: self.direction,
             work: self.work,
+            stroke: self.stroke.start.clone(),
             former: self.former,
             reach: self.reach,
             nodes: self.surface.worn().cloned(),
             wear,
+            coating: self.coating,
             counters: self.counters,
         }
     }
@@ -101,9 +108,11 @@ impl FrettingContact {
         self.planar = snapshot.planar.clone();
         self.direction = snapshot.direction;
         self.work = snapshot.work;
+        self.stroke = Stroke::since(snapshot.stroke.clone());
         self.former = snapshot.former;
         self.reach = snapshot.reach;
         self.counters = snapshot.counters;
+        self.coating = snapshot.coating;
         self.wear = snapshot.wear.as_ref().map(|saved| {
             // tables serve the nodes that they were made for, whatever happens in between
             let former = self.wear.take().map(|wear| *wear).unwrap_or_default();

@@ -17,10 +17,12 @@ impl FrettingContact {
         // without wear the surface never changes: the row and a few numbers are all
         let mut row = take(&mut self.undo);
         row.copy_from(&self.springs);
+        let strokes = self.stroke.mark();
         let Self { contact, displacement, direction, work, reach, counters, .. } = *self;
         let result = change(self);
         if result.is_err() {
             swap(&mut self.springs, &mut row);
+            self.stroke.go_back(strokes);
             (self.contact, self.displacement, self.direction) = (contact, displacement, direction);
             (self.work, self.reach, self.counters) = (work, reach, counters);
         }

@@ -213,6 +213,21 @@ impl Component {
         }
     }
 
+    /// Says once why a field has no numbers.
+    #[cold]
+    pub(super) fn warn_of_unknown_field(&mut self, name: &str) {
+        if self.warnings.take_unknown_field() {
+            self.logger.log(
+                Status::Warning,
+                &format!(
+                    "{name} is not a number: friction work per area is known as worn depth over wear coefficient, so only with \
+                     wear_coefficient > 0 or wear_coefficient_2 > 0, and as long as these are not changed between steps: \
+                     set them before the initialization, or do not read energy_density"
+                ),
+            );
+        }
+    }
+
     pub(super) fn do_step(&mut self, point: f64, length: f64) -> Checked {
         let result = if self.discarded.is_some() {
             self.step_after_a_discard(point, length)

@@ -14,7 +14,7 @@ use super::refusal::{Checked, Refusal};
 use super::settings::Inputs;
 use super::values::{Asked, Table};
 use super::variables::{Access, DataType, Direction, Output, Variable};
-use crate::engine::FrettingContact;
+use crate::engine::{FrettingContact, Gradient};
 use core::mem::MaybeUninit;
 
 /// Relative difference of a parameter for derivatives with respect to it: rounding and curvature
@@ -57,11 +57,21 @@ impl Change {
     }
 }
 
+/// An output that changes by events alone.
+const CONSTANT: Output = Output {
+    read: |_| 0.0,
+    gradient: |_| Gradient::default(),
+    per_cycle: None,
+    starts_anywhere: None,
+    never_falls: false,
+};
+
 /// The outputs behind a list of references.
 fn outputs<'a>(references: &'a [u32], refuse: impl Fn(&Variable) -> Refusal + 'a) -> Checked<Vec<Output>> {
     let table = Table::get();
     let find = |reference: &u32| match table.find(*reference, Asked::Real)? {
         Variable { access: Access::Output(output), .. } => Ok(*output),
+        Variable { access: Access::WearThrough(_), .. } => Ok(CONSTANT),
         other => Err(refuse(other).into()),
     };
     references.iter().map(find).collect()

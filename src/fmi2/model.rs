@@ -24,12 +24,32 @@ pub(super) struct Staged {
     /// Largest wear depth that has been read, m. What the engine gives may fall in its sixth digit
     /// where the profile is updated, but wear never heals.
     pub(super) deepest_read: f64,
+    /// When the coating wore through, s.
+    pub(super) worn_through_at: Option<f64>,
     /// Whether tunable parameters have changed and the contact does not have them yet.
     retune: bool,
     /// Whether the contact has been brought to its initial state with the present inputs.
     started: bool,
     /// Whether initialization is over: parameters are fixed, and inputs are targets of steps.
     initialized: bool,
+}
+
+impl Staged {
+    /// Whether the coating has worn through. The time is taken where it is seen for the first time.
+    pub(super) fn look_at_coating(&mut self, contact: &FrettingContact) -> bool {
+        if self.worn_through_at.is_none() && contact.worn_through() {
+            self.worn_through_at = Some(self.clock.time());
+        }
+        self.worn_through_at.is_some()
+    }
+}
+
+/// Time that a number of cycles takes whose frequency changes evenly between two, Hz, over a step
+/// of `length`: the root of f₀ t + (f₁ − f₀) t²/(2 length) = cycles.
+fn time_of_cycles(cycles: f64, (first, last): (f64, f64), length: f64) -> f64 {
+    let square = first * first + 2.0 * (last - first) * cycles / length;
+    let time = 2.0 * cycles / (first + square.max(0.0).sqrt());
+    if time.is_finite() { time.clamp(0.0, length) } else { length }
 }
 
 /// The inputs between which the last step went, and its length, s.
@@ -68,7 +88,7 @@ pub(super) struct Attempt {
     inputs: Inputs,
     slopes: Option<Inputs>,
     friction_coefficient: f64,
-    wear_coefficient: f64,
+    wear_coefficients: [f64; 2],
 }
 
 /// A copy of a model.
@@ -160,8 +180,9 @@ impl Model {
     /// A step of `length`, s, from `point`, s, as it would be done now.
     pub(super) fn attempt(&self, point: f64, length: f64) -> Attempt {
         let Staged { settings, inputs, slopes, .. } = &self.staged;
-        let Settings { friction_coefficient, wear_coefficient, .. } = *settings;
-        Attempt { point, length, inputs: *inputs, slopes: *slopes, friction_coefficient, wear_coefficient }
+        let friction_coefficient = settings.friction_coefficient;
+        let wear_coefficients = settings.wear_coefficients();
+        Attempt { point, length, inputs: *inputs, slopes: *slopes, friction_coefficient, wear_coefficients }
     }
 
     /// One step of `length`, s, at whose end the clock is `end`.
@@ -176,10 +197,11 @@ impl Model {
         // a step that cannot be done must not leave the contact retuned either
         let before = staged.retune.then(|| contact.clone());
         let retuned = if staged.retune {
-            contact.retune(settings.friction_coefficient, settings.wear_coefficient)
+            contact.retune_bodies(settings.friction_coefficient, settings.wear_coefficients())
         } else {
             Ok(())
         };
+        let cycles_before = contact.cycles_on_coating();
         let advanced = retuned.and_then(|()| match settings.loading() {
             Loading::Transient => contact.advance_to_planar(normal, to.place()),
             Loading::Cyclic => {
@@ -196,6 +218,16 @@ impl Model {
             let context = format!("step from t = {start:?} s by {length:?} s to {inputs}");
             Refusal::Step { context, problem }
         })?;
+        if staged.worn_through_at.is_none() && contact.is_known_worn_through() {
+            let time = match contact.cycles_to_wear_through() {
+                Some(life) => {
+                    let frequencies = (from.frequency, to.frequency);
+                    staged.clock.time() + time_of_cycles(life - cycles_before, frequencies, length)
+                }
+                None => end.time(),
+            };
+            staged.worn_through_at = Some(time);
+        }
         staged.retune = false;
         staged.last_step = LastStep { from: staged.last_step.to, to: *to, length };
         staged.clock = end;
@@ -250,7 +282,8 @@ impl SavedModel {
         let slopes = staged.slopes.as_ref().is_none_or(Inputs::is_finite);
         let length = staged.last_step.length;
         let lengths = [length, staged.deepest_read].iter().all(|value| (0.0..f64::INFINITY).contains(value));
-        if !(slopes && staged.clock.is_sound() && lengths) {
+        let times = staged.worn_through_at.is_none_or(f64::is_finite);
+        if !(slopes && staged.clock.is_sound() && lengths && times) {
             return refuse("its time, its derivatives or its wear depth are out of range");
         }
         if staged.initialized != initialized || (initialized && !staged.started) {
@@ -263,6 +296,7 @@ impl SavedModel {
         if staged.retune {
             settings.friction_coefficient = parameters.friction_coefficient;
             settings.wear_coefficient = parameters.wear_coefficient;
+            settings.wear_coefficient_2 = parameters.wear_coefficient_2;
         }
         if !settings.give(parameters) {
             return refuse("its contact has other parameters than it sets");

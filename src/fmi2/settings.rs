@@ -27,6 +27,10 @@ pub(super) struct Settings {
     pub(super) friction_coefficient: f64,
     pub(super) wear_coefficient: f64,
     pub(super) hardness: f64,
+    pub(super) wear_coefficient_2: f64,
+    pub(super) hardness_2: f64,
+    pub(super) coating_thickness: f64,
+    pub(super) probe_radius_max: f64,
     pub(super) normal_control: i32,
     pub(super) loading: i32,
     pub(super) rig_stiffness: f64,
@@ -55,6 +59,10 @@ impl Default for Settings {
             friction_coefficient: engine.friction_coefficient,
             wear_coefficient: engine.wear_coefficient,
             hardness: engine.hardness,
+            wear_coefficient_2: engine.wear_coefficient_2,
+            hardness_2: engine.hardness_2,
+            coating_thickness: engine.coating_thickness,
+            probe_radius_max: engine.probe_radius_max,
             normal_control: engine.normal_control.number(),
             loading: Loading::Transient.number(),
             rig_stiffness: Parameters::RIGID,
@@ -100,11 +108,20 @@ impl Settings {
             friction_coefficient: self.friction_coefficient,
             wear_coefficient: self.wear_coefficient,
             hardness: self.hardness,
+            wear_coefficient_2: self.wear_coefficient_2,
+            hardness_2: self.hardness_2,
+            coating_thickness: self.coating_thickness,
+            probe_radius_max: self.probe_radius_max,
             normal_control: self.normal_control(),
             rig_stiffness: self.rig_stiffness(),
             resolution: self.resolution as usize,
             tolerance: self.tolerance,
         }
+    }
+
+    /// Those of body 1 and body 2.
+    pub(super) fn wear_coefficients(&self) -> [f64; 2] {
+        [self.wear_coefficient, self.wear_coefficient_2]
     }
 
     /// Infinite where it is so for the engine: not every importer knows a number for that.

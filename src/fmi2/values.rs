@@ -6,10 +6,11 @@ use super::enumerations::Items;
 use super::model::Model;
 use super::refusal::{Checked, Refusal};
 use super::settings::{Inputs, Settings};
-use super::variables::{Access, DataType, PROBES, Range, Variable, variables};
+use super::variables::{Access, DataType, PROBES, Range, Variable, WearThrough, variables};
 use core::ffi::CStr;
 use core::fmt::Debug;
 use core::mem::MaybeUninit;
+use fmi_sys::fmi2::fmi2Boolean;
 use libc::c_char;
 
 /// The type that a function of the C interface is for.
@@ -27,7 +28,7 @@ impl Asked {
         match self {
             Self::Real => matches!(data_type, DataType::Real { .. }),
             Self::Integer => matches!(data_type, DataType::Integer { .. } | DataType::Enumeration(_)),
-            Self::Boolean => false,
+            Self::Boolean => matches!(data_type, DataType::Boolean),
             Self::String => matches!(data_type, DataType::String),
         }
     }
@@ -91,9 +92,12 @@ fn not_writable(variable: &Variable, value: &dyn Debug) -> Box<Refusal> {
         | Access::Tunable(_)
         | Access::Number(_)
         | Access::Text(_) => Refusal::Fixed { name, value },
-        Access::Output(_) | Access::Slip(_) | Access::SlipNumber(_) | Access::Field { .. } => {
-            Refusal::ReadOnly { name, value, causality: variable.causality() }
-        }
+        Access::Output(_)
+        | Access::Slip(_)
+        | Access::SlipNumber(_)
+        | Access::WornThrough
+        | Access::WearThrough(_)
+        | Access::Field { .. } => Refusal::ReadOnly { name, value, causality: variable.causality() },
     }
     .into()
 }
@@ -163,7 +167,7 @@ impl Component {
         for &reference in references {
             computed |= matches!(
                 table.find(reference, Asked::Real)?.access,
-                Access::Output(_) | Access::SlipNumber(_) | Access::Field { .. }
+                Access::Output(_) | Access::SlipNumber(_) | Access::WearThrough(_) | Access::Field { .. }
             );
         }
         if computed {
@@ -171,6 +175,7 @@ impl Component {
         }
         let (contact, staged) = self.model.parts();
         let mut radii: Option<[f64; PROBES]> = None;
+        let mut unknown = None;
         for (&reference, value) in references.iter().zip(values) {
             value.write(match (table.access(reference), contact) {
                 (Access::Input(field), _) => *field(&mut staged.inputs),
@@ -181,12 +186,27 @@ impl Component {
                 }
                 (Access::Output(output), Some(contact)) => (output.read)(contact),
                 (Access::SlipNumber(read), Some(contact)) => read(contact).number().into(),
+                (Access::WearThrough(which), Some(contact)) => {
+                    staged.look_at_coating(contact);
+                    match which {
+                        WearThrough::Time => staged.worn_through_at.unwrap_or(0.0),
+                        WearThrough::Cycles => contact.cycles_to_wear_through().unwrap_or(0.0),
+                    }
+                }
                 (Access::Field { probe, read }, Some(contact)) => {
                     let radii = radii.get_or_insert_with(|| contact.probe_radii());
-                    read(contact, radii[probe])
+                    let value = read(contact, radii[probe]);
+                    if value.is_nan() {
+                        unknown = Some(reference);
+                    }
+                    value
                 }
                 other => unreachable!("not a real variable, or not computed: {:?}", other.0),
             });
+        }
+        if let Some(reference) = unknown {
+            let name = table.find(reference, Asked::Real)?.name;
+            self.warn_of_unknown_field(name);
         }
         Ok(())
     }
@@ -293,10 +313,36 @@ impl Component {
         Ok(())
     }
 
-    /// There are no Boolean variables, so that any reference is a mistake.
-    pub(super) fn no_boolean(&mut self, references: &[u32]) -> Checked {
+    pub(super) fn get_boolean(
+        &mut self,
+        references: &[u32],
+        values: &mut [MaybeUninit<fmi2Boolean>],
+    ) -> Checked {
         let table = Table::get();
-        references.iter().try_for_each(|&reference| table.find(reference, Asked::Boolean).map(|_| ()))
+        for &reference in references {
+            table.find(reference, Asked::Boolean)?;
+        }
+        if !references.is_empty() {
+            self.model.contact(&self.resources)?;
+        }
+        let (contact, staged) = self.model.parts();
+        for (&reference, value) in references.iter().zip(values) {
+            value.write(match (table.access(reference), contact) {
+                (Access::WornThrough, Some(contact)) => staged.look_at_coating(contact).into(),
+                other => unreachable!("not a Boolean variable, or not computed: {:?}", other.0),
+            });
+        }
+        Ok(())
+    }
+
+    /// No Boolean variable is the importer's to set.
+    pub(super) fn set_boolean(&mut self, references: &[u32], values: &[fmi2Boolean]) -> Checked {
+        let table = Table::get();
+        for (&reference, &value) in references.iter().zip(values) {
+            let variable = table.find(reference, Asked::Boolean)?;
+            check_writable(&self.model, variable, value != 0)?;
+        }
+        Ok(())
     }
 
     /// The strings belong to the instance and hold until they are set again.

@@ -60,6 +60,8 @@ pub enum DataType {
     },
     /// fmi2Integer in C.
     Enumeration(&'static Enumeration),
+    /// fmi2Boolean.
+    Boolean,
     /// fmi2String.
     String,
 }
@@ -71,6 +73,7 @@ impl DataType {
             Self::Real { .. } => "Real",
             Self::Integer { .. } => "Integer",
             Self::Enumeration(_) => "Enumeration",
+            Self::Boolean => "Boolean",
             Self::String => "String",
         }
     }
@@ -101,10 +104,11 @@ const fn shown(name: &'static str, factor: f64) -> DisplayUnit {
 }
 
 /// Every unit that a variable may have.
-pub const UNITS: [Unit; 9] = [
+pub const UNITS: [Unit; 11] = [
     Unit { name: "1", base: &[], display: &[] },
     Unit { name: "Hz", base: &[("s", -1)], display: &[] },
     Unit { name: "J", base: &[("kg", 1), ("m", 2), ("s", -2)], display: &[shown("mJ", 1e3)] },
+    Unit { name: "J/m2", base: &[("kg", 1), ("s", -2)], display: &[shown("J/mm2", 1e-6)] },
     Unit { name: "N", base: &[("kg", 1), ("m", 1), ("s", -2)], display: &[] },
     Unit { name: "N/m", base: &[("kg", 1), ("s", -2)], display: &[shown("N/um", 1e-6)] },
     Unit {
@@ -115,6 +119,7 @@ pub const UNITS: [Unit; 9] = [
     Unit { name: "m", base: &[("m", 1)], display: &[shown("um", 1e6), shown("mm", 1e3)] },
     Unit { name: "m3", base: &[("m", 3)], display: &[shown("mm3", 1e9), shown("um3", 1e18)] },
     Unit { name: "rad", base: &[("rad", 1)], display: &[shown("deg", 180.0 / std::f64::consts::PI)] },
+    Unit { name: "s", base: &[("s", 1)], display: &[] },
 ];
 
 /// Accepted values of a real variable; they are finite, but where the upper bound itself is
@@ -178,11 +183,24 @@ pub(super) enum Access {
     Slip(fn(&FrettingContact) -> SlipState),
     /// The number of the state as a Real, for importers that read only these.
     SlipNumber(fn(&FrettingContact) -> SlipState),
+    /// Whether the coating has worn through.
+    WornThrough,
+    /// What is known of the wear-through: a Real that stays 0 until then.
+    WearThrough(WearThrough),
     /// The value of a field at one of the probe radii.
     Field {
         probe: usize,
         read: fn(&FrettingContact, f64) -> f64,
     },
+}
+
+/// When a coating has worn through.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum WearThrough {
+    /// The time, s.
+    Time,
+    /// The number of cycles.
+    Cycles,
 }
 
 /// How a real output is computed, and how it follows the inputs.
@@ -226,7 +244,7 @@ impl Variable {
         match self.access {
             Access::Input(_) => "input",
             Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => "parameter",
-            Access::Output(_) | Access::Slip(_) => "output",
+            Access::Output(_) | Access::Slip(_) | Access::WornThrough | Access::WearThrough(_) => "output",
             Access::Field { .. } | Access::SlipNumber(_) => "local",
         }
     }
@@ -237,7 +255,9 @@ impl Variable {
             Access::Parameter(_) | Access::Number(_) | Access::Text(_) => "fixed",
             Access::Tunable(_) => "tunable",
             Access::Input(_) | Access::Output(_) | Access::Field { .. } => "continuous",
-            Access::Slip(_) | Access::SlipNumber(_) => "discrete",
+            Access::Slip(_) | Access::SlipNumber(_) | Access::WornThrough | Access::WearThrough(_) => {
+                "discrete"
+            }
         }
     }
 
@@ -246,9 +266,12 @@ impl Variable {
         match self.access {
             Access::Input(_) => None,
             Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => Some("exact"),
-            Access::Output(_) | Access::Slip(_) | Access::SlipNumber(_) | Access::Field { .. } => {
-                Some("calculated")
-            }
+            Access::Output(_)
+            | Access::Slip(_)
+            | Access::SlipNumber(_)
+            | Access::WornThrough
+            | Access::WearThrough(_)
+            | Access::Field { .. } => Some("calculated"),
         }
     }
 
@@ -260,7 +283,12 @@ impl Variable {
             Access::Parameter(field) | Access::Tunable(field) => Some(Start::Real(*field(&mut settings))),
             Access::Number(field) => Some(Start::Integer(*field(&mut settings))),
             Access::Text(field) => Some(Start::Text(field(&mut settings).to_string_lossy().into_owned())),
-            Access::Output(_) | Access::Slip(_) | Access::SlipNumber(_) | Access::Field { .. } => None,
+            Access::Output(_)
+            | Access::Slip(_)
+            | Access::SlipNumber(_)
+            | Access::WornThrough
+            | Access::WearThrough(_)
+            | Access::Field { .. } => None,
         }
     }
 }
@@ -307,7 +335,7 @@ mod tests {
                 // A dimension counts only for the profiles that use it: refused by one of them is
                 // refused.
                 let by_engine = (1..=6).all(|profile| {
-                    let mut settings = Settings { profile, ..Settings::default() };
+                    let mut settings = Settings { profile, hardness_2: 1e9, ..Settings::default() };
                     *field(&mut settings) = value;
                     accepted(&settings)
                 });
@@ -315,7 +343,7 @@ mod tests {
                 checked += 1;
             }
         }
-        assert_eq!(checked, 14 * 18);
+        assert_eq!(checked, 18 * 18);
     }
 
     #[test]

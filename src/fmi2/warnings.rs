@@ -202,6 +202,8 @@ struct Run {
 pub(super) struct Warnings {
     /// The rows that have not been sent, a bit each.
     unsent: u16,
+    /// Whether it has been said that a field has no numbers.
+    unknown_field: bool,
     run: Run,
 }
 
@@ -219,11 +221,16 @@ impl Default for Warnings {
             has_moved: false,
             largest_normal: f64::NEG_INFINITY,
         };
-        Self { unsent: ALL, run }
+        Self { unsent: ALL, unknown_field: false, run }
     }
 }
 
 impl Warnings {
+    /// Whether it has still to be said that a field has no numbers.
+    pub(super) fn take_unknown_field(&mut self) -> bool {
+        !std::mem::replace(&mut self.unknown_field, true)
+    }
+
     fn begin(&mut self, contact: &FrettingContact, settings: &Settings, inputs: &Inputs) {
         let materials = &contact.parameters().materials;
         let modulus_ratio = materials.normal_modulus() / materials.tangential_modulus();

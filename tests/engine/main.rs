@@ -1,9 +1,11 @@
 //! The engine through the public interface of the library: against closed forms, plain rows of
 //! springs and published tables, and in what holds for any history.
 
+mod coating;
 mod common;
 mod derivatives;
 mod end_of_the_table;
+mod fields;
 mod invariants;
 mod loops;
 mod normal_contact;
@@ -21,5 +23,6 @@ mod readout;
 mod retune;
 mod rig;
 mod snapshot;
+mod two_bodies;
 mod varying_load;
 mod wear;

@@ -1,6 +1,7 @@
 //! The C interface of FMI 2.0, called as an importer calls it.
 
 mod bad_input;
+mod bodies;
 #[cfg(target_os = "linux")]
 mod c_abi;
 #[cfg(target_os = "linux")]

@@ -47,12 +47,19 @@ fn scenes_leave_out_what_they_have_no_use_for() {
         ("load varies", "depth varies"),
         ("load varies", "load varies, table of 1e4 points"),
         ("partial slip, slow wear", "partial slip"),
+        ("partial slip, slow wear", "partial slip, slow wear, both bodies"),
+        ("partial slip, fast wear", "partial slip, fast wear, both bodies"),
+        // a coating that holds, and probes that nobody reads
+        ("partial slip, slow wear", "partial slip, slow wear, coated"),
+        ("partial slip, fast wear", "partial slip, fast wear, coated"),
+        ("25 cycles in one call, fast wear", "25 cycles in one call, fast wear, coated"),
+        ("partial slip, slow wear", "partial slip, slow wear, fixed probes"),
     ] {
         assert_eq!(of(plain).counted, of(other).counted, "{plain} against {other}");
     }
     // who reads a field of the wear pays for it, who reads scalars does not
     for (scene, measured) in &measured {
-        let reads_much = scene.reads == Reads::WornDepth;
+        let reads_much = matches!(scene.reads, Reads::WornDepth | Reads::Fields);
         assert!(!reads_much || measured.of(Work::Requests) > 0, "{}: {:?}", scene.name, measured.counted);
     }
 }

@@ -117,7 +117,9 @@ impl FrettingContact {
         let along = |rates: &(f64, Vector)| rates.1[0] * ahead[0] + rates.1[1] * ahead[1];
         let (by_depth, by_place) = match self.deepest() {
             Some(r) => rates(r),
-            None => self.probe_radii().into_iter().map(rates).max_by(|a, b| along(a).total_cmp(&along(b)))?,
+            None => {
+                self.reached_radii().into_iter().map(rates).max_by(|a, b| along(a).total_cmp(&along(b)))?
+            }
         };
         Some(self.gradient_in_plane(by_depth, by_place))
     }

@@ -81,7 +81,7 @@ impl Snapshot {
             && self.displacement_y.is_finite()
             && is_sign(self.direction)
             && amount(self.work)
-            && amount(self.former.volume)
+            && self.former.volumes.iter().all(|volume| amount(*volume))
             && amount(self.former.work)
             && self.former.work <= self.work;
         if !(numbers
@@ -89,6 +89,12 @@ impl Snapshot {
             && self.reach <= target.surface.profile().outer_radius())
         {
             return Some("displacement, work or reach are out of range");
+        }
+        if !self.stroke.is_sound(most) {
+            return Some("the springs at the last reversal are out of order");
+        }
+        if !self.coating.is_sound() {
+            return Some("the cycles at which the coating wore through are out of range");
         }
         if !is_contact(&self.contact) {
             return Some("the contact is no contact");

@@ -56,7 +56,7 @@ pub unsafe extern "C" fn fmi2GetInteger(
     }
 }
 
-/// There are no Boolean variables; only an empty list succeeds.
+/// Reads Boolean variables.
 ///
 /// # Safety
 /// See the [module](super).
@@ -70,8 +70,7 @@ pub unsafe extern "C" fn fmi2GetBoolean(
     // SAFETY: by this function's contract.
     unsafe {
         enter(c, &lifecycle::GET_BOOLEAN, |component| {
-            array_out("value", value, nvr)?;
-            component.no_boolean(array("vr", vr, nvr)?)
+            component.get_boolean(array("vr", vr, nvr)?, array_out("value", value, nvr)?)
         })
     }
 }
@@ -133,7 +132,7 @@ pub unsafe extern "C" fn fmi2SetInteger(
     }
 }
 
-/// There are no Boolean variables; only an empty list succeeds.
+/// Boolean variables are outputs; only an empty list succeeds.
 ///
 /// # Safety
 /// See the [module](super).
@@ -147,8 +146,7 @@ pub unsafe extern "C" fn fmi2SetBoolean(
     // SAFETY: by this function's contract.
     unsafe {
         enter(c, &lifecycle::SET_BOOLEAN, |component| {
-            array("value", value, nvr)?;
-            component.no_boolean(array("vr", vr, nvr)?)
+            component.set_boolean(array("vr", vr, nvr)?, array("value", value, nvr)?)
         })
     }
 }

@@ -1,7 +1,7 @@
 //! The rows. The table is made by the compiler: a library that is loaded and unloaded many times
 //! leaves nothing behind.
 
-use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable};
+use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable, WearThrough};
 use crate::engine::{FrettingContact, Gradient, SlipState};
 use crate::fmi2::enumerations::{Enumeration, LENGTH_UNIT, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
@@ -77,7 +77,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
             "worn_depth",
             "m",
             FrettingContact::worn_depth_at,
-            "Depth of the wear at radius_probe"
+            "Depth of the wear at radius_probe, the sum of both bodies"
         ),
         &at_every_probe!("pressure", "Pa", FrettingContact::pressure_at, "Contact pressure at radius_probe"),
         &at_every_probe!(
@@ -96,6 +96,27 @@ pub(super) static TABLE: [Variable; COUNT] = {
         &second_direction(),
         &profile_unit(),
         &slip_state_value(),
+        &second_body(),
+        &coating(),
+        &at_every_probe!(
+            "profile_height",
+            "m",
+            FrettingContact::profile_height_at,
+            "Height of the worn profile at radius_probe, of both bodies together"
+        ),
+        &at_every_probe!(
+            "slip_amplitude",
+            "m",
+            FrettingContact::slip_amplitude_at,
+            "Slip since the last reversal at radius_probe; in cyclic loading its amplitude"
+        ),
+        &at_every_probe!(
+            "energy_density",
+            "J/m2",
+            |contact, r| contact.energy_density_at(r).unwrap_or(f64::NAN),
+            "Friction work per area so far at radius_probe; not a number without wear or after a change of a wear coefficient"
+        ),
+        &probes(),
     ];
     let mut table = [parts[0][0]; COUNT];
     let (mut part, mut row) = (0, 0);
@@ -111,7 +132,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
     table
 };
 
-const FIELDS: usize = 5;
+const FIELDS: usize = 8;
 
 const COUNT: usize = inputs().len()
     + outputs().len()
@@ -120,7 +141,10 @@ const COUNT: usize = inputs().len()
     + rig().len()
     + second_direction().len()
     + profile_unit().len()
-    + slip_state_value().len();
+    + slip_state_value().len()
+    + second_body().len()
+    + coating().len()
+    + probes().len();
 
 const fn inputs() -> [Variable; 5] {
     [
@@ -157,9 +181,9 @@ const fn outputs() -> [Variable; 12] {
         output("tangential_force", "N", 10.0, Range::FINITE, &[], force)
             .about("Tangential force that body 1 exerts on body 2; in cyclic loading its amplitude"),
         output("wear_volume", "m3", 1e-15, Range::NOT_NEGATIVE, &[], volume)
-            .about("Worn volume, accumulated"),
+            .about("Volume worn off both bodies, accumulated"),
         output("wear_depth", "m", 1e-6, Range::NOT_NEGATIVE, &[], depth)
-            .about("Deepest point of the wear, accumulated"),
+            .about("Deepest point of the wear, the sum of both bodies, accumulated"),
         output("dissipated_energy", "J", 1e-6, Range::NOT_NEGATIVE, &[], work)
             .about("Work of friction, accumulated"),
         output("normal_reaction", "N", 100.0, Range::NOT_NEGATIVE, NORMAL, reaction)
@@ -225,7 +249,7 @@ const fn parameters() -> [Variable; 18] {
         ),
         real("youngs_modulus_1", "Pa", stress, |s| &mut s.youngs_modulus_1)
             .shown_in("GPa")
-            .about("Young's modulus of body 1, which moves and wears"),
+            .about("Young's modulus of body 1, which moves"),
         real("poisson_ratio_1", "1", poisson, |s| &mut s.poisson_ratio_1).about("Poisson ratio of body 1"),
         real("youngs_modulus_2", "Pa", stress, |s| &mut s.youngs_modulus_2)
             .shown_in("GPa")
@@ -234,8 +258,8 @@ const fn parameters() -> [Variable; 18] {
         tunable("friction_coefficient", "1", friction, |s| &mut s.friction_coefficient)
             .about("Coefficient of friction; a change counts from the next step; 0 at the start cannot be changed"),
         tunable("wear_coefficient", "1", wear, |s| &mut s.wear_coefficient).about(
-            "Wear coefficient k: a friction work W wears the volume W*wear_coefficient/hardness; a change counts from the next step, 0 computes \
-             no wear, and cannot be changed",
+            "Wear coefficient k of body 1: a friction work W wears the volume W*wear_coefficient/hardness off it; a change \
+             counts from the next step, 0: body 1 does not wear, and cannot be changed",
         ),
         real("hardness", "Pa", stress, |s| &mut s.hardness)
             .shown_in("GPa").about("Hardness of body 1"),
@@ -282,6 +306,68 @@ const fn slip_state_value() -> [Variable; 1] {
     let data_type = DataType::Real { unit: Some(unit_named("1")), nominal: None, range };
     [variable("slip_state_value", data_type, Access::SlipNumber(FrettingContact::slip_state))
         .about("slip_state as a Real: 1 separated, 2 stick, 3 partial_slip, 4 gross_slip")]
+}
+
+/// Wear of body 2, and what either body has lost.
+const fn second_body() -> [Variable; 4] {
+    type C = FrettingContact;
+    let volume_1 = grows(
+        |c: &C| c.wear_volumes()[0],
+        |c: &C| c.wear_volumes_gradient()[0],
+        |c: &C, amplitude| c.wear_volumes_per_cycle(amplitude)[0],
+    );
+    let volume_2 = grows(
+        |c: &C| c.wear_volumes()[1],
+        |c: &C| c.wear_volumes_gradient()[1],
+        |c: &C, amplitude| c.wear_volumes_per_cycle(amplitude)[1],
+    );
+    let hardness = Range { low: Bound::Included(0.0), high: Bound::Included(*range::STRESS.end()) };
+    [
+        tunable("wear_coefficient_2", "1", Range::of(&range::WEAR), |s| &mut s.wear_coefficient_2).about(
+            "Wear coefficient of body 2: a friction work W wears the volume W*wear_coefficient_2/hardness_2 off it; a \
+             change counts from the next step, 0: body 2 does not wear, and cannot be changed",
+        ),
+        real("hardness_2", "Pa", hardness, |s| &mut s.hardness_2)
+            .shown_in("GPa")
+            .about("Hardness of body 2, needed where wear_coefficient_2 > 0"),
+        output("wear_volume_1", "m3", 1e-15, Range::NOT_NEGATIVE, &[], volume_1)
+            .about("Volume worn off body 1, accumulated"),
+        output("wear_volume_2", "m3", 1e-15, Range::NOT_NEGATIVE, &[], volume_2)
+            .about("Volume worn off body 2, accumulated"),
+    ]
+}
+
+/// A coating and its end.
+const fn coating() -> [Variable; 4] {
+    let thickness = Range { low: Bound::Included(0.0), high: Bound::Included(*range::LENGTH.end()) };
+    [
+        real("coating_thickness", "m", thickness, |s| &mut s.coating_thickness)
+            .about("Thickness of a coating, the wear_depth at which worn_through becomes true; 0: none"),
+        variable("worn_through", DataType::Boolean, Access::WornThrough)
+            .about("Whether wear_depth has reached coating_thickness; false without a coating"),
+        event("worn_through_time", "s", WearThrough::Time).about(
+            "Time at which worn_through became true, 0 before: in cyclic loading that of the cycle, in transient loading \
+             the end of the step in which it was found",
+        ),
+        event("cycles_to_wear_through", "1", WearThrough::Cycles).about(
+            "Cycles of cyclic loading since the start at which worn_through became true, 0 before, within tolerance",
+        ),
+    ]
+}
+
+/// A number that belongs to the wear-through.
+const fn event(name: &'static str, unit: &str, which: WearThrough) -> Variable {
+    let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: None, range: Range::FINITE };
+    variable(name, data_type, Access::WearThrough(which))
+}
+
+/// Where the fields are given.
+const fn probes() -> [Variable; 1] {
+    let radius = Range { low: Bound::Included(0.0), high: Bound::Included(*range::LENGTH.end()) };
+    [real("probe_radius_max", "m", radius, |s| &mut s.probe_radius_max).about(
+        "Outermost radius_probe, so that fields of two times have the same radii; at most the end of the body; 0: the \
+         probes follow the contact",
+    )]
 }
 
 /// The other tangential direction.

@@ -154,7 +154,7 @@ fn type_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
             attributes.push(("max", max.to_string()));
         }
         DataType::Enumeration(enumeration) => attributes.push(("declaredType", enumeration.name.to_owned())),
-        DataType::String => {}
+        DataType::Boolean | DataType::String => {}
     }
     attributes.extend(variable.start().map(|start| {
         let text = match start {

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 const INPUTS: usize = 6;
 
 /// Room for the variables that are not fields.
-const ROOM: usize = 48;
+const ROOM: usize = 64;
 
 /// References of the variables that are not fields.
 pub(crate) static NAMED: LazyLock<Vec<u32>> = LazyLock::new(|| {

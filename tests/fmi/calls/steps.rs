@@ -6,6 +6,7 @@ use super::{Called, Host, LEAST_TOLERANCE, MOST_WEARING_CELLS, MOST_WEARING_STEP
 use core::ffi::CStr;
 use core::ptr::{null, null_mut};
 use fretting_contact::fmi2::exports::*;
+use fretting_contact::fmi2::variables::variables;
 
 // SAFETY of every call below: see the parent module.
 impl Host {
@@ -43,6 +44,8 @@ impl Host {
             for (&reference, value) in references.iter().zip(values) {
                 match self.model.known_real(reference) {
                     Some(known) => assert_eq!(value.to_bits(), known.to_bits(), "variable {reference}"),
+                    // work per area is not known in every state
+                    None if variables()[reference as usize].name.starts_with("energy_density") => {}
                     None => assert!(!value.is_nan(), "variable {reference} in {:?}", self.model),
                 }
             }
@@ -50,7 +53,7 @@ impl Host {
         (status, self.model.get(&references, &["Real"]))
     }
 
-    /// Strings, and Booleans, of which there are none.
+    /// Strings, and Booleans, which are outputs.
     pub(super) fn text(&mut self, record: Record) -> Called {
         let c = self.component;
         let target =
@@ -72,7 +75,10 @@ impl Host {
                     }
                     (status, self.model.get(&target, &["String"]))
                 }
-                2 => (fmi2GetBoolean(c, target.as_ptr(), 1, [0].as_mut_ptr()), Expected::Error),
+                2 => {
+                    let status = fmi2GetBoolean(c, target.as_ptr(), 1, [0].as_mut_ptr());
+                    (status, self.model.get(&target, &["Boolean"]))
+                }
                 _ => (
                     fmi2SetBoolean(c, target.as_ptr(), 0, null()),
                     self.model.gated(Group::Set, Expected::Ok),
@@ -82,7 +88,9 @@ impl Host {
     }
 
     pub(super) fn step(&mut self, record: Record) -> Called {
-        if self.model.allows(Group::Step) && self.model.value("wear_coefficient") > 0.0 {
+        let wears =
+            self.model.value("wear_coefficient") > 0.0 || self.model.value("wear_coefficient_2") > 0.0;
+        if self.model.allows(Group::Step) && wears {
             let cheap = self.model.number("resolution") <= MOST_WEARING_CELLS
                 && self.model.value("tolerance") >= LEAST_TOLERANCE;
             if !(self.wears && cheap) || self.wearing_steps == MOST_WEARING_STEPS {

@@ -1,0 +1,180 @@
+//! Where the springs stood when the present stroke began: how far each has slipped since.
+//!
+//! A stroke is the motion from one reversal to the next. Slip moves the origin of a spring, the
+//! displacement at which it would be relaxed. So the slip of a spring in the stroke is the change
+//! of its origin, and only the origins at the last reversal have to be kept. In one dimension
+//! under constant load that is the length of the slip path: s(x) = |ΔU| − |Δu|, for a first stroke
+//! |U| − m (d − g). The slip of the surface is its Abel transform,
+//! (2/π) ∫ s dx/√(r² − x²) from 0 to r.
+
+use super::FrettingContact;
+use crate::friction::Vector;
+use crate::quadrature::GAUSS;
+use crate::surface::Surface;
+use serde::{Deserialize, Serialize};
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+
+/// Longest panel of the quadrature over the angle θ, x = r sin θ. The three-point rule on it is
+/// exact to 1e-10 for the image of a smooth body.
+const PANEL: f64 = 0.1;
+
+/// The springs at the beginning of a stroke.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct StrokeStart {
+    /// Radii with the origins of their springs, m; none where all were relaxed or out of contact.
+    origins: Vec<(f64, Vector)>,
+    /// Displacement, m.
+    place: Vector,
+    /// Indentation depth, m.
+    depth: f64,
+}
+
+/// The present stroke.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Stroke {
+    pub(super) start: StrokeStart,
+    /// The start of the one before, for a change that fails, and kept for its memory.
+    former: StrokeStart,
+    /// How often one has begun.
+    begun: u64,
+}
+
+impl StrokeStart {
+    /// Numbers that springs can have, at most so many.
+    pub(super) fn is_sound(&self, most: usize) -> bool {
+        let finite = |vector: &Vector| vector.iter().all(|value| value.is_finite());
+        self.origins.len() <= most
+            && self.depth.is_finite()
+            && finite(&self.place)
+            && self.origins.iter().all(|(x, origin)| (0.0..f64::INFINITY).contains(x) && finite(origin))
+            && self.origins.windows(2).all(|pair| pair[0].0 <= pair[1].0)
+    }
+}
+
+impl Stroke {
+    pub(super) fn since(start: StrokeStart) -> Self {
+        Self { start, ..Self::default() }
+    }
+
+    /// Number of strokes so far, to go back to with [`Self::go_back`].
+    pub(super) fn mark(&self) -> u64 {
+        self.begun
+    }
+
+    /// Undoes the last beginning, if there was one since a mark.
+    pub(super) fn go_back(&mut self, mark: u64) {
+        if self.begun != mark {
+            std::mem::swap(&mut self.start, &mut self.former);
+            self.begun = mark;
+        }
+    }
+
+    fn next(&mut self) -> &mut StrokeStart {
+        std::mem::swap(&mut self.start, &mut self.former);
+        self.begun += 1;
+        self.start.origins.clear();
+        &mut self.start
+    }
+}
+
+impl FrettingContact {
+    /// A stroke begins where the body stands.
+    pub(super) fn begin_stroke(&mut self) {
+        let (place, depth) = ([self.displacement, self.displacement_y], self.contact.depth);
+        let start = self.stroke.next();
+        (start.place, start.depth) = (place, depth);
+        match &self.planar {
+            Some(planar) => start.origins.extend(planar.row.knots().iter().map(|k| (k.place.x, k.origin))),
+            None => {
+                start.origins.extend(self.springs.knots().iter().map(|k| (k.place.x, [k.origin, place[1]])));
+            }
+        }
+    }
+
+    /// Steady cycles are told by their first quarter, from relaxed springs at displacement 0.
+    pub(super) fn begin_quarter(&mut self) {
+        let (place, depth) = ([0.0, self.displacement_y], self.contact.depth);
+        let start = self.stroke.next();
+        (start.place, start.depth) = (place, depth);
+    }
+
+    /// Slip of the surface at radius r since the present stroke began, m: from one reversal to the
+    /// next, so that at a reversal it is that of the whole stroke. After
+    /// [`Self::advance_cycles`] it is the amplitude of the slip, from the middle of a stroke to its
+    /// end. 0 outside the contact.
+    ///
+    /// It is the distance between the places at which the springs are relaxed, at the reversal and
+    /// now. Springs that came into contact during the stroke are taken to have touched along a
+    /// straight line of depth and displacement.
+    pub fn slip_amplitude_at(&self, r: f64) -> f64 {
+        if self.contact.is_open() || r > self.contact.radius {
+            return 0.0;
+        }
+        let place_y = self.displacement_y;
+        let now: Vec<(f64, Vector)> = match &self.planar {
+            Some(planar) => planar.row.knots().iter().map(|k| (k.place.x, k.origin)).collect(),
+            None => self.springs.knots().iter().map(|k| (k.place.x, [k.origin, place_y])).collect(),
+        };
+        let start = &self.stroke.start;
+        let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
+        let kinks = now.iter().chain(&start.origins).map(|knot| knot.0).chain(nodes.iter().copied());
+        let mut angles: Vec<f64> =
+            kinks.filter(|x| *x > 0.0 && *x < r).map(|x| (x / r).asin()).chain([0.0, FRAC_PI_2]).collect();
+        angles.sort_by(f64::total_cmp);
+        let (now, start) = (Row::new(&self.surface, &now), Row::new(&self.surface, &start.origins));
+        let slip = |x: f64| {
+            let image = self.surface.image(x);
+            let (end, begin) =
+                (now.at(x, image), start.at(x, image).unwrap_or_else(|| self.touched_at(image)));
+            end.map_or([0.0; 2], |end| [end[0] - begin[0], end[1] - begin[1]])
+        };
+        let mut sum = [0.0; 2];
+        for pair in angles.windows(2) {
+            let panels = ((pair[1] - pair[0]) / PANEL).ceil();
+            for k in 0..panels as u32 {
+                let half = 0.5 * (pair[1] - pair[0]) / panels;
+                let middle = pair[0] + f64::from(2 * k + 1) * half;
+                for (node, weight) in GAUSS {
+                    let slip = slip(r * (middle + half * node).sin());
+                    sum = [0, 1].map(|i| sum[i] + weight * half * slip[i]);
+                }
+            }
+        }
+        FRAC_2_PI * sum[0].hypot(sum[1])
+    }
+
+    /// Origin of a spring that was not in contact when the stroke began, or of a relaxed one.
+    fn touched_at(&self, image: f64) -> Vector {
+        let start = &self.stroke.start;
+        let (place, rise) = ([self.displacement, self.displacement_y], self.contact.depth - start.depth);
+        let share = if rise > 0.0 { ((image - start.depth) / rise).clamp(0.0, 1.0) } else { 0.0 };
+        [0, 1].map(|i| start.place[i] + share * (place[i] - start.place[i]))
+    }
+}
+
+/// Origins of springs, linear in the image between them.
+struct Row<'a> {
+    origins: &'a [(f64, Vector)],
+    images: Vec<f64>,
+}
+
+impl<'a> Row<'a> {
+    fn new(surface: &Surface, origins: &'a [(f64, Vector)]) -> Self {
+        Self { origins, images: origins.iter().map(|(x, _)| surface.image(*x)).collect() }
+    }
+
+    /// Origin of the spring at x, m; `None` beyond the last one.
+    fn at(&self, x: f64, image: f64) -> Option<Vector> {
+        let outer = self.origins.partition_point(|(knot, _)| *knot < x);
+        let (end, last) = *self.origins.get(outer)?;
+        let Some(inner) = outer.checked_sub(1) else { return Some(last) };
+        let (begin, first) = self.origins[inner];
+        let rise = self.images[outer] - self.images[inner];
+        let share = if rise > 0.0 {
+            ((image - self.images[inner]) / rise).clamp(0.0, 1.0)
+        } else {
+            (x - begin) / (end - begin)
+        };
+        Some([0, 1].map(|i| first[i] + share * (last[i] - first[i])))
+    }
+}
