@@ -14,6 +14,7 @@ mod planar;
 mod readout;
 mod retune;
 mod rig;
+mod running_in;
 mod slide;
 mod snapshot;
 mod steady;
@@ -70,6 +71,8 @@ pub struct FrettingContact {
     constants: Constants,
     /// m = μE*/G*, from `constants`.
     bound_slope: f64,
+    /// m at the start of the present line: another one while friction runs in.
+    start_slope: f64,
     /// 1/k_rig, m/N; 0 where the contact is driven directly.
     compliance: f64,
     surface: Surface,
@@ -150,6 +153,7 @@ impl FrettingContact {
             .then(|| Box::new(WearState::default()));
         Ok(Self {
             bound_slope: constants.bound_slope(),
+            start_slope: constants.bound_slope(),
             compliance: parameters.rig_compliance(),
             parameters: Arc::new(parameters),
             constants,

@@ -26,6 +26,15 @@ pub struct Parameters {
     pub profile: Profile,
     /// Coefficient of friction μ, in [0, 1e9].
     pub friction_coefficient: f64,
+    /// Coefficient of friction μ_end after running in, in (0, 1e9]; not used where
+    /// [`Self::running_in_energy`] is 0.
+    #[serde(default)]
+    pub friction_coefficient_final: f64,
+    /// Dissipated energy W_r over which friction runs in, J, up to 1e30:
+    /// μ(W) = μ_end − (μ_end − μ₀) e^(−W/W_r) with μ₀ = [`Self::friction_coefficient`]. 0: μ is
+    /// constant.
+    #[serde(default)]
+    pub running_in_energy: f64,
     /// Wear coefficient k of body 1, eq. (18), in [0, 1e30]; 0 where body 1 does not wear.
     pub wear_coefficient: f64,
     /// Hardness σ₀ of body 1, Pa, in [1e-30, 1e30].
@@ -64,6 +73,8 @@ impl Default for Parameters {
             materials: Pair { body_1: Elastic::STEEL, body_2: Elastic::STEEL },
             profile: Profile::Parabola { radius: 0.01 },
             friction_coefficient: 0.6,
+            friction_coefficient_final: 0.6,
+            running_in_energy: 0.0,
             wear_coefficient: 3.2e-4,
             hardness: 8e9,
             wear_coefficient_2: 0.0,
@@ -91,6 +102,15 @@ impl Parameters {
     /// 1/[`Self::rig_stiffness`], m/N; 0 where the contact is driven directly.
     pub fn rig_compliance(&self) -> f64 {
         if self.rig_stiffness >= Self::RIGID { 0.0 } else { 1.0 / self.rig_stiffness }
+    }
+
+    /// μ after an energy (J) has been dissipated: that of running in, else constant.
+    pub fn friction_coefficient_after(&self, energy: f64) -> f64 {
+        if self.running_in_energy == 0.0 {
+            return self.friction_coefficient;
+        }
+        let share = -(-energy / self.running_in_energy).exp_m1();
+        self.friction_coefficient + share * (self.friction_coefficient_final - self.friction_coefficient)
     }
 
     /// k₁/σ₁ + k₂/σ₂, the volume that both bodies lose per unit of friction work, m³/J.
@@ -129,6 +149,7 @@ impl Parameters {
         ] {
             range::parameter(name, value, &range, requirement)?;
         }
+        self.validate_running_in()?;
         self.validate_body_2()?;
         for (name, value, requirement) in [
             (
@@ -160,6 +181,26 @@ impl Parameters {
 }
 
 impl Parameters {
+    fn validate_running_in(&self) -> Result<(), Error> {
+        let energy = self.running_in_energy;
+        let requirement = "the energy of running in lies in 0 to 1e30 J; give 0 for constant friction";
+        range::parameter("running_in_energy", energy, &(0.0..=1e30), requirement)?;
+        let requirement = "a final coefficient of friction lies in 0 to 1e9";
+        let last = self.friction_coefficient_final;
+        range::parameter("friction_coefficient_final", last, &range::FRICTION, requirement)?;
+        if energy > 0.0 {
+            let requirement = "friction that runs in has coefficients above 0 at the start and at the end";
+            for (name, value) in
+                [("friction_coefficient", self.friction_coefficient), ("friction_coefficient_final", last)]
+            {
+                if value == 0.0 {
+                    return Err(Error::Parameter { name, value, requirement });
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn validate_body_2(&self) -> Result<(), Error> {
         let (coefficient, hardness) = (self.wear_coefficient_2, self.hardness_2);
         let requirement = "a wear coefficient lies in 0 to 1e30";

@@ -25,6 +25,19 @@ impl FrettingContact {
     /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed; [`Error::WearOutrun`] where more of it than the
     /// tolerance finds no place on the profile.
     pub fn advance_cycles(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
+        if self.runs_in() {
+            return self.run_in_over(normal, amplitude, cycles);
+        }
+        self.advance_equal_cycles(normal, amplitude, cycles)
+    }
+
+    /// [`Self::advance_cycles`] at the present coefficient of friction.
+    pub(super) fn advance_equal_cycles(
+        &mut self,
+        normal: f64,
+        amplitude: f64,
+        cycles: f64,
+    ) -> Result<(), Error> {
         let (value, _) = self.checked(normal, 0.0)?;
         for (name, value, most) in
             [("displacement_amplitude", amplitude, range::MOST_INPUT), ("cycles", cycles, range::MOST_CYCLES)]
@@ -70,7 +83,8 @@ impl FrettingContact {
         let path = Path {
             surface: &self.surface,
             control: self.parameters.normal_control,
-            bound_slope: self.constants.bound_slope(),
+            bound_slope: self.bound_slope,
+            start_slope: self.bound_slope,
             from: Contact { control: self.touch_control(), radius: 0.0, ..*contact },
             to: *contact,
             start: 0.0,

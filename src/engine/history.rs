@@ -29,9 +29,17 @@ impl FrettingContact {
     /// [`Error::Input`] for numbers that are not finite; [`Error::NonMonotoneImage`], [`Error::BeyondTable`] where the
     /// profile cannot carry the load; [`Error::BeyondNumbers`] for a contact too large to be computed.
     pub fn advance_to(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
+        if self.runs_in() {
+            return self.run_in_to(normal, [displacement, self.drive_displacement_y()]);
+        }
+        self.advance_on_line(normal, displacement)
+    }
+
+    /// [`Self::advance_to`] at the present coefficient of friction.
+    pub(super) fn advance_on_line(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         let (value, displacement) = self.checked(normal, displacement)?;
         if self.planar.is_some() {
-            return self.advance_to_planar(normal, [displacement, self.drive_displacement_y()]);
+            return self.advance_in_plane(normal, [displacement, self.drive_displacement_y()]);
         }
         if self.compliance > 0.0 {
             return self.advance_drive(value, displacement);
@@ -206,7 +214,8 @@ impl FrettingContact {
         Path {
             surface: &self.surface,
             control: self.parameters.normal_control,
-            bound_slope: self.constants.bound_slope(),
+            bound_slope: self.bound_slope,
+            start_slope: self.start_slope,
             from: self.contact,
             to,
             start: self.displacement,

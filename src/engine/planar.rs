@@ -62,9 +62,17 @@ impl FrettingContact {
     /// # Errors
     /// As [`Self::advance_to`].
     pub fn advance_to_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
+        if self.runs_in() {
+            return self.run_in_to(normal, displacement);
+        }
+        self.advance_in_plane(normal, displacement)
+    }
+
+    /// [`Self::advance_to_planar`] at the present coefficient of friction.
+    pub(super) fn advance_in_plane(&mut self, normal: f64, displacement: Vector) -> Result<(), Error> {
         let [x, y] = displacement;
         if y == self.drive_displacement_y() && self.planar.is_none() {
-            return self.advance_to(normal, x);
+            return self.advance_on_line(normal, x);
         }
         let (value, _) = self.checked(normal, x)?;
         range::input(Y, y)?;
@@ -196,6 +204,7 @@ impl FrettingContact {
             surface: &self.surface,
             control: self.parameters.normal_control,
             bound_slope: self.bound_slope,
+            start_slope: self.start_slope,
             from: self.contact,
             to,
             start: self.place(),

@@ -59,7 +59,7 @@ impl FrettingContact {
             return Ok(());
         }
         let mut constants = self.constants;
-        constants.friction_coefficient = friction_coefficient;
+        constants.friction_coefficient = new.friction_coefficient_after(self.work);
         constants.wear_per_work = new.wear_per_work();
         let bound_slope = constants.bound_slope();
         self.view.take();
@@ -70,7 +70,7 @@ impl FrettingContact {
                 || (former_wear_per_work != constants.wear_per_work && this.wear_volume() > 0.0);
             this.former = FormerWear { volumes: this.wear_volumes(), work: this.work, mixed };
             this.parameters = Arc::new(new);
-            (this.constants, this.bound_slope) = (constants, bound_slope);
+            (this.constants, this.bound_slope, this.start_slope) = (constants, bound_slope, bound_slope);
             let work = if this.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
             this.counters.spring_walks += 1;
             if let Some(wear) = &mut this.wear {

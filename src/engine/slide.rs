@@ -8,7 +8,7 @@ impl FrettingContact {
     /// nothing changed, if it takes a walk.
     #[inline]
     pub(super) fn slides_to(&mut self, value: f64, displacement: f64) -> bool {
-        if value != self.contact.control || self.contact.is_open() {
+        if value != self.contact.control || self.contact.is_open() || self.start_slope != self.bound_slope {
             return false;
         }
         let direction = self.direction_to(displacement);

@@ -108,6 +108,7 @@ impl FrettingContact {
         self.planar = snapshot.planar.clone();
         self.direction = snapshot.direction;
         self.work = snapshot.work;
+        self.follow_running_in();
         self.stroke = Stroke::since(snapshot.stroke.clone());
         self.former = snapshot.former;
         self.reach = snapshot.reach;

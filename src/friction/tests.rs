@@ -22,7 +22,7 @@ fn at_depth(surface: &Surface, depth: f64) -> Contact {
 
 fn path<'a>(surface: &'a Surface, from: Contact, to: Contact, start: f64, end: f64) -> Path<'a> {
     let control = NormalControl::Indentation;
-    Path { surface, control, bound_slope: M, from, to, start, end, sampling: 1.0 / 64.0 }
+    Path { surface, control, bound_slope: M, start_slope: M, from, to, start, end, sampling: 1.0 / 64.0 }
 }
 
 /// A row pressed to `depth` at rest, and its contact.
@@ -282,7 +282,8 @@ fn work_of_lines(surface: &Surface, control: NormalControl, lines: &[(f64, f64)]
     let mut from = (at(lines[0].0), lines[0].1);
     let start = at(if control == NormalControl::Force { 0.0 } else { surface.image(0.0) });
     let walk = |row: Springs, (from, start): (Contact, f64), (to, end): (Contact, f64)| {
-        let path = Path { surface, control, bound_slope: M, from, to, start, end, sampling: 1e-4 };
+        let path =
+            Path { surface, control, bound_slope: M, start_slope: M, from, to, start, end, sampling: 1e-4 };
         row.walk(&path, Springs::default(), None)
     };
     let (mut row, _) = walk(Springs::default(), (start, from.1), from);

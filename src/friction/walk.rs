@@ -12,8 +12,10 @@ use crate::surface::{Contact, Place, Surface};
 pub(crate) struct Path<'a> {
     pub(crate) surface: &'a Surface,
     pub(crate) control: NormalControl,
-    /// m = μE*/G*.
+    /// m = μE*/G* at the end.
     pub(crate) bound_slope: f64,
+    /// m at the start.
+    pub(crate) start_slope: f64,
     pub(crate) from: Contact,
     pub(crate) to: Contact,
     pub(crate) start: f64,
@@ -46,11 +48,6 @@ impl Path<'_> {
         Knot { place, origin: self.displacement_at_touch(&place) }
     }
 
-    /// Friction bound b(g) in a given contact, m of spring deflection.
-    fn bound(&self, contact: &Contact, image: f64) -> f64 {
-        if contact.is_open() { 0.0 } else { self.bound_slope * (contact.depth - image).max(0.0) }
-    }
-
     /// B of the bound b(t) = b₀ + (b₁ − b₀) t + B t (1 − t) along the path, m. Under a prescribed
     /// force the depth is a concave function of it, with dd/dF = 1/(2E*a). B keeps the mean that
     /// values and slopes at the ends give; from or to first touch, the mean of a power law.
@@ -75,7 +72,7 @@ impl Path<'_> {
     fn trial<'k>(&self, knot: &'k Knot, rounding: f64, bulge: f64) -> Trial<'k> {
         let leaves = knot.place.image > self.to.depth || self.to.is_open();
         let end = if leaves { self.displacement_at_touch(&knot.place) } else { self.end };
-        let trial = Trial::new(knot, end, self.bound(&self.to, knot.place.image), rounding);
+        let trial = Trial::new(knot, end, bound(self.bound_slope, &self.to, knot.place.image), rounding);
         if trial.slips() {
             Trial { mean_bound: self.mean_bound(&trial, leaves, bulge), ..trial }
         } else {
@@ -89,7 +86,7 @@ impl Path<'_> {
     fn mean_bound(&self, trial: &Trial, leaves: bool, bulge: f64) -> f64 {
         let (place, side) = (&trial.knot.place, trial.side());
         let touches = place.image > self.from.depth || self.from.is_open();
-        let bound = self.bound(&self.from, place.image);
+        let bound = bound(self.start_slope, &self.from, place.image);
         let share = |place| share_at_touch(self.control, (&self.from, &self.to), place);
         // the part of the path on which it is in contact
         let (room, part) = if touches {
@@ -109,6 +106,11 @@ impl Path<'_> {
         let motion = side * (self.end - self.start) * part * left;
         mean + bulge * left * left * motion / (6.0 * trial.excess)
     }
+}
+
+/// Friction bound b(g) = m (d − g) in a given contact, m of spring deflection.
+fn bound(bound_slope: f64, contact: &Contact, image: f64) -> f64 {
+    if contact.is_open() { 0.0 } else { bound_slope * (contact.depth - image).max(0.0) }
 }
 
 /// Share of a path after which a spring slips that has `room` to its bound at the start and is

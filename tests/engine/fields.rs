@@ -214,7 +214,7 @@ fn random_histories_give_finite_slip_and_keep_it_when_saved() {
             let force = random.random_range(-20.0..150.0);
             let y = if step > 15 { random.random_range(-2e-6..2e-6) } else { 0.0 };
             contact.advance_to_planar(force, [random.random_range(-3e-6..3e-6), y]).unwrap();
-            let mut again = common::contact(parameters.clone());
+            let mut again = crate::common::contact(parameters.clone());
             again.restore(&contact.snapshot()).unwrap();
             for r in contact.probe_radii() {
                 let slip = contact.slip_amplitude_at(r);

@@ -22,6 +22,7 @@ mod ranges;
 mod readout;
 mod retune;
 mod rig;
+mod running_in;
 mod snapshot;
 mod two_bodies;
 mod varying_load;

@@ -79,7 +79,7 @@ impl FrettingContact {
     }
 
     /// Where the drive stands, m.
-    pub(super) fn drive_place(&self) -> Vector {
+    pub(in crate::engine) fn drive_place(&self) -> Vector {
         [self.drive_displacement(), self.drive_displacement_y()]
     }
 

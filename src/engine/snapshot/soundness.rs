@@ -160,9 +160,10 @@ impl Snapshot {
         let Contact { depth, radius, .. } = self.contact;
         let place = [self.displacement, self.displacement_y];
         let knots = planar.row.knots();
-        let slack = CLOSE * (target.bound_slope * depth.abs() + place[0].abs() + place[1].abs());
+        let slope = target.bound_slope_after(self.work);
+        let slack = CLOSE * (slope * depth.abs() + place[0].abs() + place[1].abs());
         let within = |knot: &PlanarKnot| {
-            let bound = target.bound_slope * (depth - knot.place.image).max(0.0);
+            let bound = slope * (depth - knot.place.image).max(0.0);
             let [x, y] = difference(place, knot.origin);
             x.hypot(y) <= bound + slack && is_placed(&knot.place, surface, outermost)
         };
@@ -182,7 +183,7 @@ impl Snapshot {
         if self.contact.is_open() || self.planar.is_some() {
             return self.springs.knots().is_empty();
         }
-        let slope = target.bound_slope;
+        let slope = target.bound_slope_after(self.work);
         let slack = CLOSE * (slope * depth.abs() + self.displacement.abs());
         let within = |knot: &Knot| {
             let bound = slope * (depth - knot.place.image).max(0.0);

@@ -14,8 +14,10 @@ use crate::surface::{Contact, Place, Surface};
 pub(crate) struct PlanarPath<'a> {
     pub(crate) surface: &'a Surface,
     pub(crate) control: NormalControl,
-    /// m = μE*/G*.
+    /// m = μE*/G* at the end.
     pub(crate) bound_slope: f64,
+    /// m at the start.
+    pub(crate) start_slope: f64,
     pub(crate) from: Contact,
     pub(crate) to: Contact,
     pub(crate) start: Vector,
@@ -37,11 +39,6 @@ impl PlanarPath<'_> {
 
     fn motion(&self) -> Vector {
         difference(self.end, self.start)
-    }
-
-    /// m (d − g), below 0 out of contact.
-    fn room(&self, contact: &Contact, image: f64) -> f64 {
-        self.bound_slope * (contact.depth - image)
     }
 }
 
@@ -81,8 +78,9 @@ impl PlanarRow {
         for j in 0..row.knots.len() {
             let knot = &mut row.knots[j];
             let before = knot.origin;
-            let (first, bound) =
-                (path.room(&path.from, knot.place.image), path.room(&path.to, knot.place.image));
+            // m (d − g), below 0 out of contact
+            let first = path.start_slope * (path.from.depth - knot.place.image);
+            let bound = path.bound_slope * (path.to.depth - knot.place.image);
             let touches = path.from.is_open() || knot.place.x > path.from.radius;
             let leaves = path.to.is_open() || knot.place.x > path.to.radius;
             let motion = if touches {

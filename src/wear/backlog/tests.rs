@@ -16,6 +16,7 @@ fn strokes(ends: &[f64], steps: u32) -> WearBacklog {
         surface: &surface,
         control: NormalControl::Indentation,
         bound_slope: M,
+        start_slope: M,
         from,
         to: contact,
         start,

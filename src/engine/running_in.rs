@@ -1,0 +1,174 @@
+//! Friction that runs in: μ(W) = μ_end − (μ_end − μ₀) e^(−W/W_r), W the dissipated energy.
+//!
+//! A line is divided so that μ changes little in each part. The bound of a spring goes from m₀ (d₀ − g)
+//! to m₁ (d₁ − g) there, m₁ that of the work at the end: the implicit trapezoidal rule, whose
+//! solution is found by iteration on copies of the contact. A call that fails has changed nothing.
+//!
+//! Many cycles in one call are divided likewise, each part at the coefficient of its middle.
+
+use super::FrettingContact;
+use crate::error::Error;
+use crate::wear::Constants;
+
+/// Relative error of μ in a part of a line, or of cycles, at the most.
+const ACCURACY: f64 = 1e-7;
+
+/// The same in cycles with wear, of which each part takes an integration of the profile.
+const ACCURACY_WITH_WEAR: f64 = 1e-4;
+
+/// Relative difference from μ_end below which μ is constant.
+const RUN_IN: f64 = 1e-9;
+
+/// Relative change of μ within one update of the worn profile.
+const DRIFT: f64 = 0.02;
+
+/// Most iterations for μ at the end of a part; each gains three digits.
+const MOST_ITERATIONS: u32 = 8;
+
+/// Relative change of μ that ends these iterations.
+const CONVERGED: f64 = 1e-13;
+
+impl FrettingContact {
+    /// Coefficient of friction at the present, that of [`Self::dissipated_energy`].
+    pub fn friction_coefficient_now(&self) -> f64 {
+        self.constants.friction_coefficient
+    }
+
+    /// Whether friction depends on what has been dissipated.
+    pub(super) fn runs_in(&self) -> bool {
+        self.parameters.running_in_energy > 0.0
+    }
+
+    /// Takes the coefficient of friction that belongs to the dissipated energy.
+    pub(super) fn follow_running_in(&mut self) {
+        if self.runs_in() {
+            self.set_friction(self.parameters.friction_coefficient_after(self.work));
+            self.start_slope = self.bound_slope;
+        }
+    }
+
+    /// m = μE*/G* after an energy (J) has been dissipated.
+    pub(super) fn bound_slope_after(&self, energy: f64) -> f64 {
+        let friction_coefficient = self.parameters.friction_coefficient_after(energy);
+        Constants { friction_coefficient, ..self.constants }.bound_slope()
+    }
+
+    fn set_friction(&mut self, coefficient: f64) {
+        self.constants.friction_coefficient = coefficient;
+        self.bound_slope = self.constants.bound_slope();
+    }
+
+    /// Energy (J) that a part of a line may dissipate: x = ΔW/W_r of (μ_end − μ) x²/12 = ε μ, the
+    /// error of the trapezoidal rule.
+    fn energy_of_part(&self, accuracy: f64) -> f64 {
+        let mu = self.constants.friction_coefficient;
+        let difference = (self.parameters.friction_coefficient_final - mu).abs() / mu;
+        if difference <= RUN_IN {
+            return f64::INFINITY;
+        }
+        self.parameters.running_in_energy * (12.0 * accuracy / difference).sqrt()
+    }
+
+    /// A copy that does not wear, for trials.
+    fn without_wear(&self) -> Self {
+        Self { wear: None, ..self.clone() }
+    }
+
+    /// [`Self::advance_to_planar`] with friction that runs in.
+    pub(super) fn run_in_to(&mut self, normal: f64, target: [f64; 2]) -> Result<(), Error> {
+        let scale = if self.constants.force_control { self.force_scale() } else { 1.0 };
+        let start = (self.contact.control * scale, self.drive_place());
+        let mut now = self.clone();
+        let mut done = 0.0;
+        while done < 1.0 {
+            let mut rest = now.without_wear();
+            rest.advance_in_plane(normal, target)?;
+            let work = rest.work - now.work;
+            let most = now.energy_of_part(ACCURACY);
+            let part = if work > most { (1.0 - done) * (most / work) } else { 1.0 - done };
+            // the last part ends at the target to the bit, as does one too short to be told
+            let next = if done + part > done { done + part } else { 1.0 };
+            let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
+            let place = [at(start.1[0], target[0]), at(start.1[1], target[1])];
+            let normal = at(start.0, normal);
+            now = now.run_in_part(|this| this.advance_in_plane(normal, place))?;
+            now.absorb_after_drift()?;
+            done = next;
+        }
+        now.counters.steps = self.counters.steps + 1;
+        *self = now;
+        Ok(())
+    }
+
+    /// The contact after a part of a step, with the coefficient of friction of its end.
+    fn run_in_part(&self, advance: impl Fn(&mut Self) -> Result<(), Error>) -> Result<Self, Error> {
+        let mut coefficient = self.constants.friction_coefficient;
+        let mut iterations = 0;
+        loop {
+            let mut next = self.clone();
+            next.set_friction(coefficient);
+            advance(&mut next)?;
+            let found = self.parameters.friction_coefficient_after(next.work);
+            iterations += 1;
+            if (found - coefficient).abs() <= CONVERGED * found || iterations == MOST_ITERATIONS {
+                next.follow_running_in();
+                return Ok(next);
+            }
+            coefficient = found;
+        }
+    }
+
+    /// Wears the backlog off where it spans too much of the running in: it is worn at one
+    /// coefficient.
+    fn absorb_after_drift(&mut self) -> Result<(), Error> {
+        let Some(wear) = &self.wear else { return Ok(()) };
+        let before = self.parameters.friction_coefficient_after(self.work - wear.backlog.work);
+        if (self.constants.friction_coefficient / before - 1.0).abs() <= DRIFT {
+            return Ok(());
+        }
+        self.bounded(Self::close_backlog)?;
+        self.follow_running_in();
+        Ok(())
+    }
+
+    /// [`Self::advance_cycles`] with friction that runs in.
+    pub(super) fn run_in_over(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
+        let mut now = self.clone();
+        // refuses what cannot be done, and finds contact
+        now.advance_equal_cycles(normal, amplitude, if cycles > 0.0 { 0.0 } else { cycles })?;
+        let accuracy = if now.wear.is_some() { ACCURACY_WITH_WEAR } else { ACCURACY };
+        let mut left = cycles;
+        while left > 0.0 {
+            let mut one = now.without_wear();
+            one.advance_equal_cycles(normal, amplitude, 1.0)?;
+            let work = one.work - now.work;
+            let most = now.energy_of_part(accuracy);
+            let part = if left * work > most { (most / work).min(left) } else { left };
+            now =
+                now.run_in_cycles(part, |this, cycles| this.advance_equal_cycles(normal, amplitude, cycles))?;
+            left -= part;
+        }
+        // the body stands at its amplitude with the friction of the end
+        now.follow_running_in();
+        now.advance_equal_cycles(normal, amplitude, 0.0)?;
+        now.counters.steps = self.counters.steps + 1;
+        *self = now;
+        Ok(())
+    }
+
+    /// The contact after some cycles at the coefficient of friction of their middle.
+    fn run_in_cycles(
+        &self,
+        cycles: f64,
+        advance: impl Fn(&mut Self, f64) -> Result<(), Error>,
+    ) -> Result<Self, Error> {
+        let half = |half: &mut Self| advance(half, 0.5 * cycles);
+        let middle = self.without_wear().run_in_part(half)?.constants.friction_coefficient;
+        let mut next = self.clone();
+        next.set_friction(middle);
+        next.start_slope = next.bound_slope;
+        advance(&mut next, cycles)?;
+        next.follow_running_in();
+        Ok(next)
+    }
+}

@@ -1,0 +1,270 @@
+//! Friction that runs in with the dissipated energy.
+
+use crate::common::*;
+use fretting_contact::{Error, FrettingContact, NormalControl, Parameters};
+use rand::RngExt;
+
+/// μ₀, μ_end and W_r of the scenes.
+const START: f64 = 0.2;
+const END: f64 = 0.8;
+const ENERGY: f64 = 1.0;
+
+fn running_in(energy: f64) -> Parameters {
+    Parameters {
+        friction_coefficient: START,
+        friction_coefficient_final: END,
+        running_in_energy: energy,
+        ..without_wear(BALL)
+    }
+}
+
+fn begin(parameters: Parameters) -> FrettingContact {
+    let mut contact = contact(parameters);
+    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    contact
+}
+
+/// Displacement of full slip at the larger coefficient, m.
+fn full() -> f64 {
+    exact(&BALL, FORCE).full_slip() * END / MU
+}
+
+fn friction_after(work: f64, energy: f64) -> f64 {
+    END - (END - START) * (-work / energy).exp()
+}
+
+/// Displacement at which an energy is dissipated in sliding from rest: ∫ T dU = W + 0.4 μF u_f, what the springs store in
+/// gross slip of a sphere; the work of the first loading to u_f is 3/5 μF u_f.
+fn displacement_after(work: f64) -> f64 {
+    let slid = ENERGY / (END * FORCE) * ((END * (work / ENERGY).exp() - (END - START)) / START).ln();
+    slid + 0.8 * exact(&BALL, FORCE).full_slip() * friction_after(work, ENERGY) / MU
+}
+
+#[test]
+fn sliding_dissipates_the_closed_energy_in_any_number_of_steps() {
+    let tabulated = 0.687259;
+    let exact_friction = friction_after(tabulated, ENERGY);
+    close(exact_friction, 0.498228, 1e-6, "the tabulated coefficient belongs to the tabulated energy");
+    for steps in [1, 40, 4000] {
+        let mut contact = begin(running_in(ENERGY));
+        in_steps(&mut contact, (FORCE, 0.0), (FORCE, 0.02), steps);
+        close_to(contact.dissipated_energy(), tabulated, 1e-3, "the springs store next to nothing");
+        let at = displacement_after(contact.dissipated_energy());
+        close(at, 0.02, 1e-6 * 0.02, &format!("{steps} steps"));
+        close_to(contact.tangential_force(), contact.friction_coefficient_now() * FORCE, 1e-12, "T = mu F");
+    }
+}
+
+/// Ends of lines: load as a share of the usual one, displacement of that of full slip.
+fn lines(seed: u64, count: usize) -> Vec<(f64, f64)> {
+    let mut random = seeded(seed);
+    (0..count).map(|_| (uniform(&mut random, 0.5, 1.5), uniform(&mut random, -1.5, 1.5))).collect()
+}
+
+/// The lines of a history, each in `steps` steps.
+fn walk(contact: &mut FrettingContact, lines: &[(f64, f64)], steps: usize) {
+    let mut from = (FORCE, 0.0);
+    for &(load, place) in lines {
+        let target = (load * FORCE, place * full());
+        in_steps(contact, from, target, steps);
+        from = target;
+    }
+}
+
+/// Work of some lines of [`lines`], J: running in takes a few of them.
+fn usual_energy() -> f64 {
+    let mut contact = begin(Parameters { friction_coefficient: END, ..without_wear(BALL) });
+    walk(&mut contact, &lines(0, 20), 1);
+    0.2 * contact.dissipated_energy()
+}
+
+#[test]
+fn a_step_may_be_split() {
+    let energy = usual_energy();
+    for (rig, tolerance) in [(f64::INFINITY, 1e-6), (2e7, 1e-4)] {
+        for seed in 0..4 {
+            let parameters = Parameters { rig_stiffness: rig, ..running_in(energy) };
+            let (mut whole, mut split) = (begin(parameters.clone()), begin(parameters));
+            // at constant load: the work under a load that varies has an error of its own
+            let lines: Vec<_> = lines(seed, 20).into_iter().map(|(_, place)| (1.0, place)).collect();
+            walk(&mut whole, &lines, 1);
+            walk(&mut split, &lines, 7);
+            let what = format!("rig {rig:e}, seed {seed}");
+            close_to(split.dissipated_energy(), whole.dissipated_energy(), tolerance, &what);
+            close_to(split.friction_coefficient_now(), whole.friction_coefficient_now(), tolerance, &what);
+            close(split.tangential_force(), whole.tangential_force(), tolerance * END * FORCE, &what);
+        }
+    }
+}
+
+#[test]
+fn random_histories_keep_every_invariant() {
+    let energy = usual_energy();
+    let mut steepest: f64 = 0.0;
+    for (seed, (start, end)) in
+        (0..6).map(|seed| (seed, if seed % 2 == 0 { (START, END) } else { (END, START) }))
+    {
+        let mut random = seeded(seed);
+        let parameters = Parameters {
+            friction_coefficient: start,
+            friction_coefficient_final: end,
+            normal_control: if seed < 3 { NormalControl::Force } else { NormalControl::Indentation },
+            ..running_in(energy)
+        };
+        let held = parameters.normal_control == NormalControl::Indentation;
+        let unit = if held { exact(&BALL, FORCE).normal.depth() } else { FORCE };
+        let mut contact = contact(parameters.clone());
+        let (mut work, mut mu) = (0.0, start);
+        for _ in 0..60 {
+            let normal = if random.random_bool(0.1) { 0.0 } else { unit * uniform(&mut random, 0.2, 1.5) };
+            let place = uniform(&mut random, -1.5, 1.5) * full();
+            if random.random_bool(0.3) {
+                contact.advance_to_planar(normal, [place, 0.3 * place]).expect("the line can be walked");
+            } else {
+                to(&mut contact, normal, place);
+            }
+            let now = contact.friction_coefficient_now();
+            assert_eq!(now, parameters.friction_coefficient_after(contact.dissipated_energy()));
+            assert!((now - mu) * (end - start) >= 0.0, "{mu} goes to {now}");
+            assert!(contact.dissipated_energy() >= work);
+            let limit = now * contact.normal_reaction();
+            let force = contact.tangential_force().hypot(contact.tangential_force_y());
+            assert!(force <= limit * (1.0 + 1e-12), "{force} above {limit}");
+            steepest = steepest.max((now / mu - 1.0).abs());
+            (work, mu) = (contact.dissipated_energy(), now);
+        }
+        assert!((mu - end).abs() < 0.2 * (end - start).abs(), "it has run in: {mu}");
+    }
+    assert!(steepest > 0.05, "steps change the coefficient: {steepest}");
+}
+
+#[test]
+fn a_line_in_the_plane_is_the_same_as_along_x() {
+    let energy = usual_energy();
+    let (mut line, mut plane) = (begin(running_in(energy)), begin(running_in(energy)));
+    let (cosine, sine) = (0.8, 0.6);
+    for (_, place) in lines(3, 12) {
+        let place = place * full();
+        to(&mut line, FORCE, place);
+        plane.advance_to_planar(FORCE, [cosine * place, sine * place]).expect("the line can be walked");
+        let force = cosine * plane.tangential_force() + sine * plane.tangential_force_y();
+        close(force, line.tangential_force(), 3e-4 * END * FORCE, "T");
+    }
+    close_to(plane.dissipated_energy(), line.dissipated_energy(), 1e-3, "W");
+}
+
+/// Cycles in one call, in a hundred, and stroke by stroke.
+#[test]
+fn cycles_run_in_the_same_in_one_call_and_in_many() {
+    let amplitude = 0.7 * exact(&BALL, FORCE).full_slip() * START / MU;
+    let mut loops = begin(Parameters { friction_coefficient: START, ..without_wear(BALL) });
+    loops.advance_cycles(FORCE, amplitude, 1.0).expect("cycles");
+    let energy = 40.0 * loops.dissipated_energy();
+    let mut one = begin(running_in(energy));
+    one.advance_cycles(FORCE, amplitude, 100.0).expect("cycles");
+    let mut many = begin(running_in(energy));
+    let mut strokes = begin(running_in(energy));
+    to(&mut strokes, FORCE, amplitude);
+    for _ in 0..100 {
+        many.advance_cycles(FORCE, amplitude, 1.0).expect("cycles");
+        to(&mut strokes, FORCE, -amplitude);
+        to(&mut strokes, FORCE, amplitude);
+    }
+    let work = one.dissipated_energy();
+    assert!(
+        one.friction_coefficient_now() > 1.5 * START,
+        "it has run in: {}",
+        one.friction_coefficient_now()
+    );
+    close_to(many.dissipated_energy(), work, 1e-6, "W in a hundred calls");
+    close_to(many.tangential_force(), one.tangential_force(), 1e-6, "T in a hundred calls");
+    // which begins with a quarter of a cycle
+    one.advance_cycles(FORCE, amplitude, 0.25).expect("cycles");
+    close_to(strokes.dissipated_energy(), one.dissipated_energy(), 1e-4, "W stroke by stroke");
+    close_to(strokes.tangential_force(), one.tangential_force(), 5e-4, "T stroke by stroke");
+}
+
+#[test]
+fn what_wears_is_the_work_and_does_not_depend_on_the_calls() {
+    let amplitude = 0.6 * full();
+    let wearing = |energy| Parameters { wear_coefficient: 3e-2, ..running_in(energy) };
+    let mut loops = begin(Parameters { friction_coefficient: END, ..without_wear(BALL) });
+    loops.advance_cycles(FORCE, amplitude, 1.0).expect("cycles");
+    let energy = 30.0 * loops.dissipated_energy();
+    let per_work = wearing(energy).wear_per_work();
+    let (mut one, mut many, mut strokes) =
+        (begin(wearing(energy)), begin(wearing(energy)), begin(wearing(energy)));
+    one.advance_cycles(FORCE, amplitude, 100.0).expect("cycles");
+    to(&mut strokes, FORCE, amplitude);
+    for k in 0..100 {
+        many.advance_cycles(FORCE, amplitude, 1.0).expect("cycles");
+        // a load that varies about the mean
+        to(&mut strokes, (1.0 + 0.2 * f64::from(k % 3 - 1)) * FORCE, -amplitude);
+        to(&mut strokes, FORCE, amplitude);
+    }
+    for contact in [&one, &many, &strokes] {
+        close_to(contact.wear_volume(), per_work * contact.dissipated_energy(), 1e-9, "V = k/sigma W");
+        close_to(contact.profile_volume(), contact.wear_volume(), 1e-3, "V is on the profile");
+        assert!(contact.friction_coefficient_now() > 0.9 * END);
+    }
+    close_to(many.wear_volume(), one.wear_volume(), 1e-3, "V in a hundred calls");
+    close_to(many.wear_depth(), one.wear_depth(), 2e-3, "depth in a hundred calls");
+}
+
+/// A contact goes on from a saved state to the bit; without running in the other parameters do
+/// nothing.
+#[test]
+fn a_saved_state_keeps_the_coefficient() {
+    let energy = usual_energy();
+    let mut contact = begin(running_in(energy));
+    walk(&mut contact, &lines(1, 10), 1);
+    let saved = contact.snapshot();
+    let now = contact.friction_coefficient_now();
+    let mut other = begin(running_in(energy));
+    other.restore(&saved).expect("equal parameters");
+    assert_eq!(other.friction_coefficient_now(), now);
+    for contact in [&mut contact, &mut other] {
+        walk(contact, &lines(2, 10), 1);
+    }
+    assert_eq!(state(&contact), state(&other));
+
+    let constant = Parameters { friction_coefficient: START, ..without_wear(BALL) };
+    let (mut plain, mut unused) = (begin(constant.clone()), begin(running_in(0.0)));
+    for contact in [&mut plain, &mut unused] {
+        walk(contact, &lines(2, 10), 1);
+    }
+    assert_eq!(state(&plain), state(&unused));
+    assert_eq!(plain.counters(), unused.counters());
+}
+
+/// Another coefficient at the start changes what is left of the running in, and what was
+/// dissipated stays.
+#[test]
+fn the_coefficient_at_the_start_can_be_retuned() {
+    let energy = usual_energy();
+    let mut contact = begin(running_in(energy));
+    walk(&mut contact, &lines(1, 10), 1);
+    let work = contact.dissipated_energy();
+    contact.retune(0.5, 0.0).expect("a coefficient in its range");
+    let expected = END - (END - 0.5) * (-contact.dissipated_energy() / energy).exp();
+    assert!(contact.dissipated_energy() >= work);
+    close_to(contact.friction_coefficient_now(), expected, 1e-12, "mu");
+}
+
+#[test]
+fn parameters_outside_their_range_are_named() {
+    let refused = |parameters: Parameters, expected: &str| match FrettingContact::new(parameters) {
+        Err(Error::Parameter { name, .. }) => assert_eq!(name, expected),
+        other => panic!("{expected}: {other:?}"),
+    };
+    for value in [-1.0, f64::NAN, f64::INFINITY, 1e31] {
+        refused(running_in(value), "running_in_energy");
+    }
+    for value in [-0.1, f64::NAN, f64::INFINITY, 1e10, 0.0] {
+        refused(
+            Parameters { friction_coefficient_final: value, ..running_in(1.0) },
+            "friction_coefficient_final",
+        );
+    }
+    refused(Parameters { friction_coefficient: 0.0, ..running_in(1.0) }, "friction_coefficient");
+}
