@@ -184,7 +184,7 @@ impl Parameters {
     fn validate_running_in(&self) -> Result<(), Error> {
         let energy = self.running_in_energy;
         let requirement = "the energy of running in lies in 0 to 1e30 J; give 0 for constant friction";
-        range::parameter("running_in_energy", energy, &(0.0..=1e30), requirement)?;
+        range::parameter("running_in_energy", energy, &range::RUNNING_IN, requirement)?;
         let requirement = "a final coefficient of friction lies in 0 to 1e9";
         let last = self.friction_coefficient_final;
         range::parameter("friction_coefficient_final", last, &range::FRICTION, requirement)?;

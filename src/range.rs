@@ -7,6 +7,7 @@
 //! | moduli, hardness, Pa | 1e-30 | 1e30 | softest gels 1, crust of a neutron star 1e29 |
 //! | friction | 0 | 1e9 | rubber 4 |
 //! | wear coefficient | 0 | 1e30 | cutting 0.1 |
+//! | energy of running in, J | 0 | 1e30 | output of the sun in an hour 1e30 |
 //! | inputs, N and m; cycles of a call | | 1e60; 1e30 | |
 //! | contact radius; depth; load/(2E*); force | | 1e60 m; 1e90 m; 1e120 m²; 1e120 N | |
 
@@ -23,6 +24,8 @@ pub(crate) const LEAST_SLOPE: f64 = 1e-30;
 pub(crate) const COEFFICIENT: RangeInclusive<f64> = 1e-300..=1e300;
 /// Coefficient of friction.
 pub(crate) const FRICTION: RangeInclusive<f64> = 0.0..=1e9;
+/// Energy over which friction runs in, J.
+pub(crate) const RUNNING_IN: RangeInclusive<f64> = 0.0..=1e30;
 /// Wear coefficient.
 pub(crate) const WEAR: RangeInclusive<f64> = 0.0..=1e30;
 /// Tolerance of the wear integration; below it there is only rounding.

@@ -6,8 +6,9 @@
 //!
 //! Many cycles in one call are divided likewise, each part at the coefficient of its middle.
 
-use super::FrettingContact;
+use super::{FrettingContact, Gradient};
 use crate::error::Error;
+use crate::parameters::Parameters;
 use crate::wear::Constants;
 
 /// Relative error of μ in a part of a line, or of cycles, at the most.
@@ -32,6 +33,26 @@ impl FrettingContact {
     /// Coefficient of friction at the present, that of [`Self::dissipated_energy`].
     pub fn friction_coefficient_now(&self) -> f64 {
         self.constants.friction_coefficient
+    }
+
+    /// dμ/dW = (μ_end − μ)/W_r, 1/J.
+    fn friction_slope(&self) -> f64 {
+        if !self.runs_in() {
+            return 0.0;
+        }
+        let Parameters { friction_coefficient_final, running_in_energy, .. } = *self.parameters;
+        (friction_coefficient_final - self.constants.friction_coefficient) / running_in_energy
+    }
+
+    /// Of [`Self::friction_coefficient_now`].
+    pub fn friction_coefficient_gradient(&self) -> Gradient {
+        self.dissipated_energy_gradient().times(self.friction_slope())
+    }
+
+    /// By how much one cycle of an amplitude (m) changes the coefficient of friction.
+    pub fn friction_coefficient_per_cycle(&self, amplitude: f64) -> f64 {
+        let slope = self.friction_slope();
+        if slope == 0.0 { 0.0 } else { slope * self.work_per_cycle(amplitude) }
     }
 
     /// Whether friction depends on what has been dissipated.

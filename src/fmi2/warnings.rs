@@ -168,7 +168,7 @@ impl Scene<'_> {
 
     /// Displacement of full slip μ d E*/G* on the unworn body, m.
     fn full_slip(&self) -> f64 {
-        self.settings.friction_coefficient * self.run.modulus_ratio * self.contact.indentation_depth()
+        self.contact.friction_coefficient_now() * self.run.modulus_ratio * self.contact.indentation_depth()
     }
 
     fn mean_pressure(&self) -> f64 {

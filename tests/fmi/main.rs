@@ -21,6 +21,7 @@ mod no_allocation;
 mod planar;
 mod random_calls;
 mod rig;
+mod running_in;
 mod semantics;
 mod serialized;
 mod slip_state;

@@ -117,6 +117,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
             "Friction work per area so far at radius_probe; not a number without wear or after a change of a wear coefficient"
         ),
         &probes(),
+        &running_in(),
     ];
     let mut table = [parts[0][0]; COUNT];
     let (mut part, mut row) = (0, 0);
@@ -144,7 +145,8 @@ const COUNT: usize = inputs().len()
     + slip_state_value().len()
     + second_body().len()
     + coating().len()
-    + probes().len();
+    + probes().len()
+    + running_in().len();
 
 const fn inputs() -> [Variable; 5] {
     [
@@ -359,6 +361,29 @@ const fn coating() -> [Variable; 4] {
 const fn event(name: &'static str, unit: &str, which: WearThrough) -> Variable {
     let data_type = DataType::Real { unit: Some(unit_named(unit)), nominal: None, range: Range::FINITE };
     variable(name, data_type, Access::WearThrough(which))
+}
+
+/// Friction that runs in.
+const fn running_in() -> [Variable; 3] {
+    type C = FrettingContact;
+    let now = grows(
+        C::friction_coefficient_now,
+        C::friction_coefficient_gradient,
+        C::friction_coefficient_per_cycle,
+    );
+    let friction = Range::of(&range::FRICTION);
+    let energy = Range { low: Bound::Included(0.0), high: Bound::Included(*range::RUNNING_IN.end()) };
+    [
+        real("friction_coefficient_final", "1", friction, |s| &mut s.friction_coefficient_final).about(
+            "Coefficient of friction after running in, used when running_in_energy > 0",
+        ),
+        real("running_in_energy", "J", energy, |s| &mut s.running_in_energy).about(
+            "Friction runs in from friction_coefficient to friction_coefficient_final like 1 - exp(-W/running_in_energy), \
+             W = dissipated_energy; 0: constant friction",
+        ),
+        output("friction_coefficient_now", "1", 1.0, Range::NOT_NEGATIVE, &["friction_coefficient"], now)
+            .about("Coefficient of friction at the present"),
+    ]
 }
 
 /// Where the fields are given.
