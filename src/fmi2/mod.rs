@@ -50,8 +50,8 @@
 //!   for inputs that continue to change at the same rates; of order 2 and more they are 0. In
 //!   initialization mode there are directional derivatives with respect to parameters, too.
 //! - **Tunable parameters.** friction_coefficient, wear_coefficient and wear_coefficient_2 may be
-//!   changed between steps, but not switched on or off. The next step begins with the new ones; springs that are
-//!   then beyond their bound slip back to it.
+//!   changed between steps, but not switched on or off. The next step begins with the new ones;
+//!   springs that are then beyond their bound slip back to it.
 //! - **Cyclic loading.** A step makes `h` times the mean frequency cycles; the other inputs count
 //!   at its end.
 //! - **Coating.** A step does not end where the coating wears through; worn_through_time is the
