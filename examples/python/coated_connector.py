@@ -2,9 +2,10 @@
 
     python coated_connector.py [FrettingContact.fmu]
 
-A gold-plated rivet of 2 mm radius on a plated flat, moved by vibration or by heat. Both platings wear, and the joint fails when the
-sum of both depths has reached the thickness of one plating. Below the amplitude of full slip the middle of the contact sticks and only
-an annulus wears. Archard's estimate, which takes the mean pressure and the whole amplitude for slip, is printed and drawn beside. The
+A gold-plated rivet of 2 mm radius on a plated flat, moved by vibration or by heat. Both platings wear, and the joint
+fails when the sum of both depths has reached the thickness of one plating. Below the amplitude of full slip the middle
+of the contact sticks and only an annulus wears: that ends before the coating has gone where the amplitude is small.
+Archard's estimate, which takes the mean pressure and the whole amplitude for slip, is printed and drawn beside. The
 picture coated_connector.png is written beside the FMU, or to the working directory.
 """
 
@@ -39,7 +40,7 @@ PER_WORK = (4e-4 + 2e-4) / 1.5e9  # m3/J of both bodies
 
 
 def connector(force, amplitude):
-    values = {"loading": "cyclic", "coating_thickness": COATING, "probe_radius_max": 60e-6}
+    values = {"loading": "cyclic", "coating_thickness": COATING, "probe_radius_max": 75e-6}
     return Contact(fmu=FMU, normal_force=force, displacement_amplitude=amplitude, **GOLD, **values)
 
 
@@ -79,7 +80,10 @@ if __name__ == "__main__":
             print("{:.1f} N, {:6.2f} um: {:.3e} cycles, by Archard {:.3e}".format(force, *row))
         left.loglog(AMPLITUDES * 1e6, lives, "o-", color=colour, label=f"{force} N")
         left.loglog(AMPLITUDES * 1e6, estimates, "--", color=colour, label=f"{force} N, Archard")
-        for style, amplitude, cycles in zip(("-", ":"), AMPLITUDES[[4, -1]], lives[[4, -1]]):
+        lasting = AMPLITUDES[np.isinf(lives)] * 1e6
+        if lasting.size:
+            left.plot(lasting, np.full_like(lasting, 1e5), "^", color=colour, label=f"{force} N, lasts")
+        for style, amplitude, cycles in zip(("-", ":"), AMPLITUDES[[2, -1]], lives[[2, -1]]):
             radius, before, after, volumes = worn_profile(force, amplitude, cycles)
             label = f"{force} N, {amplitude * 1e6:.1f} µm"
             right.plot(radius * 1e6, (after - before) * 1e6, style, color=colour, label=label)

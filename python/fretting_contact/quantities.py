@@ -11,8 +11,6 @@ UNITS: dict[str, dict[str, float]] = {
     "Hz": {"Hz": 1.0, "kHz": 1e3},
     "J": {"J": 1.0, "mJ": 1e-3, "uJ": 1e-6, "µJ": 1e-6, "μJ": 1e-6},
     "m3": {"m3": 1.0, "mm3": 1e-9, "um3": 1e-18, "µm3": 1e-18, "μm3": 1e-18},
-    "J/m2": {"J/m2": 1.0, "J/mm2": 1e6},
-    "s": {"s": 1.0, "ms": 1e-3},
     "1": {"": 1.0, "1": 1.0, "%": 1e-2},
 }
 """Factors of the units that may be written, by the SI unit of the quantity."""

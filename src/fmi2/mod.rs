@@ -49,11 +49,16 @@
 //!   the end of the last step, not averages along it. Those with respect to time hold there, too,
 //!   for inputs that continue to change at the same rates; of order 2 and more they are 0. In
 //!   initialization mode there are directional derivatives with respect to parameters, too.
-//! - **Tunable parameters.** friction_coefficient and wear_coefficient may be changed between
-//!   steps, but not switched on or off. The next step begins with the new ones; springs that are
-//!   then beyond their bound slip back to it.
+//! - **Tunable parameters.** friction_coefficient, wear_coefficient and wear_coefficient_2 may be
+//!   changed between steps, but not switched on or off. The next step begins with the new ones;
+//!   springs that are then beyond their bound slip back to it.
 //! - **Cyclic loading.** A step makes `h` times the mean frequency cycles; the other inputs count
 //!   at its end.
+//! - **Coating.** A step does not end where the coating wears through; worn_through_time is the
+//!   time. In transient loading reading worn_through looks at the depth, too, so that the time may
+//!   be that of the read.
+//! - **Fields that are not known.** energy_density is not a number where the work per area is not
+//!   known; a warning, once per instance, gives the reason. All other values are numbers.
 //! - **Tolerance.** The parameter `tolerance` rules; that of fmi2SetupExperiment is noted in the
 //!   log only.
 #![allow(unsafe_code)]

@@ -66,7 +66,7 @@ fn how_the_cycles_are_divided_into_calls_does_not_matter() {
     };
     let one = life(&[5000.0]);
     close_to(life(&[1e6]), one, 2e-3, "a much longer call");
-    close_to(life(&vec![one / 10.5; 12]), one, 5e-3, "twelve calls");
+    close_to(life(&[one / 10.5; 12]), one, 5e-3, "twelve calls");
 }
 
 #[test]

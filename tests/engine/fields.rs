@@ -218,7 +218,7 @@ fn random_histories_give_finite_slip_and_keep_it_when_saved() {
             again.restore(&contact.snapshot()).unwrap();
             for r in contact.probe_radii() {
                 let slip = contact.slip_amplitude_at(r);
-                assert!(slip >= 0.0 && slip < 1e-4, "{profile:?} {step}: {slip:e} at {r:e} m");
+                assert!((0.0..1e-4).contains(&slip), "{profile:?} {step}: {slip:e} at {r:e} m");
                 assert_eq!(again.slip_amplitude_at(r), slip);
             }
         }

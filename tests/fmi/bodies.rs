@@ -21,10 +21,8 @@ fn cyclic(fmu: &Fmu) {
 fn boolean(fmu: &Fmu, name: &str) -> bool {
     let mut value = [7];
     // SAFETY: the component is alive, the arrays have one element.
-    assert_eq!(
-        unsafe { fmi2GetBoolean(fmu.component, [reference(name)].as_ptr(), 1, value.as_mut_ptr()) },
-        OK
-    );
+    let status = unsafe { fmi2GetBoolean(fmu.component, [reference(name)].as_ptr(), 1, value.as_mut_ptr()) };
+    assert_eq!(status, OK);
     assert!(matches!(value[0], 0 | 1));
     value[0] == 1
 }

@@ -61,7 +61,7 @@ def test_a_text_without_a_unit_or_for_a_quantity_without_one_is_refused():
 
 
 def test_every_unit_of_the_component_is_known(fmu):
-    assert {variable.unit for variable in fmu.variables.values() if variable.unit} <= set(UNITS) | {"J/m2"}
+    assert {variable.unit for variable in fmu.variables.values() if variable.unit} <= set(UNITS) | {"J/m2", "s"}
 
 
 def test_a_refusal_has_the_message_of_the_component_and_changes_nothing():
@@ -82,6 +82,31 @@ def test_warnings_of_the_component_are_those_of_python():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         Contact().close()
+
+
+def test_both_bodies_a_coating_and_fixed_probes():
+    values = {"wear_coefficient": 0.02, "wear_coefficient_2": 0.02, "hardness_2": "4 GPa", "loading": "cyclic"}
+    coated = {"coating_thickness": "0.2 um", "probe_radius_max": "0.3 mm", "displacement_amplitude": "1.5 um"}
+    with Contact(normal_force=100.0, **values, **coated) as contact:
+        before, radius = contact["profile_height"], contact["radius_probe"]
+        assert contact["worn_through"] is False
+        contact.step(2000.0)
+        assert contact["worn_through"] is True
+        life = contact["cycles_to_wear_through"]
+        assert 0 < life < 2000 and contact["worn_through_time"] == pytest.approx(life, rel=1e-12)
+        assert np.array_equal(contact["radius_probe"], radius) and radius[-1] == 3e-4
+        assert contact["profile_height"] - before == pytest.approx(contact["worn_depth"], abs=1e-15)
+        assert contact["wear_volume_2"] == pytest.approx(2 * contact["wear_volume_1"], rel=1e-12)
+        density = contact["energy_density"]
+        assert contact["worn_depth"] == pytest.approx(density * (0.02 / 8e9 + 0.02 / 4e9), rel=1e-12)
+        # at the edge the slip is next to that of the body, and inside the stick radius there is none
+        slip = contact["slip_amplitude"]
+        inside = radius < 0.999 * contact["stick_radius"]
+        assert np.all(slip[inside] == 0.0) and 0.0 < slip.max() < 1.5e-6
+        with pytest.raises(ParameterError, match="worn_through is computed"):
+            contact.set(worn_through=True)
+    with Contact(wear_coefficient=0.0) as contact, pytest.warns(ContactWarning, match="energy_density"):
+        assert np.all(np.isnan(contact["energy_density"]))
 
 
 def test_fields_are_arrays_with_the_closed_form():

@@ -76,6 +76,23 @@ def test_orbit(fmu_path):
     assert first(text, "stick radius") == pytest.approx(stick, rel=1e-3)
 
 
+def test_coated_connector(fmu_path):
+    text = run_python("coated_connector.py", fmu_path)
+    lines = re.findall(r"^(\S+) N, +(\S+) um: (\S+) cycles, by Archard (\S+)", text, re.MULTILINE)
+    rows = np.array(lines, dtype=float)
+    assert len(rows) == 28
+    for force in (0.5, 2.0):
+        _, amplitude, life, estimate = rows[rows[:, 0] == force].T
+        assert np.all(np.diff(life[np.isfinite(life)]) < 0), "more motion, shorter life"
+        # in gross slip wear enlarges the contact, which the estimate leaves out; in partial slip less slips besides
+        assert np.all(life > estimate) and life[-1] < 3 * estimate[-1]
+        assert life[0] > 1.3 * life[-1] / estimate[-1] * estimate[0]
+    volumes = re.findall(r"lose (\S+) and (\S+) m3", text)
+    assert len(volumes) == 4
+    assert all(float(one) == pytest.approx(2 * float(two), rel=1e-3) for one, two in volumes)
+    assert fmu_path.with_name("coated_connector.png").stat().st_size > 10_000
+
+
 def test_oscillator(fmu_path):
     pytest.importorskip("pathsim_fmi", reason="PathSim and its FMI toolbox are not installed")
     text = run_python("oscillator.py", fmu_path)

@@ -52,7 +52,6 @@ fn scenes_leave_out_what_they_have_no_use_for() {
         // a coating that holds, and probes that nobody reads
         ("partial slip, slow wear", "partial slip, slow wear, coated"),
         ("partial slip, fast wear", "partial slip, fast wear, coated"),
-        ("25 cycles in one call, fast wear", "25 cycles in one call, fast wear, coated"),
         ("partial slip, slow wear", "partial slip, slow wear, fixed probes"),
     ] {
         assert_eq!(of(plain).counted, of(other).counted, "{plain} against {other}");
