@@ -31,7 +31,6 @@ mod totals;
 mod wheel;
 mod wording;
 mod workspace;
-mod xml;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};
