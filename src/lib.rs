@@ -44,6 +44,7 @@ pub mod profile;
 mod quadrature;
 mod range;
 pub mod reference;
+mod roots;
 mod surface;
 pub mod transform;
 mod wear;

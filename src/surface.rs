@@ -18,6 +18,7 @@ use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::profile::{Profile, ProfileTable};
 use crate::range;
+use crate::roots;
 use std::sync::Arc;
 
 /// Image values at one radius.
@@ -131,7 +132,7 @@ impl Surface {
         {
             return x;
         }
-        find_root(low, high, |x| (self.image(x) - image, self.image_slope(x)))
+        roots::of_rising(low, high, |x| (self.image(x) - image, self.image_slope(x)))
     }
 
     /// The contact under a given load F_N/(2E*), m², or indentation depth, m.
@@ -221,7 +222,7 @@ impl Surface {
             return self.outer_edge(outer, "normal_force", load * force_scale);
         }
         let (low, high) = self.bracket(outer, |x| self.load(x), load);
-        Ok(find_root(low, high, |x| (self.load(x) - load, x * self.image_slope(x))))
+        Ok(roots::of_rising(low, high, |x| (self.load(x) - load, x * self.image_slope(x))))
     }
 
     /// Outermost radius at which the image is `depth`.
@@ -236,7 +237,7 @@ impl Surface {
             return self.outer_edge(outer, "indentation", depth);
         }
         let (low, high) = self.bracket(outer, |x| self.image(x), depth);
-        Ok(find_root(low, high, |x| (self.image(x) - depth, self.image_slope(x))))
+        Ok(roots::of_rising(low, high, |x| (self.image(x) - depth, self.image_slope(x))))
     }
 
     /// The contact has reached the end of the body: an edge for the punch, an error for a table.
@@ -287,30 +288,6 @@ impl Surface {
             _ => 1e-6,
         }
     }
-}
-
-/// Root of a rising function in [low, high] by Newton's method, kept inside the interval by bisection.
-/// `f` returns value and slope.
-fn find_root(mut low: f64, mut high: f64, f: impl Fn(f64) -> (f64, f64)) -> f64 {
-    let mut x = 0.5 * (low + high);
-    for _ in 0..200 {
-        let (value, slope) = f(x);
-        if value == 0.0 {
-            return x;
-        }
-        if value > 0.0 {
-            high = x;
-        } else {
-            low = x;
-        }
-        let newton = x - value / slope;
-        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
-        if (next - x).abs() <= 2.0 * f64::EPSILON * x.abs() || high - low <= 2.0 * f64::EPSILON * high {
-            return next;
-        }
-        x = next;
-    }
-    x
 }
 
 #[cfg(test)]

@@ -131,6 +131,15 @@ impl Setup<'_> {
         })
     }
 
+    /// Writes the files that follow from the table of variables.
+    pub(crate) fn describe(&self) -> Result<()> {
+        progress::shown("Writing modelDescription.xml and docs/variables.md", || {
+            let mut cargo = self.cargo("run");
+            cargo.args(["--quiet", "--locked", "--example", "describe"]);
+            run_shown(cargo)
+        })
+    }
+
     /// Drives the FMU through the worked example.
     pub(crate) fn demo(&self, fmu: &Path) -> Result<()> {
         self.install_if_possible(PAGE);

@@ -1,8 +1,8 @@
 //! documentation/index.html: a written page, with the tables of variables taken from
 //! modelDescription.xml.
 
-use crate::xml::escape;
 use anyhow::{Context, Result};
+use quick_xml::escape::escape;
 use roxmltree::{Document, Node};
 
 /// The page, with `{{variables}}` and `{{version}}` to be filled in.
@@ -81,7 +81,7 @@ fn table(heading: &str, causality: &str, variables: &[Row]) -> String {
         .filter(|row| row.causality == causality)
         .map(|row| {
             let cells = [&row.unit, &row.start].map(|text| format!("<td>{}</td>", escape(text)));
-            let meaning = escape(&row.description) + &values(&row.items);
+            let meaning = escape(&row.description).into_owned() + &values(&row.items);
             format!(
                 "<tr><td><code>{}</code></td>{}<td>{meaning}</td></tr>\n",
                 escape(&row.name),
@@ -102,8 +102,8 @@ fn values(items: &[[String; 3]]) -> String {
         return String::new();
     }
     let lines = items.iter().map(|item| {
-        let [number, name, meaning] = item.each_ref().map(|text| escape(text));
-        let meaning = if meaning.is_empty() { meaning } else { format!(": {meaning}") };
+        let [number, name, meaning] = item.each_ref().map(escape);
+        let meaning = if meaning.is_empty() { meaning } else { format!(": {meaning}").into() };
         format!("<li>{number} = <code>{name}</code>{meaning}</li>")
     });
     format!("<ul class=\"values\">{}</ul>", lines.collect::<String>())

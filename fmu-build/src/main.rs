@@ -31,7 +31,6 @@ mod totals;
 mod wheel;
 mod wording;
 mod workspace;
-mod xml;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};
@@ -135,6 +134,8 @@ enum Task {
     /// Make what is published, under target/dist: FMU for three platforms, presets, notes,
     /// checksums
     Release,
+    /// Write modelDescription.xml and docs/variables.md, which follow from the table of variables
+    Describe,
     /// Check formatting, lints, spelling and wording; any finding is an error
     Lint,
     /// Print the environment that plain cargo calls need to find libclang, for `eval "$(cargo fmu
@@ -209,6 +210,7 @@ fn run(task: Task) -> Result<()> {
             coverage::run(&workspace, &commands::set_up(&workspace)?.environment, &tests)?;
         }
         Task::Release => release::run(&commands::set_up(&workspace)?)?,
+        Task::Describe => commands::set_up(&workspace)?.describe()?,
         Task::Lint => lint::run(&commands::set_up(&workspace)?)?,
         Task::Env => print_environment(&workspace)?,
     }

@@ -1,7 +1,9 @@
 //! terminalsAndIcons/terminalsAndIcons.xml (FMI 3.0, section 2.4.9; in FMI 2.0 since 2.0.4): which
 //! variables belong to one connection, and where the icon is drawn.
 
-use crate::xml::escape;
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, Event};
+use std::io;
 
 /// What is connected as one: name, what it is, matching rule, and its variables.
 type Terminal = (&'static str, &'static str, &'static str, &'static [&'static str]);
@@ -30,35 +32,46 @@ const TERMINALS: [Terminal; 5] = [
     ("wear", "What has worn", "bus", &["wear_volume", "wear_depth", "dissipated_energy"]),
 ];
 
-/// Half the side of the square in which the icon is drawn.
-const HALF: u32 = 100;
+/// Corners of the square in which the icon is drawn.
+const CORNERS: [(&str, &str); 4] = [("x1", "-100"), ("y1", "-100"), ("x2", "100"), ("y2", "100")];
+
+type Xml = Writer<Vec<u8>>;
 
 /// The file.
 pub(crate) fn description() -> String {
-    let terminals: String = TERMINALS.iter().map(terminal).collect();
-    format!(
-        r#"<?xml version="1.0" encoding="UTF-8"?>
-<fmiTerminalsAndIcons fmiVersion="3.0">
-  <GraphicalRepresentation>
-    <CoordinateSystem x1="-{HALF}" y1="-{HALF}" x2="{HALF}" y2="{HALF}" suggestedScalingFactorTo_mm="0.1"/>
-    <Icon x1="-{HALF}" y1="-{HALF}" x2="{HALF}" y2="{HALF}"/>
-  </GraphicalRepresentation>
-  <Terminals>
-{terminals}  </Terminals>
-</fmiTerminalsAndIcons>
-"#
-    )
+    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))
+        .expect("memory takes everything");
+    xml.create_element("fmiTerminalsAndIcons")
+        .with_attribute(("fmiVersion", "3.0"))
+        .write_inner_content(content)
+        .expect("memory takes everything");
+    let mut text = String::from_utf8(xml.into_inner()).expect("the writer makes UTF-8");
+    text.push('\n');
+    text
 }
 
-fn terminal((name, about, rule, variables): &Terminal) -> String {
-    let member = |variable: &&str| {
-        format!(
-            "      <TerminalMemberVariable variableName=\"{variable}\" memberName=\"{variable}\" variableKind=\"signal\"/>\n"
-        )
+fn content(xml: &mut Xml) -> io::Result<()> {
+    xml.create_element("GraphicalRepresentation").write_inner_content(|xml| {
+        xml.create_element("CoordinateSystem")
+            .with_attributes(CORNERS)
+            .with_attribute(("suggestedScalingFactorTo_mm", "0.1"))
+            .write_empty()?;
+        xml.create_element("Icon").with_attributes(CORNERS).write_empty().map(drop)
+    })?;
+    xml.create_element("Terminals")
+        .write_inner_content(|xml| TERMINALS.iter().try_for_each(|one| terminal(xml, one)))
+        .map(drop)
+}
+
+fn terminal(xml: &mut Xml, (name, about, rule, variables): &Terminal) -> io::Result<()> {
+    let attributes = [("name", *name), ("matchingRule", rule), ("description", about)];
+    let member = |xml: &mut Xml, variable: &str| {
+        let attributes = [("variableName", variable), ("memberName", variable), ("variableKind", "signal")];
+        xml.create_element("TerminalMemberVariable").with_attributes(attributes).write_empty().map(drop)
     };
-    let members: String = variables.iter().map(member).collect();
-    let about = escape(about);
-    format!(
-        "    <Terminal name=\"{name}\" matchingRule=\"{rule}\" description=\"{about}\">\n{members}    </Terminal>\n"
-    )
+    xml.create_element("Terminal")
+        .with_attributes(attributes)
+        .write_inner_content(|xml| variables.iter().try_for_each(|variable| member(xml, variable)))
+        .map(drop)
 }

@@ -21,6 +21,7 @@ mod cycles;
 use super::FrettingContact;
 use super::line::Line;
 use crate::error::Error;
+use crate::roots;
 
 /// Most walks for one equilibrium. Newton's method takes 3 to 6; a bisection in its place would take 52.
 const MOST_WALKS: u32 = 100;
@@ -175,7 +176,7 @@ impl FrettingContact {
         // all springs stick there at most, and none there
         let stiffest = row_modulus * to.radius.max(self.contact.radius);
         let ends = (here + first / (1.0 + self.compliance * stiffest), here + first);
-        let displacement = if first == 0.0 { here } else { falling_root(ends, pull) };
+        let displacement = if first == 0.0 { here } else { roots::of_falling(ends, pull) };
         self.counters.spring_walks += walks;
         self.spare = spare;
         Ok(displacement)
@@ -217,36 +218,4 @@ impl FrettingContact {
         }
         amplitude
     }
-}
-
-/// Where a falling function is 0, to the last digits, between two ends where it is ≥ 0 and ≤ 0 in turn: regula falsi with
-/// halving of the value at an end that stays (Illinois), and bisection where that is slow.
-fn falling_root((mut low, mut high): (f64, f64), mut f: impl FnMut(f64) -> f64) -> f64 {
-    if low > high {
-        (low, high) = (high, low);
-    }
-    let (mut at_low, mut at_high) = (f(low), f(high));
-    if at_low <= 0.0 {
-        return low;
-    }
-    if at_high >= 0.0 {
-        return high;
-    }
-    let mut last = 0.0;
-    for k in 1..=MOST_WALKS {
-        let share = if k % 8 == 0 { 0.5 } else { at_low / (at_low - at_high) };
-        let middle = low + share * (high - low);
-        let value = f(middle);
-        if value == 0.0 || middle <= low || middle >= high || !value.is_finite() {
-            return middle;
-        }
-        let stays = if value * last > 0.0 { 0.5 } else { 1.0 };
-        if value > 0.0 {
-            (low, at_low, at_high) = (middle, value, stays * at_high);
-        } else {
-            (high, at_high, at_low) = (middle, value, stays * at_low);
-        }
-        last = value;
-    }
-    low
 }

@@ -11,7 +11,7 @@ fn number(text: &str, title: &str) -> f64 {
 }
 
 #[test]
-fn it_prints_what_is_so() {
+fn the_printed_numbers_are_right() {
     let mut out = Vec::new();
     example::run(&mut out).unwrap();
     let text = String::from_utf8(out).unwrap();

@@ -47,8 +47,9 @@ fn rim_rounding(exact: &NormalContact) -> f64 {
     }
 }
 
+/// Over twelve decades of load, at any resolution.
 #[test]
-fn force_control_meets_the_closed_forms_over_twelve_decades_at_any_resolution() {
+fn force_control_meets_the_closed_forms() {
     for profile in analytic() {
         for resolution in RESOLUTIONS {
             for force in forces() {
@@ -60,8 +61,9 @@ fn force_control_meets_the_closed_forms_over_twelve_decades_at_any_resolution() 
     }
 }
 
+/// Over twelve decades of load, at any resolution.
 #[test]
-fn indentation_control_meets_the_closed_forms_over_twelve_decades_at_any_resolution() {
+fn indentation_control_meets_the_closed_forms() {
     for profile in analytic() {
         for resolution in RESOLUTIONS {
             for force in forces() {
@@ -110,7 +112,7 @@ fn the_pressure_agrees_across_the_contact() {
 /// The largest pressure is a maximum over places that include the axis: exact for the sphere, finite for the shapes whose
 /// pressure is singular somewhere.
 #[test]
-fn the_largest_pressure_is_that_of_the_axis_under_a_sphere_and_finite_elsewhere() {
+fn the_largest_pressure_is_finite() {
     let exact = NormalContact::at_force(shape(&BALL), E_STAR, FORCE);
     let ball = under(&BALL, NormalControl::Force, 64, FORCE);
     close_to(ball.max_pressure(), exact.central_pressure(), 1e-12, "p0");
@@ -162,7 +164,7 @@ fn no_load_or_a_pull_is_no_contact() {
 
 /// The table ends at 0.4 mm, where a sphere of 10 mm carries F = (4/3) E* a³/R = 984.6 N at d = 16 µm.
 #[test]
-fn a_load_beyond_the_table_is_refused_with_its_numbers_and_changes_nothing() {
+fn a_load_beyond_the_table_is_refused() {
     let table = Profile::Table(sampled_sphere(50));
     for (control, quantity, inside, beyond) in [
         (NormalControl::Force, "normal_force", 900.0, 1000.0),

@@ -126,7 +126,7 @@ fn saving_leaves_no_trace() {
 }
 
 #[test]
-fn a_state_saved_with_wear_does_not_fit_a_contact_without_nor_the_other_way() {
+fn a_saved_state_fits_only_the_same_setting_of_wear() {
     for wear in [false, true] {
         let mut source = contact(parameters(&BALL, wear));
         transient(&mut source, 1);

@@ -50,8 +50,9 @@ fn assert_stick_unworn(contact: &FrettingContact, what: &str) {
     assert!(contact.worn_depth_at(1.05 * c) > 0.0, "{what}: not worn outside c");
 }
 
+/// The volume, step by step; the stick radius does not move.
 #[test]
-fn constant_depth_by_plain_stepping_follows_the_table_and_does_not_move_the_stick_radius() {
+fn steps_at_constant_depth_follow_the_table() {
     let scene = wear_scene(&BALL, Indentation, LIFE as f64);
     let c = 0.4 * scene.start.normal.radius();
     let mut contact = begun(&scene);
@@ -75,8 +76,9 @@ fn constant_depth_by_plain_stepping_follows_the_table_and_does_not_move_the_stic
     println!("{}", contact.counters());
 }
 
+/// From below; the stick radius does not move.
 #[test]
-fn constant_depth_by_plain_stepping_leaves_the_cone_below_its_final_volume() {
+fn steps_at_constant_depth_approach_the_final_volume_of_the_cone() {
     let scene = wear_scene(&CONE, Indentation, LIFE as f64);
     let a = scene.start.normal.radius();
     let mut contact = begun(&scene);
@@ -92,7 +94,7 @@ fn constant_depth_by_plain_stepping_leaves_the_cone_below_its_final_volume() {
 }
 
 #[test]
-fn constant_depth_by_whole_cycles_follows_the_table_too() {
+fn whole_cycles_at_constant_depth_follow_the_table() {
     let scene = wear_scene(&BALL, Indentation, 1e4);
     let c = 0.4 * scene.start.normal.radius();
     let mut contact = begun(&scene);
@@ -172,7 +174,7 @@ fn assert_row(contact: &FrettingContact, scene: &Problem, row: &ConstantForceRow
 }
 
 #[test]
-fn constant_force_by_plain_stepping_follows_the_tables() {
+fn steps_at_constant_force_follow_the_tables() {
     for (profile, table, life) in
         [(BALL, PARABOLA_CONSTANT_FORCE, 1000.0), (CONE, CONE_CONSTANT_FORCE, 400.0)]
     {
@@ -193,7 +195,7 @@ fn constant_force_by_plain_stepping_follows_the_tables() {
 }
 
 #[test]
-fn constant_force_by_whole_cycles_follows_the_tables() {
+fn whole_cycles_at_constant_force_follow_the_tables() {
     for (profile, table) in [(BALL, PARABOLA_CONSTANT_FORCE), (CONE, CONE_CONSTANT_FORCE)] {
         let scene = wear_scene(&profile, Force, 1e4);
         let mut contact = begun(&scene);
@@ -469,7 +471,7 @@ fn the_counted_work_stays_bounded() {
 
 /// One step that would wear many times the depth is refused; the contact is as it was and can be moved on.
 #[test]
-fn a_step_that_outwears_the_contact_is_refused_and_leaves_it_usable() {
+fn a_step_that_wears_too_much_is_refused() {
     for control in [Force, Indentation] {
         let scene = wear_scene(&BALL, control, 0.02);
         let mut contact = begun(&scene);
@@ -485,7 +487,7 @@ fn a_step_that_outwears_the_contact_is_refused_and_leaves_it_usable() {
 /// Strokes that wear so much that no two are alike, until a mesh can be laid over what they have left: at constant depth the stick
 /// circle does not move, and inside it nothing wears.
 #[test]
-fn a_mesh_laid_over_a_rough_profile_leaves_the_sticking_centre_alone() {
+fn a_new_mesh_wears_nothing_that_sticks() {
     let mut parameters = Parameters { normal_control: Indentation, ..Parameters::default() };
     parameters.wear_coefficient *= 5000.0;
     let Profile::Parabola { radius } = parameters.profile else { panic!("the default is a ball") };

@@ -40,8 +40,9 @@ fn every_function_does_for_a_c_host_what_the_standard_says() {
     master(&["abi"]);
 }
 
+/// 10,000 instances in eight threads.
 #[test]
-fn ten_thousand_instances_in_eight_threads_have_the_bits_of_single_runs() {
+fn instances_in_threads_have_the_bits_of_single_runs() {
     master(&["many", "10000", "8"]);
 }
 

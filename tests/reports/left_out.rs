@@ -13,7 +13,7 @@ fn measured() -> Vec<(Scene, Measured)> {
 }
 
 #[test]
-fn scenes_leave_out_what_they_have_no_use_for() {
+fn unused_features_cost_nothing() {
     let measured = measured();
     for (scene, measured) in &measured {
         println!("{}: {:?}", scene.name, measured.counted);

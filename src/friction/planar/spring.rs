@@ -14,14 +14,7 @@
 //! closed at constant b, and for u along **t** at any. Where b changes and u turns at once, b is a power of (e^y − cos²(θ₀/2)), which ends
 //! like a logarithm: by Gauss's rule in ∛y from there it is good to 2e-5 of b where b changes by 5 %.
 
-/// Nodes and weights of the five-point Gauss rule on (−1, 1).
-const GAUSS: [(f64, f64); 5] = [
-    (-0.906_179_845_938_664, 0.236_926_885_056_189_1),
-    (-0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.0, 0.568_888_888_888_888_9),
-    (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
-    (0.906_179_845_938_664, 0.236_926_885_056_189_1),
-];
+use crate::quadrature::GAUSS_5;
 
 /// A vector in the plane of the contact, m.
 pub(crate) type Vector = [f64; 2];
@@ -173,7 +166,7 @@ impl Turn {
         let (mut lost, mut undriven) = (first * self.end, first * first * self.end);
         if change.abs() > 1e-12 * first && path > 0.0 && first > 0.0 && self.end < 0.0 {
             (lost, undriven) = (0.0, 0.0);
-            for (node, weight) in GAUSS {
+            for (node, weight) in GAUSS_5 {
                 let v = 0.5 * (1.0 + node);
                 let (y, share) = (self.end * (1.0 - v * v * v), 1.5 * weight * v * v * self.end);
                 let left = (1.0 + y.exp_m1() / self.outer).max(0.0);

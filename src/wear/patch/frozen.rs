@@ -1,6 +1,6 @@
 //! Wear inside the stick radius, and the depth outside that belongs to it.
 
-use crate::quadrature::GAUSS;
+use crate::quadrature::GAUSS_3;
 use std::f64::consts::FRAC_2_PI;
 
 /// Wear inside the stick radius, which does not change while the region wears.
@@ -22,7 +22,7 @@ impl Frozen {
         for (x, h) in self.x.windows(2).zip(self.image.windows(2)).filter(|(_, h)| h[0] != 0.0 || h[1] != 0.0)
         {
             let (middle, half) = (0.5 * (x[0] + x[1]), 0.5 * (x[1] - x[0]));
-            for (node, weight) in GAUSS {
+            for (node, weight) in GAUSS_3 {
                 let x_node = middle + half * node;
                 let share = (x_node - x[0]) * (x_node + x[0]) / ((x[1] - x[0]) * (x[1] + x[0]));
                 let image = h[0] + share * (h[1] - h[0]);

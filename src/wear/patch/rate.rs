@@ -2,7 +2,7 @@
 
 use super::Patch;
 use crate::profile::Profile;
-use crate::quadrature::GAUSS;
+use crate::quadrature::GAUSS_3;
 use crate::transform::dot;
 
 /// Everything that follows from a state.
@@ -144,7 +144,7 @@ impl Patch {
         let image = (profile.image(x0), profile.image(x1));
         let (middle, half) = (0.5 * (x0 + x1), 0.5 * (x1 - x0));
         let mut work = 0.0;
-        for (node, weight) in GAUSS {
+        for (node, weight) in GAUSS_3 {
             let x = middle + half * node;
             let share = (x - x0) * (x + x0) / ((x1 - x0) * (x1 + x0));
             let line = |ends: (f64, f64)| ends.0 + share * (ends.1 - ends.0);

@@ -7,20 +7,15 @@
 //! At constant depth it does, into the body that has not worn.
 
 use super::{Motion, Patch, Rate, Sliding};
+use crate::roots::from_below;
 use crate::surface::{Contact, Surface, outer_weight};
-
-/// Most passes of Newton's method, which on lines between the nodes ends by itself.
-const MOST_PASSES: u32 = 50;
-
-/// The share of U₀ that no longer moves it.
-const ROUNDING: f64 = 1e-14;
 
 impl Motion {
     /// The same with the amplitude that a drive has on a surface.
     pub(crate) fn on(&self, surface: &Surface, contact: &Contact, bound_slope: f64) -> Self {
         let Some(rig) = self.rig.filter(|_| !contact.is_open()) else { return *self };
         let gross_slip = rig.amplitude - rig.compliance * bound_slope * contact.load;
-        let amplitude = risen(gross_slip.max(0.0), |amplitude| {
+        let amplitude = from_below(gross_slip.max(0.0), |amplitude| {
             let level = contact.depth - amplitude / bound_slope;
             let stick = if level <= surface.image(0.0) {
                 0.0
@@ -46,7 +41,7 @@ impl Patch {
         let mut stick = self.inner_radius;
         // as if all slipped from the inner edge on: too little, and Newton's method goes on from there without passing the solution
         let least = (rig.amplitude - rig.compliance * outside) / (1.0 + rig.compliance * stick);
-        let amplitude = risen(least, |amplitude| {
+        let amplitude = from_below(least, |amplitude| {
             let (front, beyond) = self.sticking_on_mesh((x, room), amplitude);
             stick = front;
             let force = amplitude * self.inner_radius + outside - beyond;
@@ -79,17 +74,4 @@ impl Patch {
     pub(super) fn lag(&self, rate: &Rate) -> f64 {
         self.motion.rig.map_or(1.0, |rig| 1.0 / (1.0 + rig.compliance * rate.stick))
     }
-}
-
-/// The root of a concave, falling function from a place below it, by steps of Newton's method.
-fn risen(mut value: f64, mut step: impl FnMut(f64) -> f64) -> f64 {
-    for _ in 0..MOST_PASSES {
-        let next = value + step(value);
-        let moves = next > value * (1.0 + ROUNDING);
-        if !moves {
-            break;
-        }
-        value = next;
-    }
-    value
 }

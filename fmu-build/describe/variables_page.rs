@@ -8,7 +8,7 @@ const HEAD: &str = "\
 # Which variables and enumerations are there?
 
 Written from the variable table in `src/fmi2/variables/table.rs`; do not edit. After a change of the
-table write it with `BLESS=1 cargo test --test documents`.
+table write it with `cargo fmu describe`.
 
 All quantities are in SI units. Value references are in
 [modelDescription.xml](../modelDescription.xml). Parameters are set before initialization; those
