@@ -1,4 +1,4 @@
-"""The Python of docs/python.md runs as it stands, and the doctests of the package do."""
+"""The Python of docs/python.md and docs/multibody.md runs as it stands; so do the doctests."""
 
 import doctest
 import importlib
@@ -12,7 +12,8 @@ import pytest
 from conftest import ROOT
 
 PAGE = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
-BLOCKS = re.findall(r"```python\n(.*?)```(?:\n\n```text\n(.*?)```)?", PAGE, re.DOTALL)
+LOOPS = (ROOT / "docs" / "multibody.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"```python\n(.*?)```(?:\n\n```text\n(.*?)```)?", PAGE + LOOPS, re.DOTALL)
 MODULES = sorted(module.name for module in pkgutil.iter_modules(fretting_contact.__path__) if module.name != "__main__")
 NEED_MORE = {"dask_cluster": "distributed", "sweep_folder": "pyarrow"}
 
@@ -28,6 +29,12 @@ def test_a_block_of_the_guide_runs_and_says_what_it_shows(tmp_path, number, monk
     assert done.returncode == 0, done.stderr
     if shown:
         assert done.stdout == shown
+
+
+def test_the_loop_for_chrono_is_python():
+    """It is compiled only: no package registry has Chrono."""
+    (code,) = re.findall(r"```py\n(.*?)```", LOOPS, re.DOTALL)
+    compile(code, "multibody.md", "exec")
 
 
 def test_the_ten_lines_are_ten():
