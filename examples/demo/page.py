@@ -8,6 +8,7 @@ The numbers come from the CSV files, rounded to six digits. Pictures are drawn i
 import csv
 import html
 import json
+import os
 import sys
 from pathlib import Path
 
@@ -19,6 +20,16 @@ from shaken_mass import RIG
 from theory import Sphere
 
 PARTS = Path(__file__).with_name("page")
+GUIDE = Path(__file__).resolve().parents[2] / "docs"
+#: Pages of the guide that the page links to: place in page.html, file.
+LINKS = {
+    "guide": "README.md",
+    "first_steps": "first_steps.md",
+    "theory": "theory.md",
+    "settings": "settings.md",
+    "coupling": "coupling.md",
+    "accuracy": "accuracy.md",
+}
 CUBIC = 1e15  # m³ → 10⁻⁶ mm³
 LOOPS_SHOWN = 5  # of the shaken mass
 
@@ -32,19 +43,28 @@ def write(folder):
     parts = {
         "style": (PARTS / "page.css").read_text(encoding="utf-8"),
         "library": library(),
-        "data": json.dumps(data(folder), ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/"),
+        "data": json.dumps(data(folder), allow_nan=False, ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/"),
         "pictures": (PARTS / "pictures.js").read_text(encoding="utf-8"),
         "script": (PARTS / "page.js").read_text(encoding="utf-8"),
         "numbers": numbers(folder / "headlines.csv"),
         "tables": "\n".join(f'<li><a href="{path.name}">{path.name}</a></li>' for path in sorted(folder.glob("*.csv"))),
         "licences": html.escape((PARTS / "licences.txt").read_text(encoding="utf-8")),
     }
+    parts |= {f"link:{name}": link(folder, file) for name, file in LINKS.items()}
     text = (PARTS / "page.html").read_text(encoding="utf-8")
     for name, part in parts.items():
         text = text.replace("{{" + name + "}}", part)
     path = folder / "index.html"
     path.write_text(text, encoding="utf-8")
     return path
+
+
+def link(folder, file):
+    """Address of a page of the guide, relative to the folder where that is possible."""
+    try:
+        return Path(os.path.relpath(GUIDE / file, folder.resolve())).as_posix()
+    except ValueError:  # another drive
+        return (GUIDE / file).as_uri()
 
 
 def library():
@@ -59,7 +79,14 @@ def library():
 
 def data(folder):
     """What the pictures show, in the units of their axes."""
-    return {"loops": loops(folder), "film": film(folder), "map": running(folder), "mass": mass(folder)}
+    return {
+        "loops": loops(folder),
+        "varying": varying(folder),
+        "film": film(folder),
+        "lives": lives(folder),
+        "map": running(folder),
+        "mass": mass(folder),
+    }
 
 
 def loops(folder):
@@ -73,6 +100,41 @@ def loops(folder):
         lines += [{key: row[key] for key in ("theta", "n", "u", "t")} for row in of_loop]
         points += [{key: row[key] for key in ("theta", "u", "e")} for row in of_loop[:: max(1, len(of_loop) // 25)]]
     return {"lines": lines, "points": points, "limit": Sphere().limit}
+
+
+def varying(folder):
+    """Loops under a load that varies with the motion: the last cycle of each phase."""
+    table = read(folder / "ball_varying_load.csv")
+    columns = {"u": "displacement (m)", "t": "tangential_force (N)", "load": "normal_force (N)"}
+    time = table["time (cycles)"]
+    rows = []
+    for phase in dict.fromkeys(table["load"]):
+        here = (table["load"] == phase) & (time >= time.max() - 1 - 1e-6)
+        scaled = (table[name][here] * (MICRO if key == "u" else 1.0) for key, name in columns.items())
+        for n, values in enumerate(zip(*map(rounded, scaled))):
+            rows.append({"phase": str(phase), "n": n} | dict(zip(columns, values)))
+    return rows
+
+
+def lives(folder):
+    """The worn profile of each case at its stops, in µm."""
+    table = read(folder / "lives.csv")
+    cases = []
+    for name in dict.fromkeys(table["case"]):
+        own = table["case"] == name
+        curves = []
+        for stop in dict.fromkeys(table["life (N/N0)"][own]):
+            here = own & (table["life (N/N0)"] == stop)
+            radius, unworn, worn, pressure = (
+                table[column][here] for column in ("radius (m)", "unworn_height (m)", "worn_depth (m)", "pressure (Pa)")
+            )
+            columns = radius * MICRO, (unworn + worn) * MICRO, worn * MICRO, pressure * GIGA
+            for r, h, w, p in zip(*map(rounded, columns)):
+                row = {"stop": f"{stop:g}", "r": r, "h": h, "w": w}
+                # at the apex of an unworn cone the pressure is infinite
+                curves.append(row | ({"p": p} if np.isfinite(p) else {}))
+        cases.append({"name": str(name), "curves": curves})
+    return cases
 
 
 def film(folder):
@@ -142,7 +204,7 @@ def running(folder):
     fine = np.geomspace(loads[0], loads[-1], 40)
     bounds = [
         {"line": name, "n": n, "u": u}
-        for name, line in zip(("5 % of the radius slips", "all slips"), running_map.boundaries(fine))
+        for name, line in zip(("5 % of the radius slips", "gross slip"), running_map.boundaries(fine))
         for n, u in zip(rounded(fine), rounded(line * MICRO))
         if amplitudes[0] <= u / MICRO <= amplitudes[-1]
     ]
