@@ -1,6 +1,13 @@
-"""Draws the pictures of the reports from their CSV files, each as SVG and PNG: error_against_time, stability, coupling."""
+"""Draws the pictures of the reports from their CSV files: error_against_time, stability, coupling.
+
+    python plot.py [reports]
+
+A picture has a checksum of its data and of this file. It is drawn again when one of them changes.
+"""
 
 import csv
+import hashlib
+import io
 import sys
 from collections import defaultdict
 from pathlib import Path
@@ -8,9 +15,14 @@ from pathlib import Path
 import matplotlib
 
 matplotlib.use("Agg")  # draws to files; needs no display
-matplotlib.rcParams["svg.hashsalt"] = "fretting"  # the same picture from the same numbers
 
 import matplotlib.pyplot as plt  # noqa: E402, the backend is chosen first
+from PIL import Image  # noqa: E402
+from PIL.PngImagePlugin import PngInfo  # noqa: E402
+
+#: Text in a picture's file: the checksum of what it was drawn from.
+CHECKSUM = "SHA-256 of data and script"
+SHADES = 64  # colours of a picture: lines on a plain ground need no more
 
 # Okabe–Ito: distinct with every common colour blindness
 COLOURS = ["#0072B2", "#56B4E9", "#009E73", "#E69F00"]
@@ -29,11 +41,29 @@ def rows(path):
         yield from csv.DictReader(file)
 
 
-def save(figure, path):
-    for ending in ("svg", "png"):
-        metadata = {"Date": None} if ending == "svg" else None
-        figure.savefig(path.with_suffix(f".{ending}"), dpi=110, metadata=metadata)
+def checksum(data):
+    """Of a CSV file and of this script."""
+    return hashlib.sha256(data.read_bytes() + Path(__file__).read_bytes()).hexdigest()
+
+
+def is_current(data):
+    """Whether the picture of a CSV file was drawn from what is there now."""
+    picture = data.with_suffix(".png")
+    if not picture.is_file():
+        return False
+    with Image.open(picture) as image:
+        return image.info.get(CHECKSUM) == checksum(data)
+
+
+def save(figure, data):
+    """Writes and closes the picture of a CSV file."""
+    drawn = io.BytesIO()
+    figure.savefig(drawn, format="png", dpi=110)
     plt.close(figure)
+    about = PngInfo()
+    about.add_text(CHECKSUM, checksum(data))
+    small = Image.open(drawn).convert("RGB").quantize(SHADES)
+    small.save(data.with_suffix(".png"), optimize=True, pnginfo=about)
 
 
 def series_of(row):
@@ -73,8 +103,8 @@ def draw_points(axes, title, series, reference):
     axes.legend(fontsize=6.5, frameon=False)
 
 
-def error_against_time(folder):
-    problems, references = read_points(folder / "error_against_time.csv")
+def error_against_time(data):
+    problems, references = read_points(data)
     lines = (len(problems) + 1) // 2
     figure, panels = plt.subplots(lines, 2, figsize=(10, 3.4 * lines), constrained_layout=True, squeeze=False)
     for axes in panels.flat[len(problems) :]:
@@ -82,12 +112,12 @@ def error_against_time(folder):
     for axes, (title, series) in zip(panels.flat, problems.items()):
         draw_points(axes, title, series, references[title])
     figure.suptitle("Steel on steel, μ = 0.6; ball and parabola: R = 10 mm; c/a0: stick radius over contact radius at the start", fontsize=10)
-    save(figure, folder / "error_against_time")
+    save(figure, data)
 
 
-def stability(folder):
+def stability(data):
     """Each scene at what came nearest to its bound, over that bound; scenes of one kind side by side."""
-    scenes = list(rows(folder / "stability.csv"))
+    scenes = list(rows(data))
     figure, axes = plt.subplots(figsize=(12, 5.2), constrained_layout=True)
     axes.axhspan(1, CEILING, color="#D55E00", alpha=0.08, lw=0)
     axes.axhline(1, color="#D55E00", lw=1, label="bound; above it a scene fails")
@@ -108,13 +138,13 @@ def stability(folder):
     axes.set_title("Each scene at its worst invariant; lowest row: nothing seen; top: far beyond, or not done in time", fontsize=9)
     axes.grid(True, axis="y", color="#eeeeee", lw=0.6)
     axes.legend(fontsize=8, loc="upper right", ncols=3)
-    save(figure, folder / "stability")
+    save(figure, data)
 
 
-def coupling(folder):
+def coupling(data):
     """Error of the work by hω, a panel per master, a line per coupling stiffness."""
     runs = defaultdict(lambda: defaultdict(list))
-    for row in rows(folder / "coupling.csv"):
+    for row in rows(data):
         error = abs(float(row["work_error"])) if row["stable"] == "true" else float("nan")
         runs[row["master"]][float(row["k_over_2Ga"])].append((float(row["h_omega"]), error))
     figure, panels = plt.subplots(1, len(runs), figsize=(3.2 * len(runs), 3.4), sharey=True, constrained_layout=True)
@@ -137,13 +167,14 @@ def coupling(folder):
         ha="left",
     )
     panels[-1].legend(fontsize=6.5, frameon=False)
-    save(figure, folder / "coupling")
+    save(figure, data)
 
 
 def main(folder):
     for draw in (error_against_time, stability, coupling):
-        if (folder / f"{draw.__name__}.csv").exists():
-            draw(folder)
+        data = folder / f"{draw.__name__}.csv"
+        if data.is_file() and not is_current(data):
+            draw(data)
 
 
 if __name__ == "__main__":
