@@ -98,7 +98,7 @@ def constant_load_loop(fmu, theta, steps):
 
 
 def varying_load_loop(fmu, phase, steps):
-    """Three cycles of U = U₀ sin ωt with F = F₀ (1 + s sin(ωt + phase)); the last one has settled."""
+    """Three cycles of U = U₀ sin ωt with F = F₀ (1 + s sin(ωt + phase)); the last one is periodic."""
     cycles = 3
     angle = np.linspace(0, 2 * np.pi * cycles, 2 * steps * cycles + 1)
     displacement = VARYING_THETA * SPHERE.full_slip * np.sin(angle)
@@ -107,8 +107,8 @@ def varying_load_loop(fmu, phase, steps):
     with ContactFmu(fmu) as contact:
         contact.start(normal_force=load[0], tangential_displacement=displacement[0], wear_coefficient=0.0)
         start = contact.get(*names)
-        walk = contact.follow(names, normal_force=load[1:], tangential_displacement=displacement[1:])
-    states = {name: np.concatenate([[first], walk[name]]) for name, first in zip(names, start)}
+        result = contact.follow(names, normal_force=load[1:], tangential_displacement=displacement[1:])
+    states = {name: np.concatenate([[first], result[name]]) for name, first in zip(names, start)}
     return {
         "angle": angle,
         "displacement": displacement,

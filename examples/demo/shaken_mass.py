@@ -6,7 +6,7 @@ wears, the clamp relaxes, the joint holds less, and the unit shakes more.
 
 Coupling: a Gauss–Seidel scheme with a fixed communication step and a linear model of the joint. Over each step the
 joint is T ≈ T_n + k_n (z − z_n), from the FMU's outputs tangential_force and tangential_stiffness, but never more
-than μ F_N; an adaptive Runge–Kutta solver takes the mass through the step; the FMU then walks to where the mass has
+than μ F_N; an adaptive Runge–Kutta solver takes the mass through the step; the FMU then moves to where the mass has
 arrived and reports its true force. Taking the stiffness along makes the scheme second order and stable although the
 joint is far stiffer than the mount: holding T_n alone would feed energy into the stuck joint. The clamp does the same
 with normal_stiffness. The step is 1/96 of a period of the shaking: half of it changes the amplitude by well under

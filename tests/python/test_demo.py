@@ -22,7 +22,7 @@ BOUNDS = {
     "Partial slip: cycle by cycle": 0.1,  # three cycles that wear as much as thousands
     "Gross slip: cycle by cycle": 0.1,
     "amplitude with friction": 0.02,  # of a second-order scheme at 64 steps a period
-    "friction work: counted": 0.03,  # likewise; and the joint keeps some elastic energy
+    "friction work: counted": 0.03,  # of the same scheme; and the joint keeps some elastic energy
     "worn volume against": 1e-3,
     "worn volume /(a₀² d₀)": 0.01,  # tables good to 0.3 %
     "force from the image": 0.03,  # the image jumps at the stick edge, somewhere between two of 64 probes

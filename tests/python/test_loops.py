@@ -7,7 +7,7 @@ from closed_forms import G_STAR, BluntedSphere, Cone, PowerLaw, Sphere, Tangenti
 SHAPES = [Sphere(), Cone(), BluntedSphere(), PowerLaw()]
 THETAS = [0.25, 0.5, 0.75, 1.0, 1.5]
 FORCE_ERROR = 1e-4  # of μF: promised at the default resolution
-WORK_ERROR = 1e-3  # relative: promised likewise
+WORK_ERROR = 1e-3  # relative: as documented
 
 
 @pytest.fixture(params=SHAPES, ids=str)

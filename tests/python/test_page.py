@@ -85,8 +85,8 @@ def same(value, text, scale=1.0, digits=4):
     return math.isclose(value, float(text) * scale, rel_tol=0.51 * 10.0 ** (1 - digits), abs_tol=1e-12)
 
 
-def tells(shown, text, scale):
-    """Whether a text of the page tells a CSV's number; less than a millionth it tells as none."""
+def agrees(shown, text, scale):
+    """Whether a text of the page is the number of a CSV file; below a millionth it is 0."""
     return same(leading(shown), text if abs(float(text) * scale) >= 1e-6 else 0.0, scale)
 
 
@@ -144,10 +144,10 @@ def test_the_slider_moves_the_film_and_its_numbers_are_those_of_the_table(page, 
             move_to(page, place)
             row, shown = rows[place], state(page)
             assert leading(shown["cycle"]) == round(float(row["cycles (1)"]))
-            assert tells(shown["worn volume"], row["wear_volume (m3)"], 1e15)
-            assert tells(shown["wear depth"], row["wear_depth (m)"], 1e6)
-            assert tells(shown["contact radius"], row["contact_radius (m)"], 1e6)
-            assert tells(shown["stick radius"], row["stick_radius (m)"], 1e6)
+            assert agrees(shown["worn volume"], row["wear_volume (m3)"], 1e15)
+            assert agrees(shown["wear depth"], row["wear_depth (m)"], 1e6)
+            assert agrees(shown["contact radius"], row["contact_radius (m)"], 1e6)
+            assert agrees(shown["stick radius"], row["stick_radius (m)"], 1e6)
             # what is drawn: the data of the pictures, and pictures that differ
             drawn = page.evaluate("film.views[0].data('frame').filter((row) => row.r >= 0)")
             here = [r for r in fields if r["regime"] == life and r["cycles"] == row["cycles (1)"]]

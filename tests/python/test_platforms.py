@@ -1,6 +1,6 @@
 """Libraries of the FMU that are for other machines run under their emulators: loaded, stepped into gross slip, force and wear by formulas.
 
-They are in the FMU of `cargo fmu test --platforms linux64,win64,aarch64-linux`. What is missing on this machine is told by name.
+They are in the FMU of `cargo fmu test --platforms linux64,win64,aarch64-linux`. A skipped test names what is missing on this machine.
 """
 
 import os

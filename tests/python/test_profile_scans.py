@@ -103,12 +103,12 @@ def test_a_refused_table_becomes_one_that_is_accepted(start_contact, tmp_path):
     """One side only, as the FMU refuses it for its noise; the command that the message names mends it."""
     r = np.arange(0, 450e-6, 2e-6)
     f = WORN_FLAT.height(r) + 20e-9 * np.random.default_rng(4).standard_normal(len(r))
-    table, mended = tmp_path / "table.txt", tmp_path / "mended.txt"
+    table, corrected = tmp_path / "table.txt", tmp_path / "corrected.txt"
     np.savetxt(table, np.column_stack([r, f]))
     with pytest.raises(ContactError, match="not monotone.*cargo fmu profile"):
         start_contact(profile="table", profile_file=str(table))
-    assert main([str(table), "-o", str(mended)]) == 0
-    radius = start_contact(profile="table", profile_file=str(mended)).get("contact_radius")
+    assert main([str(table), "-o", str(corrected)]) == 0
+    radius = start_contact(profile="table", profile_file=str(corrected)).get("contact_radius")
     assert radius == pytest.approx(188.717e-6, rel=0.01)  # closed form, 100 N
 
 

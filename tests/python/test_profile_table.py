@@ -20,7 +20,7 @@ def sampled_sphere(tmp_path):
 
 
 def test_sampled_sphere_is_the_parabola(start_contact, sampled_sphere):
-    """A table is linear in r² between its points, as the parabola is everywhere: both agree but for the digits."""
+    """A table is linear in r² between its points, as the parabola is everywhere: both agree to the digits of the file."""
     table = start_contact(profile="table", profile_file=sampled_sphere, wear_coefficient=0.0)
     parabola = start_contact(wear_coefficient=0.0)
     path = np.concatenate([np.linspace(0, 2e-6, 11)[1:], np.linspace(2e-6, -2e-6, 21)[1:]])

@@ -82,8 +82,8 @@ def test_the_directional_derivative_is_the_tangential_stiffness(start_contact, f
     # and what a further step does
     before = contact.get("tangential_force")
     contact.step(tangential_displacement=1e-6 * (1 + 1e-6))
-    told = contact._call(ask, unknowns, knowns, [1e-12, 0.0])[0]
-    assert contact.get("tangential_force") - before == pytest.approx(told, rel=1e-5)
+    change = contact._call(ask, unknowns, knowns, [1e-12, 0.0])[0]
+    assert contact.get("tangential_force") - before == pytest.approx(change, rel=1e-5)
 
 
 def test_output_derivatives_continue_the_last_step(start_contact, fmu):

@@ -66,7 +66,7 @@ def test_every_set_comes_out_once_with_a_worker_killed(fmu_path, swept):
     assert results["normal_force"].tolist() == loads and results["displacement_amplitude"].tolist() == amplitudes
     here = run_batch(fmu_path.read_bytes(), {**COMMON, "loading": "cyclic"}, sets(COUNT).rows(0, 5), CyclicLife(CYCLES))
     for name in ("wear_volume", "force_amplitude", "regime"):
-        assert results[name][:5].tolist() == [row[name] for row in here], name  # to the bit, whoever ran it
+        assert results[name][:5].tolist() == [row[name] for row in here], name  # to the bit, in any worker
 
 
 def test_started_again_it_runs_what_is_missing(swept):
@@ -143,7 +143,7 @@ def test_a_share_that_is_none_is_refused(fmu_path, tmp_path, share):
         sweep({}, {"normal_force": [1.0]}, fmu=fmu_path, share=(0, 1))
 
 
-def test_a_script_without_a_main_guard_is_told_what_is_missing(tmp_path, fmu_path):
+def test_a_script_without_a_main_guard_gets_a_message_that_says_so(tmp_path, fmu_path):
     script = tmp_path / "script.py"
     script.write_text("from fretting_contact import sweep\nsweep({}, {'normal_force': [50.0]}, cycles=10, processes=1)\n")
     done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=60, env=os.environ | {"FRETTING_FMU": str(fmu_path)})

@@ -93,7 +93,7 @@ def test_six_decades_of_load_in_one_run(start_contact):
         low = contact.get("tangential_force")
         contact.step(tangential_displacement=amplitude)
         swing = (contact.get("tangential_force") - low) / 2
-        # Sticking springs may carry an old offset from earlier loads; the swing of a settled loop does not see it.
+        # Sticking springs may carry an old offset from earlier loads; the range of a closed loop does not depend on it.
         assert swing == pytest.approx(case.loading(amplitude)[0], abs=HISTORY_ERROR * case.limit)
         contact.step(tangential_displacement=0.0)
 

@@ -29,11 +29,11 @@ def test_volume_is_friction_work(start_contact, shape, theta):
     contact.step(tangential_displacement=amplitude)
     start = contact.get("tangential_force", "wear_volume", "dissipated_energy")
     path = strokes(amplitude, 3, 200)
-    walk = contact.follow(["tangential_force", "wear_volume", "dissipated_energy"], tangential_displacement=path)
-    force = np.concatenate([[start[0]], walk["tangential_force"]])
+    result = contact.follow(["tangential_force", "wear_volume", "dissipated_energy"], tangential_displacement=path)
+    force = np.concatenate([[start[0]], result["tangential_force"]])
     work = np.trapezoid(force, np.concatenate([[amplitude], path]))
-    volume = walk["wear_volume"][-1] - start[1]
-    assert walk["dissipated_energy"][-1] - start[2] == pytest.approx(volume / (2000 * PER_WORK), rel=1e-9)
+    volume = result["wear_volume"][-1] - start[1]
+    assert result["dissipated_energy"][-1] - start[2] == pytest.approx(volume / (2000 * PER_WORK), rel=1e-9)
     # The trapezium rule errs by 1e-4 at 200 points a stroke, and the elastic energy at +U₀ changes a little
     # from cycle to cycle as the contact wears: together below 1 %.
     assert volume == pytest.approx(2000 * PER_WORK * work, rel=1e-2)
@@ -46,10 +46,10 @@ def test_volume_is_friction_work_without_visible_wear(start_contact):
     contact.step(tangential_displacement=amplitude)
     start = contact.get("tangential_force", "wear_volume")
     path = strokes(amplitude, 1, 400)
-    walk = contact.follow(["tangential_force", "wear_volume"], tangential_displacement=path)
-    force = np.concatenate([[start[0]], walk["tangential_force"]])
+    result = contact.follow(["tangential_force", "wear_volume"], tangential_displacement=path)
+    force = np.concatenate([[start[0]], result["tangential_force"]])
     work = np.trapezoid(force, np.concatenate([[amplitude], path]))
-    assert walk["wear_volume"][-1] - start[1] == pytest.approx(PER_WORK * work, rel=IDENTITY)
+    assert result["wear_volume"][-1] - start[1] == pytest.approx(PER_WORK * work, rel=IDENTITY)
 
 
 @pytest.mark.parametrize(("theta", "error"), [(0.6, 0.05), (3.0, 0.02)])

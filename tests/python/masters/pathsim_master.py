@@ -22,7 +22,7 @@ class RealOutputs(fmu.FMUWrapper):
         self.output_refs = {name: reference for name, reference in self.output_refs.items() if name in reals}
 
     def do_step(self, *arguments, **named):
-        """Steps fall on events, of which the first is at t = 0: told here, as the block takes them."""
+        """Steps fall on events, the first at t = 0. The block takes them here."""
         result = super().do_step(*arguments, **named)
         if len(task.rows) < len(task.inputs):
             outputs = dict(zip(self.output_refs, self.get_outputs_as_array()))
