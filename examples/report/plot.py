@@ -67,7 +67,9 @@ def save(figure, data):
 
 
 def series_of(row):
-    """The engine's points form a line per resolution where a tolerance goes with it, else one line; tables one per settings."""
+    """The engine's points form a line per resolution where a tolerance goes with it, else one line;
+    tables one per settings.
+    """
     parts = row["settings"].split(", ")
     if parts[-1].endswith("a period"):  # a line per master
         return "engine, " + parts[0]
@@ -89,13 +91,20 @@ def read_points(path):
 
 def draw_points(axes, title, series, reference):
     if reference > 0:
-        axes.axvline(reference, color="#888888", lw=1, ls=":", label="error of the reference itself")
+        axes.axvline(
+            reference, color="#888888", lw=1, ls=":", label="error of the reference itself"
+        )
     shade = iter(COLOURS)
     for name, points in series.items():
         colour, marker = OTHERS[name] if name in OTHERS else (next(shade, "#222222"), "o")
         error, median, least, most = zip(*points)
-        spread = [[m - low for m, low in zip(median, least)], [high - m for m, high in zip(median, most)]]
-        axes.errorbar(error, median, yerr=spread, marker=marker, ms=4, lw=1.2, color=colour, label=name)
+        spread = [
+            [m - low for m, low in zip(median, least)],
+            [high - m for m, high in zip(median, most)],
+        ]
+        axes.errorbar(
+            error, median, yerr=spread, marker=marker, ms=4, lw=1.2, color=colour, label=name
+        )
     axes.set(xscale="log", yscale="log", xlabel="error", ylabel="time, s")
     axes.set_title(title, fontsize=9)
     axes.invert_xaxis()
@@ -106,36 +115,72 @@ def draw_points(axes, title, series, reference):
 def error_against_time(data):
     problems, references = read_points(data)
     lines = (len(problems) + 1) // 2
-    figure, panels = plt.subplots(lines, 2, figsize=(10, 3.4 * lines), constrained_layout=True, squeeze=False)
+    figure, panels = plt.subplots(
+        lines, 2, figsize=(10, 3.4 * lines), constrained_layout=True, squeeze=False
+    )
     for axes in panels.flat[len(problems) :]:
         axes.set_visible(False)
     for axes, (title, series) in zip(panels.flat, problems.items()):
         draw_points(axes, title, series, references[title])
-    figure.suptitle("Steel on steel, μ = 0.6; ball and parabola: R = 10 mm; c/a0: stick radius over contact radius at the start", fontsize=10)
+    figure.suptitle(
+        "Steel on steel, μ = 0.6; ball and parabola: R = 10 mm; c/a0: stick "
+        "radius over contact radius at the start",
+        fontsize=10,
+    )
     save(figure, data)
 
 
 def stability(data):
-    """Each scene at what came nearest to its bound, over that bound; scenes of one kind side by side."""
+    """Each scene at what came nearest to its bound, over that bound; scenes of one kind side by
+    side.
+    """
     scenes = list(rows(data))
     figure, axes = plt.subplots(figsize=(12, 5.2), constrained_layout=True)
     axes.axhspan(1, CEILING, color="#D55E00", alpha=0.08, lw=0)
     axes.axhline(1, color="#D55E00", lw=1, label="bound; above it a scene fails")
     for outcome, (colour, marker) in OUTCOMES.items():
-        points = [(i, float(scene["share"])) for i, scene in enumerate(scenes) if scene["outcome"] == outcome]
+        points = [
+            (i, float(scene["share"]))
+            for i, scene in enumerate(scenes)
+            if scene["outcome"] == outcome
+        ]
         if points:
             x, share = zip(*points)
-            # what was refused before anything could be judged has broken nothing; what was not done in time has
+            # what was refused before anything could be judged has broken nothing; what was not done
+            # in time has
             unseen = FLOOR if outcome == "refused" else CEILING
             y = [min(max(s, FLOOR), CEILING) if s == s else unseen for s in share]
-            axes.plot(x, y, marker, color=colour, ms=4.5, ls="", clip_on=False, label=f"{outcome}: {len(points)}")
-    starts = [i for i, scene in enumerate(scenes) if i == 0 or scene["scene"] != scenes[i - 1]["scene"]]
+            axes.plot(
+                x,
+                y,
+                marker,
+                color=colour,
+                ms=4.5,
+                ls="",
+                clip_on=False,
+                label=f"{outcome}: {len(points)}",
+            )
+    starts = [
+        i for i, scene in enumerate(scenes) if i == 0 or scene["scene"] != scenes[i - 1]["scene"]
+    ]
     for left, right in zip(starts, [*starts[1:], len(scenes)]):
         axes.axvline(left - 0.5, color="#dddddd", lw=0.6, zorder=0)
-        axes.text((left + right - 1) / 2, FLOOR * 0.25, scenes[left]["scene"], rotation=60, ha="right", va="top", fontsize=7)
+        axes.text(
+            (left + right - 1) / 2,
+            FLOOR * 0.25,
+            scenes[left]["scene"],
+            rotation=60,
+            ha="right",
+            va="top",
+            fontsize=7,
+        )
     axes.set(yscale="log", ylim=(FLOOR * 0.4, CEILING), xlim=(-0.5, len(scenes) - 0.5), xticks=[])
     axes.set_ylabel("worst invariant / its bound")
-    axes.set_title("Each scene at its worst invariant; lowest row: nothing seen; top: far beyond, or not done in time", fontsize=9)
+    axes.set_title(
+        "Each scene at its worst invariant; lowest row: nothing seen; top: far "
+        "beyond, or not done in time",
+        fontsize=9,
+    )
     axes.grid(True, axis="y", color="#eeeeee", lw=0.6)
     axes.legend(fontsize=8, loc="upper right", ncols=3)
     save(figure, data)
@@ -147,20 +192,32 @@ def coupling(data):
     for row in rows(data):
         error = abs(float(row["work_error"])) if row["stable"] == "true" else float("nan")
         runs[row["master"]][float(row["k_over_2Ga"])].append((float(row["h_omega"]), error))
-    figure, panels = plt.subplots(1, len(runs), figsize=(3.2 * len(runs), 3.4), sharey=True, constrained_layout=True)
+    figure, panels = plt.subplots(
+        1, len(runs), figsize=(3.2 * len(runs), 3.4), sharey=True, constrained_layout=True
+    )
     shades = plt.get_cmap("viridis")
     for axes, (master, lines) in zip(panels, runs.items()):
         for i, (ratio, points) in enumerate(lines.items()):
             stiffness, error = zip(*points)
-            axes.plot(stiffness, error, "o-", ms=3.5, lw=1, color=shades(i / len(lines)), label=f"k = {ratio:g} · 2G*a")
+            axes.plot(
+                stiffness,
+                error,
+                "o-",
+                ms=3.5,
+                lw=1,
+                color=shades(i / len(lines)),
+                label=f"k = {ratio:g} · 2G*a",
+            )
         axes.axvline(2, color="#D55E00", lw=1, ls=":", label="explicit limit, hω = 2")
         axes.set(xscale="log", yscale="log", xlabel="hω", xlim=(0.3, 1e3))
         axes.set_title(master, fontsize=9)
         axes.grid(True, color="#eeeeee", lw=0.6)
     panels[0].set_ylabel("relative error of the friction work\nno point: unstable")
     figure.suptitle(
-        "Ball, R = 10 mm, μ = 0.6, 100 N, on a mass m and a spring k; 200 steps a period of the drive in every run, ω² = (k + 2G*a)/m. "
-        "hω grows because m is made smaller, not because h grows:\nwith less inertia the motion comes closer to the static answer to the drive, "
+        "Ball, R = 10 mm, μ = 0.6, 100 N, on a mass m and a spring k; 200 steps "
+        "a period of the drive in every run, ω² = (k + 2G*a)/m. "
+        "hω grows because m is made smaller, not because h grows:\nwith less "
+        "inertia the motion comes closer to the static answer to the drive, "
         "which implicit masters solve exactly at each step; so their error falls.",
         fontsize=8.5,
         x=0.01,

@@ -104,7 +104,10 @@ def test_a_mass_oscillates_on_the_sticking_contact():
 
 
 def test_without_the_tangent_the_same_step_is_unstable():
-    held = SUPPORT.replace("connect(fmu.tangential_stiffness, joint.tangential_stiffness)", "joint.tangential_stiffness = 0")
+    held = SUPPORT.replace(
+        "connect(fmu.tangential_stiffness, joint.tangential_stiffness)",
+        "joint.tangential_stiffness = 0",
+    )
     assert held != SUPPORT
     assert error_of_an_oscillation(1e-3, held) > 10
 
@@ -123,7 +126,10 @@ def imported(fmu):
         start = f" = {float(variable.start)}" if variable.causality == "parameter" else ""
         lines.append(f"  {kind} {variable.name}{start};")
         if variable.causality == "output":
-            given = {"tangential_stiffness": "1e6", "contact_displacement": "tangential_displacement"}
+            given = {
+                "tangential_stiffness": "1e6",
+                "contact_displacement": "tangential_displacement",
+            }
             given["tangential_force"] = "1e6 * tangential_displacement"
             lines.append(f"equation\n  {variable.name} = {given.get(variable.name, '0')};\npublic")
     return "\n".join([*lines, "end FrettingContact_fmu;"])
@@ -161,4 +167,6 @@ def test_the_machine_of_the_guide_compiles():
 def test_a_name_that_does_not_exist_is_found():
     """Else the tests above would say little."""
     with pytest.raises(rumoca.CompileError):
-        compiled("Wrong", "model Wrong\n  FrettingJoint.Joint joint(no_such_parameter = 1);\nend Wrong;")
+        compiled(
+            "Wrong", "model Wrong\n  FrettingJoint.Joint joint(no_such_parameter = 1);\nend Wrong;"
+        )

@@ -7,7 +7,12 @@ import pytest
 from conftest import ROOT
 
 FOLDERS = [ROOT / folder for folder in ("docs", "examples", "python", "reports")]
-PICTURES = [path for folder in FOLDERS for ending in ("png", "svg", "jpg") for path in folder.rglob(f"*.{ending}")]
+PICTURES = [
+    path
+    for folder in FOLDERS
+    for ending in ("png", "svg", "jpg")
+    for path in folder.rglob(f"*.{ending}")
+]
 LARGEST = 150_000  # bytes
 
 

@@ -43,12 +43,15 @@ def values_of(file):
 
 def test_pyssp_standard_reads_the_same_values_and_units(file):
     ssv = pytest.importorskip(
-        "pyssp_standard.ssv", reason="pyssp-standard is not installed: see tests/python/tools-requirements.txt"
+        "pyssp_standard.ssv",
+        reason="pyssp-standard is not installed: see tests/python/tools-requirements.txt",
     )
     with ssv.SSV(file) as preset:
         assert preset.name == file.stem
         preset.check_compliance(preset.schemas[preset.identifier], preset.namespaces)
-        attributes = {parameter["name"]: parameter["type_value"].parameter for parameter in preset.parameters}
+        attributes = {
+            parameter["name"]: parameter["type_value"].parameter for parameter in preset.parameters
+        }
     assert {name: float(given["value"]) for name, given in attributes.items()} == values_of(file)
     units = {parameter.name: parameter.unit for parameter in read_ssv(str(file)).parameters}
     assert {name: given.get("unit") for name, given in attributes.items()} == units
@@ -98,7 +101,10 @@ def test_the_page_shows_the_values_of_the_files():
     header = next(line for line in PAGE.splitlines() if line.startswith("| | [steel"))
     columns = re.findall(r"\[(\w+)\]", header)
     assert sorted(columns) == [path.stem for path in FILES]
-    presets = {name: {p.name: p.value for p in read_ssv(str(ROOT / "presets" / f"{name}.ssv")).parameters} for name in columns}
+    presets = {
+        name: {p.name: p.value for p in read_ssv(str(ROOT / "presets" / f"{name}.ssv")).parameters}
+        for name in columns
+    }
     rows = [line.strip("| ").split(" | ") for line in PAGE.splitlines() if line.startswith("| `")]
     shown = set()
     for title, *cells in rows:

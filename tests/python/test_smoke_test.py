@@ -20,7 +20,18 @@ TOLERANCE = 2e-3
 EVERY = 0.1  # s
 
 #: N and µm at the ends of the rests: partial slip, reversals, gross slip in both directions.
-PATH = [(100, 1), (120, 2), (90, -1), (90, -4), (100, -4.5), (110, 4), (100, 3), (80, 3.5), (100, -1), (100, 0)]
+PATH = [
+    (100, 1),
+    (120, 2),
+    (90, -1),
+    (90, -4),
+    (100, -4.5),
+    (110, 4),
+    (100, 3),
+    (80, 3.5),
+    (100, -1),
+    (100, 0),
+]
 
 
 def stimuli():
@@ -38,7 +49,9 @@ def table(path):
 
 def outputs(fmu):
     """Real outputs without the stiffnesses, which jump where the contact begins to slide."""
-    reals = [name for name, v in fmu.variables.items() if v.causality == "output" and v.type == "Real"]
+    reals = [
+        name for name, v in fmu.variables.items() if v.causality == "output" and v.type == "Real"
+    ]
     return [name for name in reals if not name.endswith("_stiffness")]
 
 
@@ -84,13 +97,20 @@ def agree(found, expected, columns):
 
 def bless(fmu_path, fmu):
     names = ["normal_force", "tangential_displacement"]
-    lines = [",".join(["time", *names]), *(",".join(f"{value:.12g}" for value in row) for row in stimuli())]
+    lines = [
+        ",".join(["time", *names]),
+        *(",".join(f"{value:.12g}" for value in row) for row in stimuli()),
+    ]
     STIMULI.write_text("\n".join(lines) + "\n", encoding="utf-8")
     columns = outputs(fmu)
     found = at_rests(simulated(fmu_path, columns), columns)
     lines = [",".join(["time", *columns])]
     for k in range(len(PATH) + 1):
-        lines.append(",".join(f"{value:.10g}" for value in (EVERY * k, *(found[name][k] for name in columns))))
+        lines.append(
+            ",".join(
+                f"{value:.10g}" for value in (EVERY * k, *(found[name][k] for name in columns))
+            )
+        )
     RESULTS.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
@@ -122,7 +142,9 @@ def test_the_experiment_slips_both_ways_and_wears(reference):
     """Else agreement would say little."""
     force, limit = reference["tangential_force"], 0.6 * reference["normal_reaction"]
     assert np.any(force > 0.999 * limit) and np.any(force < -0.999 * limit)
-    assert np.any((reference["stick_radius"] > 0) & (reference["stick_radius"] < reference["contact_radius"]))
+    assert np.any(
+        (reference["stick_radius"] > 0) & (reference["stick_radius"] < reference["contact_radius"])
+    )
     assert np.all(np.diff(reference["wear_volume"]) >= 0) and reference["wear_volume"][-1] > 0
 
 
@@ -134,5 +156,7 @@ def test_the_columns_are_outputs(reference, fmu):
 def test_the_fmu_has_the_files(reference, fmu_path):
     with zipfile.ZipFile(fmu_path) as archive:
         for path in (STIMULI, RESULTS):
-            assert archive.read(f"{FOLDER}/{path.name}").decode() == path.read_text(encoding="utf-8")
+            assert archive.read(f"{FOLDER}/{path.name}").decode() == path.read_text(
+                encoding="utf-8"
+            )
         assert b'name="default"' in archive.read(f"{FOLDER}/smoke-test.exp")

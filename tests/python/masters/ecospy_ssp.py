@@ -9,7 +9,10 @@ from task import missing
 try:
     from ecospy import EcosSimulation
 except (ImportError, OSError) as problem:
-    missing(f"ecospy cannot be loaded here: {problem} (it needs libtbb; Debian, Ubuntu: `apt install libtbb12`)")
+    missing(
+        f"ecospy cannot be loaded here: {problem} (it needs libtbb; Debian, "
+        "Ubuntu: `apt install libtbb12`)"
+    )
 
 system, preset, answer, *names = sys.argv[1:]
 with EcosSimulation(ssp_path=system, step_size=0.1) as simulation:

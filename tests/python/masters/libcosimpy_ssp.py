@@ -17,7 +17,9 @@ execution = CosimExecution.from_ssp_file(system, step_size=10**8)
 observer = CosimObserver.create_last_value()
 execution.add_observer(observer)
 contact = execution.slave_index_from_instance_name("contact")
-references = {variable.name.decode(): variable.reference for variable in execution.slave_variables(contact)}
+references = {
+    variable.name.decode(): variable.reference for variable in execution.slave_variables(contact)
+}
 if not execution.step():
     raise SystemExit("a step failed")
 values = observer.last_real_values(contact, [references[name] for name in names])
