@@ -164,6 +164,13 @@ def test_the_machine_of_the_guide_compiles():
     assert structure.is_balanced and structure.n_states == 2
 
 
+def test_the_connections_of_the_guide_are_those_of_the_examples():
+    page = (ROOT / "docs" / "modelica.md").read_text(encoding="utf-8")
+    (shown,) = re.findall(r"```modelica\n(.*?)```", page, re.DOTALL)
+    for line in shown.splitlines():
+        assert PACKAGE.read_text().count(line) == 3, line
+
+
 def test_a_name_that_does_not_exist_is_found():
     """Else the tests above would say little."""
     with pytest.raises(rumoca.CompileError):

@@ -146,7 +146,7 @@ function lifePicture(life) {
         field: "stop",
         type: "ordinal",
         title: "Ñ",
-        scale: { domain: stops, scheme: "viridis" },
+        scale: { domain: stops, scheme: { name: "viridis", extent: [0.2, 0.88] } },
         sort: null,
         legend: { symbolType: "stroke", symbolSize: 200, columns: NARROW ? 3 : 0 },
       },

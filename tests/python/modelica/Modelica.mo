@@ -1,5 +1,5 @@
 within;
-package Modelica "Those classes of the standard library that the package FrettingJoint uses, for its tests"
+package Modelica "The classes of the standard library that FrettingJoint uses, for its tests"
   package Units
     package SI
       type Position = Real(final quantity = "Length", final unit = "m");
