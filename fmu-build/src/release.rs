@@ -64,8 +64,8 @@ fn first_part(changelog: &str) -> &str {
     part.split_once('\n').map_or("", |(_, text)| text).trim()
 }
 
-/// NOTES.md; `wheel` is the file name of the Python package, and `tried` has a line for each library
-/// that was run under an emulator, or not.
+/// NOTES.md; `wheel` is the file name of the Python package, and `tried` has a line for each
+/// library that was run under an emulator, or not.
 fn notes(changes: &str, wheel: &str, tried: &[String]) -> String {
     let mut notes = format!("# FrettingContact {}\n\n", env!("CARGO_PKG_VERSION"));
     let _ = write!(
