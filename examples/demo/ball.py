@@ -1,4 +1,4 @@
-"""Case (a): a 10 mm ball of 52100 steel on a steel flat: partial slip, sliding, and a load that varies.
+"""Case (a): a steel ball on a steel flat: partial slip, gross slip, and a load that varies.
 
 Wear is switched off here, so that the loops can be laid over the closed forms.
 """
@@ -27,7 +27,11 @@ from theory import Sphere
 SPHERE = Sphere()
 THETAS = (0.25, 0.5, 0.75, 1.0, 1.5)  # amplitude / displacement at which sliding begins
 COLOURS = (SKY, BLUE, GREEN, ORANGE, RED)
-PHASES = (("in phase", 0.0, BLUE), ("a quarter cycle ahead", np.pi / 2, ORANGE), ("in anti-phase", np.pi, PURPLE))
+PHASES = (
+    ("in phase", 0.0, BLUE),
+    ("a quarter cycle ahead", np.pi / 2, ORANGE),
+    ("in anti-phase", np.pi, PURPLE),
+)
 LOAD_SWING = 0.5  # share of the mean load by which it rises and falls
 VARYING_THETA = 0.9
 TRACTION_THETA = 0.75
@@ -46,15 +50,24 @@ def run(fmu, out, quick):
     for theta, loop in loops.items():
         exact = SPHERE.loop_work(theta * SPHERE.full_slip)
         outcome.headlines.append(
-            Headline(f"friction work of a loop, θ = {theta:g}", loop["work"] * MICRO, "µJ", exact * MICRO)
+            Headline(
+                f"friction work of a loop, θ = {theta:g}", loop["work"] * MICRO, "µJ", exact * MICRO
+            )
         )
     worst = max(np.max(np.abs(loop["force"] - loop["exact"])) for loop in loops.values())
-    outcome.headlines.append(Headline("largest error of T on any loop, of μF", worst / SPHERE.limit, ""))
+    outcome.headlines.append(
+        Headline("largest error of T on any loop, of μF", worst / SPHERE.limit, "")
+    )
     for name, swing in swings.items():
-        work = np.trapezoid(swing["force"][-2 * steps - 1 :], swing["displacement"][-2 * steps - 1 :])
+        work = np.trapezoid(
+            swing["force"][-2 * steps - 1 :], swing["displacement"][-2 * steps - 1 :]
+        )
         outcome.headlines.append(
             Headline(
-                f"work of a cycle, load {name}: from the FMU, from ∮T dU", swing["work"] * MICRO, "µJ", work * MICRO
+                f"work of a cycle, load {name}: from the FMU, from ∮T dU",
+                swing["work"] * MICRO,
+                "µJ",
+                work * MICRO,
             )
         )
 
@@ -86,7 +99,9 @@ def constant_load_loop(fmu, theta, steps):
         contact.start(normal_force=SPHERE.normal_force, wear_coefficient=0.0)
         path = contact.follow(["tangential_force"], tangential_displacement=first[1:])
         before = contact.get("dissipated_energy")
-        loop = contact.follow(["tangential_force"], tangential_displacement=np.concatenate([back, -back]))
+        loop = contact.follow(
+            ["tangential_force"], tangential_displacement=np.concatenate([back, -back])
+        )
         work = contact.get("dissipated_energy") - before
     there = SPHERE.reversal(back, amplitude)
     return {
@@ -98,17 +113,21 @@ def constant_load_loop(fmu, theta, steps):
 
 
 def varying_load_loop(fmu, phase, steps):
-    """Three cycles of U = U₀ sin ωt with F = F₀ (1 + s sin(ωt + phase)); the last one has settled."""
+    """Three cycles of U = U₀ sin ωt, F = F₀ (1 + s sin(ωt + phase)); the last is periodic."""
     cycles = 3
     angle = np.linspace(0, 2 * np.pi * cycles, 2 * steps * cycles + 1)
     displacement = VARYING_THETA * SPHERE.full_slip * np.sin(angle)
     load = SPHERE.normal_force * (1 + LOAD_SWING * np.sin(angle + phase))
     names = ["tangential_force", "dissipated_energy", "stick_radius", "contact_radius"]
     with ContactFmu(fmu) as contact:
-        contact.start(normal_force=load[0], tangential_displacement=displacement[0], wear_coefficient=0.0)
+        contact.start(
+            normal_force=load[0], tangential_displacement=displacement[0], wear_coefficient=0.0
+        )
         start = contact.get(*names)
-        walk = contact.follow(names, normal_force=load[1:], tangential_displacement=displacement[1:])
-    states = {name: np.concatenate([[first], walk[name]]) for name, first in zip(names, start)}
+        result = contact.follow(
+            names, normal_force=load[1:], tangential_displacement=displacement[1:]
+        )
+    states = {name: np.concatenate([[first], result[name]]) for name, first in zip(names, start)}
     return {
         "angle": angle,
         "displacement": displacement,
@@ -143,12 +162,16 @@ def draw(loops, swings, tractions, steps, path):
         displacement = loop["displacement"] * MICRO
         loop_axes.plot(displacement, loop["force"], color=colour, label=f"θ = {theta:g}")
         every = slice(None, None, max(1, steps // 10))
-        loop_axes.plot(displacement[every], loop["exact"][every], "o", ms=4, mfc="none", mec=INK, mew=0.8)
+        loop_axes.plot(
+            displacement[every], loop["exact"][every], "o", ms=4, mfc="none", mec=INK, mew=0.8
+        )
     loop_axes.plot([], [], "o", ms=4, mfc="none", mec=INK, mew=0.8, label="closed form")
     for sign in (-1, 1):
         loop_axes.axhline(sign * SPHERE.limit, color=GREY, lw=1, ls="--")
     loop_axes.annotate("μF", (-3.7, SPHERE.limit), (0, -13), textcoords="offset points", color=GREY)
-    loop_axes.set(title="Constant load, 100 N", xlabel="displacement U (µm)", ylabel="tangential force T (N)")
+    loop_axes.set(
+        title="Constant load, 100 N", xlabel="displacement U (µm)", ylabel="tangential force T (N)"
+    )
     loop_axes.set_xlim(right=6.3)
     loop_axes.legend(loc="lower right", bbox_to_anchor=(1, 0.06), title="amplitude U₀ = θ u_max")
     draw_tractions(traction_axes, tractions)
@@ -157,13 +180,16 @@ def draw(loops, swings, tractions, steps, path):
     for name, _, colour in PHASES:
         swing = swings[name]
         displacement, force = swing["displacement"] * MICRO, swing["force"]
-        swing_axes.plot(displacement[: -2 * steps], force[: -2 * steps], color=colour, lw=0.8, alpha=0.45)
+        swing_axes.plot(
+            displacement[: -2 * steps], force[: -2 * steps], color=colour, lw=0.8, alpha=0.45
+        )
         swing_axes.plot(displacement[last], force[last], color=colour, label=f"load {name}")
         turn = np.linspace(0, 1, 2 * steps + 1)
         share = force[last] / (SPHERE.friction * swing["load"][last])
         share_axes.plot(turn, share, color=colour, label=f"load {name}")
     swing_axes.set(
-        title=f"Load swings between {100 * (1 - LOAD_SWING):g} and {100 * (1 + LOAD_SWING):g} N, θ = {VARYING_THETA:g}",
+        title=f"Load swings between {100 * (1 - LOAD_SWING):g} and "
+        f"{100 * (1 + LOAD_SWING):g} N, θ = {VARYING_THETA:g}",
         xlabel="displacement U (µm)",
         ylabel="tangential force T (N)",
     )
@@ -172,7 +198,12 @@ def draw(loops, swings, tractions, steps, path):
     share_axes.legend(loc="upper right", fontsize=8.5)
     for sign in (-1, 1):
         share_axes.axhline(sign, color=GREY, lw=1, ls="--")
-    share_axes.set(title="Share of the friction limit in use", xlabel="cycles", ylabel="T / (μ F_N)", ylim=(-1.1, 1.8))
+    share_axes.set(
+        title="Share of the friction limit in use",
+        xlabel="cycles",
+        ylabel="T / (μ F_N)",
+        ylim=(-1.1, 1.8),
+    )
     fig.suptitle("Steel ball (R = 10 mm) on a steel flat, μ = 0.6", x=0.01, ha="left", fontsize=14)
     return save_picture(fig, path)
 
@@ -180,7 +211,12 @@ def draw(loops, swings, tractions, steps, path):
 def draw_tractions(axes, tractions):
     """τ(r) between the friction bounds ±μp."""
     for (share, (radius, traction, _)), colour in zip(tractions.items(), shades(len(tractions))):
-        axes.plot(radius * MICRO, traction * GIGA, color=colour, label=f"U = {share:+g} U₀" if share else "U = 0")
+        axes.plot(
+            radius * MICRO,
+            traction * GIGA,
+            color=colour,
+            label=f"U = {share:+g} U₀" if share else "U = 0",
+        )
     radius, _, bound = tractions[0.0]
     for sign in (1, -1):
         label = "±μp" if sign > 0 else None

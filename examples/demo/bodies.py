@@ -1,4 +1,4 @@
-"""The bodies of the published cases under 100 N: profile, 1-D image, and the scales of their contact.
+"""The bodies of the published cases under 100 N: profile, 1-D image, scales of the contact.
 
 A body that wears at constant depth ends as `FinalShape`. SI units throughout.
 """
@@ -73,7 +73,14 @@ class BluntedParabola:
     @cached_property
     def contact_radius(self):
         """From F_N = (2E*/3R) (2a² + b²) √(a² − b²) with b = BLUNT_RATIO·a."""
-        shape = 2 / 3 * STEEL.plane_modulus / STEEL.radius * (2 + BLUNT_RATIO**2) * np.sqrt(1 - BLUNT_RATIO**2)
+        shape = (
+            2
+            / 3
+            * STEEL.plane_modulus
+            / STEEL.radius
+            * (2 + BLUNT_RATIO**2)
+            * np.sqrt(1 - BLUNT_RATIO**2)
+        )
         return (STEEL.normal_force / shape) ** (1 / 3)
 
     @property
@@ -92,7 +99,8 @@ class FinalShape:
     """Where the wear of the parabola ends that sticks up to c at constant depth d
     (Popov 2014): g = g₀ inside c, d outside.
 
-    f = (1/πR) [r² asin(c/r) − c √(r² − c²)] + (2/π) d acos(c/r), until that meets the unworn profile.
+    f = (1/πR) [r² asin(c/r) − c √(r² − c²)] + (2/π) d acos(c/r), until that meets the unworn
+    profile.
     """
 
     depth: float

@@ -1,4 +1,4 @@
-"""The worked example: drives FrettingContact.fmu from Python and writes pictures, CSV files, headline numbers and a page.
+"""The worked example: drives the FMU from Python and writes pictures, tables and a page.
 
 python demo.py --fmu target/fmu/FrettingContact.fmu --out target/demo [--quick]
 """
@@ -25,7 +25,10 @@ def main(arguments=None):
     """Runs the cases; returns the exit code."""
     options = parse(arguments)
     if not options.fmu.is_file():
-        print(f"demo: there is no FMU at {options.fmu}: build it with `cargo fmu build` first", file=sys.stderr)
+        print(
+            f"demo: there is no FMU at {options.fmu}: build it with `cargo fmu build` first",
+            file=sys.stderr,
+        )
         return 2
     options.out.mkdir(parents=True, exist_ok=True)
     outcomes, files = [], []
@@ -43,7 +46,9 @@ def main(arguments=None):
         files.append(page.write(options.out))
         last = f"To look at and play with: {files[-1].resolve().as_uri()}"
     except page.NoLibrary as problem:
-        last = f"The page of pictures is left out: {problem}; see examples/demo/page-requirements.txt"
+        last = (
+            f"The page of pictures is left out: {problem}; see examples/demo/page-requirements.txt"
+        )
     report(outcomes, files)
     print(f"\n{last}")
     return 0
@@ -72,7 +77,9 @@ def save_headlines(outcomes, path):
             "value": [line.value for _, line in headlines],
             "unit": [line.unit for _, line in headlines],
             "expected": ["" if line.reference is None else line.reference for _, line in headlines],
-            "relative_deviation": ["" if line.reference is None else line.deviation for _, line in headlines],
+            "relative_deviation": [
+                "" if line.reference is None else line.deviation for _, line in headlines
+            ],
         },
     )
 

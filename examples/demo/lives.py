@@ -1,8 +1,9 @@
-"""Case (d): four lives to the end of wear, as in the paper: profile, 1-D image, pressure and traction in between.
+"""Case (d): four lives to the final state, as in the paper: profile, image and tractions.
 
-The counterparts of figures 2 to 5 of Dimaki et al. 2014, at the same Ñ = N/N₀ with N₀ = π a₀² d₀ / ((k/σ₀) μ F_N U₀):
-the amplitude U₀ is such that the unworn contact sticks up to 0.4 a₀. The FMU computes whole cycles at a time
-(loading = cyclic), one communication step from one curve to the next.
+The counterparts of figures 2 to 5 of Dimaki et al. 2014, at the same Ñ = N/N₀ with N₀ = π a₀² d₀ /
+((k/σ₀) μ F_N U₀): the amplitude U₀ is such that the unworn contact sticks up to 0.4 a₀. The FMU
+computes whole cycles at a time (loading = cyclic), one communication step from one curve to the
+next.
 """
 
 from dataclasses import dataclass
@@ -63,17 +64,22 @@ class Case:
         return STEEL.normal_force / (np.pi * self.body.contact_radius**2)
 
 
-# Volumes at the last stop: independent runs, good to 0.3 % at constant force, the closed form at constant depth.
+# Volumes at the last stop: independent runs, good to 0.3 % at constant force, the closed form at
+# constant depth.
 CASES = (
     Case(Parabola(), "force", (0, 0.04, 0.16, 0.36, 0.64, 1.0), "life_parabola", 1.748),
     Case(Cone(), "force", (0, 0.1, 0.4, 0.9, 1.6, 2.5), "life_cone", 2.456),
-    Case(Parabola(), "indentation", (0, 0.16, 0.36, 0.64, 1.0, 9.0), "life_constant_depth", 1.131108),
+    Case(
+        Parabola(), "indentation", (0, 0.16, 0.36, 0.64, 1.0, 9.0), "life_constant_depth", 1.131108
+    ),
     Case(BluntedParabola(), "force", (0, 0.04, 0.16, 0.36, 0.64, 1.44), "life_worn_tip"),
 )
 
 
 def run(fmu, out, quick):
-    """Runs the case, writes its files into the folder `out`. A life takes a few steps: `quick` makes no difference."""
+    """Runs the case, writes its files into the folder `out`. A life takes a few steps: `quick`
+    makes no difference.
+    """
     outcome = Outcome("(d) lives to the end of wear")
     lives = [live(fmu, case) for case in CASES]
     for life in lives:
@@ -107,7 +113,13 @@ def live(fmu, case):
             if stop:
                 contact.step((stop - done) * case.life_unit)
                 done = stop
-            names = ("indentation_depth", "contact_radius", "stick_radius", "normal_reaction", "wear_volume")
+            names = (
+                "indentation_depth",
+                "contact_radius",
+                "stick_radius",
+                "normal_reaction",
+                "wear_volume",
+            )
             state = dict(zip(names, contact.get(*names)))
             states.append(state | {"life": stop} | {name: contact.field(name) for name in FIELDS})
     return {"case": case, "states": states}
@@ -118,15 +130,38 @@ def headlines(life):
     case, last = life["case"], life["states"][-1]
     where = f"Ñ = {last['life']:g}, {case.title[0].lower()}{case.title[1:]}"
     radius = case.body.contact_radius
-    quantity = "worn volume /(a₀² d₀)" if case.volume else "worn volume, nothing to compare with, /(a₀² d₀)"
+    quantity = (
+        "worn volume /(a₀² d₀)"
+        if case.volume
+        else "worn volume, nothing to compare with, /(a₀² d₀)"
+    )
     known = [
-        Headline(f"{quantity} at {where}", last["wear_volume"] / (radius**2 * case.depth), "", case.volume),
-        Headline(f"force from the image at {where}", image_force(last), "N", last["normal_reaction"]),
+        Headline(
+            f"{quantity} at {where}",
+            last["wear_volume"] / (radius**2 * case.depth),
+            "",
+            case.volume,
+        ),
+        Headline(
+            f"force from the image at {where}", image_force(last), "N", last["normal_reaction"]
+        ),
     ]
     if case.final:
-        known.append(Headline(f"stick radius c/a₀ at {where}", last["stick_radius"] / radius, "", STICK_RATIO))
-        known.append(Headline(f"last force at {where}", last["normal_reaction"], "N", case.final.normal_force))
-        known.append(Headline(f"largest miss of the final shape, of d₀, at {where}", final_miss(case, last), ""))
+        known.append(
+            Headline(
+                f"stick radius c/a₀ at {where}", last["stick_radius"] / radius, "", STICK_RATIO
+            )
+        )
+        known.append(
+            Headline(
+                f"last force at {where}", last["normal_reaction"], "N", case.final.normal_force
+            )
+        )
+        known.append(
+            Headline(
+                f"largest miss of the final shape, of d₀, at {where}", final_miss(case, last), ""
+            )
+        )
     return known
 
 
@@ -139,7 +174,10 @@ def image_force(state):
 def final_miss(case, state):
     """Largest difference from the closed final shape at the probes, in d₀."""
     r = state["radius_probe"]
-    return np.max(np.abs(case.body.height(r) + state["worn_depth"] - case.final.height(r))) / case.depth
+    return (
+        np.max(np.abs(case.body.height(r) + state["worn_depth"] - case.final.height(r)))
+        / case.depth
+    )
 
 
 def draw(life, path):
@@ -161,23 +199,42 @@ def draw(life, path):
         )
         inside = r <= state["contact_radius"] * (1 + 1e-9)
         image.plot(r[inside] / a, state["image"][inside] / d, color=colour)
-        image.plot(state["contact_radius"] / a, state["indentation_depth"] / d, "o", ms=4, color=colour)
+        image.plot(
+            state["contact_radius"] / a, state["indentation_depth"] / d, "o", ms=4, color=colour
+        )
         for axes, name in ((pressure, "pressure"), (traction, "shear_traction")):
-            values = np.where(np.isfinite(state[name]), state[name], np.nan)  # the apex of an unworn cone
+            values = np.where(
+                np.isfinite(state[name]), state[name], np.nan
+            )  # the apex of an unworn cone
             axes.plot(r / a, values / case.mean_pressure, color=colour)
     image.plot(beyond / a, case.body.image(beyond) / d, color=GREY, lw=1, ls="--", label="unworn")
     image.plot([], [], "o", ms=4, color=INK, label="contact edge, g = d")
     if case.final:
         end = case.final
-        profile.plot(beyond / a, end.height(beyond) / d, color=INK, lw=2.2, ls=":", label="closed final shape")
+        profile.plot(
+            beyond / a,
+            end.height(beyond) / d,
+            color=INK,
+            lw=2.2,
+            ls=":",
+            label="closed final shape",
+        )
         c = end.stick_radius
         stuck = np.linspace(0, c, 50)
         steps = np.concatenate([stuck, [c, states[-1]["contact_radius"]]])
         flat = np.concatenate([case.body.image(stuck), [end.depth, end.depth]])
         image.plot(steps / a, flat / d, color=INK, lw=2.2, ls=":", label="closed final image")
     top = max(state["indentation_depth"] for state in states) / d
-    profile.set(title="Profile", xlabel="r / a₀", ylabel="f / d₀", xlim=(0, reach), ylim=(0, 1.1 * top))
-    image.set(title="Its 1-D image", xlabel="x / a₀", ylabel="g / d₀", xlim=(0, reach), ylim=(0, 1.1 * top))
+    profile.set(
+        title="Profile", xlabel="r / a₀", ylabel="f / d₀", xlim=(0, reach), ylim=(0, 1.1 * top)
+    )
+    image.set(
+        title="Its 1-D image",
+        xlabel="x / a₀",
+        ylabel="g / d₀",
+        xlim=(0, reach),
+        ylim=(0, 1.1 * top),
+    )
     lines, names = profile.get_legend_handles_labels()
     fig.legend(lines, names, loc="outside right upper")
     image.legend(loc="lower right")
@@ -186,12 +243,18 @@ def draw(life, path):
         (traction, "shear_traction", "Traction at +U₀", "τ / (F₀/πa₀²)"),
     ):
         axes.set(title=title, xlabel="r / a₀", ylabel=label, xlim=(0, reach))
-        limit(axes, [state[name] / case.mean_pressure for state in states], states[-1]["radius_probe"] / a)
+        limit(
+            axes,
+            [state[name] / case.mean_pressure for state in states],
+            states[-1]["radius_probe"] / a,
+        )
     held = f"{STEEL.normal_force:g} N" if case.control == "force" else f"{d * 1e6:.3g} µm"
     title = (
-        f"{case.title} ({held}): {case.body.dimensions}, μ = {STEEL.friction:g}, c₀ = {STICK_RATIO:g} a₀,"
+        f"{case.title} ({held}): {case.body.dimensions}, μ = {STEEL.friction:g}, "
+        f"c₀ = {STICK_RATIO:g} a₀,"
         f" amplitude U₀ = {case.amplitude * 1e6:.3g} µm\n"
-        f"Ñ = N/N₀, N cycles, N₀ = π a₀² d₀ / ((k/σ₀) μ F₀ U₀) = {case.life_unit:,.0f}; a₀, d₀, F₀: radius, depth and load at N = 0"
+        "Ñ = N/N₀, N cycles, N₀ = π a₀² d₀ / ((k/σ₀) μ F₀ U₀) = "
+        f"{case.life_unit:,.0f}; a₀, d₀, F₀: radius, depth and load at N = 0"
     )
     fig.suptitle(title, x=0.01, ha="left", fontsize=12)
     return save_picture(fig, path)
@@ -229,6 +292,11 @@ def table(lives):
     rows = {
         "case": [case.title for case, _ in states for _ in range(size)],
         "life (N/N0)": np.concatenate([np.full(size, float(state["life"])) for _, state in states]),
-        "unworn_height (m)": np.concatenate([case.body.height(state["radius_probe"]) for case, state in states]),
+        "unworn_height (m)": np.concatenate(
+            [case.body.height(state["radius_probe"]) for case, state in states]
+        ),
     }
-    return rows | {header: np.concatenate([state[key] for _, state in states]) for header, key in columns.items()}
+    return rows | {
+        header: np.concatenate([state[key] for _, state in states])
+        for header, key in columns.items()
+    }

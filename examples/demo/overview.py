@@ -20,10 +20,20 @@ def draw_loops(axes, loops):
     for (theta, loop), colour in zip(loops.items(), ball.COLOURS):
         every = slice(None, None, max(1, loop["force"].size // 25))
         axes.plot(loop["displacement"] * MICRO, loop["force"], color=colour, label=f"{theta:g}")
-        axes.plot(loop["displacement"][every] * MICRO, loop["exact"][every], "o", ms=3.5, mfc="none", mec=INK, mew=0.7)
+        axes.plot(
+            loop["displacement"][every] * MICRO,
+            loop["exact"][every],
+            "o",
+            ms=3.5,
+            mfc="none",
+            mec=INK,
+            mew=0.7,
+        )
     axes.plot([], [], "o", ms=3.5, mfc="none", mec=INK, mew=0.7, label="closed form")
     axes.set(
-        title="Steel ball, R = 10 mm, μ = 0.6, 100 N: FMU", xlabel="displacement (µm)", ylabel="tangential force (N)"
+        title="Steel ball, R = 10 mm, μ = 0.6, 100 N: FMU",
+        xlabel="displacement (µm)",
+        ylabel="tangential force (N)",
     )
     axes.set_xlim(right=6.4)
     axes.legend(loc="lower right", title="amplitude / u_max")
@@ -35,9 +45,19 @@ def draw_tip(shape, pressure, life):
     for state, colour in zip(fields, shades(len(fields))):
         radius = np.concatenate([-state["radius"][::-1], state["radius"]]) * MICRO
         height = (state["unworn"] + state["worn"]) * MICRO
-        shape.plot(radius, np.concatenate([height[::-1], height]), color=colour, label=f"{state['cycles']:,.0f}")
+        shape.plot(
+            radius,
+            np.concatenate([height[::-1], height]),
+            color=colour,
+            label=f"{state['cycles']:,.0f}",
+        )
         values = state["pressure"] * GIGA
-        pressure.plot(radius, np.concatenate([values[::-1], values]), color=colour, label=f"{state['cycles']:,.0f}")
+        pressure.plot(
+            radius,
+            np.concatenate([values[::-1], values]),
+            color=colour,
+            label=f"{state['cycles']:,.0f}",
+        )
     amplitude = life["regime"].amplitude * MICRO
     shape.set(
         title=f"Synthetic worn tip, R = 10 mm, ±{amplitude:g} µm",
@@ -46,11 +66,20 @@ def draw_tip(shape, pressure, life):
         xlim=(-reach, reach),
     )
     shape.set_ylim(
-        0, 1.05 * np.interp(reach, fields[-1]["radius"] * MICRO, (fields[-1]["unworn"] + fields[-1]["worn"]) * MICRO)
+        0,
+        1.05
+        * np.interp(
+            reach, fields[-1]["radius"] * MICRO, (fields[-1]["unworn"] + fields[-1]["worn"]) * MICRO
+        ),
     )
     shape.legend(loc="upper center", title="cycles")
     pressure.legend(loc="lower center", title="cycles", ncols=2)
-    pressure.set(title="Its contact pressure, 100 N, μ = 0.6", xlabel="radius (µm)", ylabel="pressure (GPa)", xlim=(-reach, reach))
+    pressure.set(
+        title="Its contact pressure, 100 N, μ = 0.6",
+        xlabel="radius (µm)",
+        ylabel="pressure (GPa)",
+        xlim=(-reach, reach),
+    )
     worn_tip.limit_pressure(pressure, fields)
 
 

@@ -1,13 +1,15 @@
-"""The page: the demo's tables as one interactive HTML file, which needs no network and no other file.
+"""The page: the demo's tables as one interactive HTML file, which needs no network.
 
 python page.py target/demo       # draws it again from the CSV files in a folder
 
-The numbers come from the CSV files, rounded to six digits. Pictures are drawn in the browser by Vega-Lite, which vl-convert brings.
+The numbers come from the CSV files, rounded to six digits. Pictures are drawn in the browser by
+Vega-Lite, which vl-convert brings.
 """
 
 import csv
 import html
 import json
+import os
 import sys
 from pathlib import Path
 
@@ -19,6 +21,16 @@ from shaken_mass import RIG
 from theory import Sphere
 
 PARTS = Path(__file__).with_name("page")
+GUIDE = Path(__file__).resolve().parents[2] / "docs"
+#: Pages of the guide that the page links to: place in page.html, file.
+LINKS = {
+    "guide": "README.md",
+    "first_steps": "first_steps.md",
+    "theory": "theory.md",
+    "settings": "settings.md",
+    "coupling": "coupling.md",
+    "accuracy": "accuracy.md",
+}
 CUBIC = 1e15  # m³ → 10⁻⁶ mm³
 LOOPS_SHOWN = 5  # of the shaken mass
 
@@ -32,19 +44,33 @@ def write(folder):
     parts = {
         "style": (PARTS / "page.css").read_text(encoding="utf-8"),
         "library": library(),
-        "data": json.dumps(data(folder), ensure_ascii=False, separators=(",", ":")).replace("</", "<\\/"),
+        "data": json.dumps(
+            data(folder), allow_nan=False, ensure_ascii=False, separators=(",", ":")
+        ).replace("</", "<\\/"),
         "pictures": (PARTS / "pictures.js").read_text(encoding="utf-8"),
         "script": (PARTS / "page.js").read_text(encoding="utf-8"),
         "numbers": numbers(folder / "headlines.csv"),
-        "tables": "\n".join(f'<li><a href="{path.name}">{path.name}</a></li>' for path in sorted(folder.glob("*.csv"))),
+        "tables": "\n".join(
+            f'<li><a href="{path.name}">{path.name}</a></li>'
+            for path in sorted(folder.glob("*.csv"))
+        ),
         "licences": html.escape((PARTS / "licences.txt").read_text(encoding="utf-8")),
     }
+    parts |= {f"link:{name}": link(folder, file) for name, file in LINKS.items()}
     text = (PARTS / "page.html").read_text(encoding="utf-8")
     for name, part in parts.items():
         text = text.replace("{{" + name + "}}", part)
     path = folder / "index.html"
     path.write_text(text, encoding="utf-8")
     return path
+
+
+def link(folder, file):
+    """Address of a page of the guide, relative to the folder where that is possible."""
+    try:
+        return Path(os.path.relpath(GUIDE / file, folder.resolve())).as_posix()
+    except ValueError:  # another drive
+        return (GUIDE / file).as_uri()
 
 
 def library():
@@ -59,20 +85,73 @@ def library():
 
 def data(folder):
     """What the pictures show, in the units of their axes."""
-    return {"loops": loops(folder), "film": film(folder), "map": running(folder), "mass": mass(folder)}
+    return {
+        "loops": loops(folder),
+        "varying": varying(folder),
+        "film": film(folder),
+        "lives": lives(folder),
+        "map": running(folder),
+        "mass": mass(folder),
+    }
 
 
 def loops(folder):
     table = read(folder / "ball_loops.csv")
-    displacement, force, exact = (table[name] for name in ("displacement (m)", "tangential_force (N)", "closed_form (N)"))
+    displacement, force, exact = (
+        table[name] for name in ("displacement (m)", "tangential_force (N)", "closed_form (N)")
+    )
     lines, points = [], []
     for theta in dict.fromkeys(table["theta"]):
         here = table["theta"] == theta
         rows = zip(*(rounded(column[here]) for column in (displacement * MICRO, force, exact)))
-        of_loop = [{"theta": f"{theta:g}", "n": n, "u": u, "t": t, "e": e} for n, (u, t, e) in enumerate(rows)]
+        of_loop = [
+            {"theta": f"{theta:g}", "n": n, "u": u, "t": t, "e": e}
+            for n, (u, t, e) in enumerate(rows)
+        ]
         lines += [{key: row[key] for key in ("theta", "n", "u", "t")} for row in of_loop]
-        points += [{key: row[key] for key in ("theta", "u", "e")} for row in of_loop[:: max(1, len(of_loop) // 25)]]
+        points += [
+            {key: row[key] for key in ("theta", "u", "e")}
+            for row in of_loop[:: max(1, len(of_loop) // 25)]
+        ]
     return {"lines": lines, "points": points, "limit": Sphere().limit}
+
+
+def varying(folder):
+    """Loops under a load that varies with the motion: the last cycle of each phase."""
+    table = read(folder / "ball_varying_load.csv")
+    columns = {"u": "displacement (m)", "t": "tangential_force (N)", "load": "normal_force (N)"}
+    time = table["time (cycles)"]
+    rows = []
+    for phase in dict.fromkeys(table["load"]):
+        here = (table["load"] == phase) & (time >= time.max() - 1 - 1e-6)
+        scaled = (
+            table[name][here] * (MICRO if key == "u" else 1.0) for key, name in columns.items()
+        )
+        for n, values in enumerate(zip(*map(rounded, scaled))):
+            rows.append({"phase": str(phase), "n": n} | dict(zip(columns, values)))
+    return rows
+
+
+def lives(folder):
+    """The worn profile of each case at its stops, in µm."""
+    table = read(folder / "lives.csv")
+    cases = []
+    for name in dict.fromkeys(table["case"]):
+        own = table["case"] == name
+        curves = []
+        for stop in dict.fromkeys(table["life (N/N0)"][own]):
+            here = own & (table["life (N/N0)"] == stop)
+            radius, unworn, worn, pressure = (
+                table[column][here]
+                for column in ("radius (m)", "unworn_height (m)", "worn_depth (m)", "pressure (Pa)")
+            )
+            columns = radius * MICRO, (unworn + worn) * MICRO, worn * MICRO, pressure * GIGA
+            for r, h, w, p in zip(*map(rounded, columns)):
+                row = {"stop": f"{stop:g}", "r": r, "h": h, "w": w}
+                # at the apex of an unworn cone the pressure is infinite
+                curves.append(row | ({"p": p} if np.isfinite(p) else {}))
+        cases.append({"name": str(name), "curves": curves})
+    return cases
 
 
 def film(folder):
@@ -81,15 +160,25 @@ def film(folder):
     lives = []
     for regime in worn_tip.REGIMES:
         rows = history["regime"] == regime.name
-        states = {name.split(" (")[0]: column[rows] for name, column in history.items() if name != "regime"}
+        states = {
+            name.split(" (")[0]: column[rows]
+            for name, column in history.items()
+            if name != "regime"
+        }
         own = fields["regime"] == regime.name
         frames = []
         for n, cycles in enumerate(states["cycles"]):
             here = own & (fields["cycles"] == cycles)
             radius, unworn, worn, pressure = (
-                fields[name][here] for name in ("radius (m)", "unworn_height (m)", "worn_depth (m)", "pressure (Pa)")
+                fields[name][here]
+                for name in ("radius (m)", "unworn_height (m)", "worn_depth (m)", "pressure (Pa)")
             )
-            columns = {"r": radius * MICRO, "f": unworn * MICRO, "h": (unworn + worn) * MICRO, "p": pressure * GIGA}
+            columns = {
+                "r": radius * MICRO,
+                "f": unworn * MICRO,
+                "h": (unworn + worn) * MICRO,
+                "p": pressure * GIGA,
+            }
             scalars = {
                 "cycles": cycles,
                 "volume": states["wear_volume"][n] * CUBIC,
@@ -111,7 +200,9 @@ def film(folder):
                 "frames": frames,
                 "unworn": [
                     {"r": r, "f": f}
-                    for r, f in zip(rounded(radius * MICRO), rounded(worn_tip.unworn_height(radius) * MICRO))
+                    for r, f in zip(
+                        rounded(radius * MICRO), rounded(worn_tip.unworn_height(radius) * MICRO)
+                    )
                 ],
                 "reach": reach * MICRO,
                 # at a stick edge that no longer moves the pressure is singular
@@ -142,7 +233,9 @@ def running(folder):
     fine = np.geomspace(loads[0], loads[-1], 40)
     bounds = [
         {"line": name, "n": n, "u": u}
-        for name, line in zip(("5 % of the radius slips", "all slips"), running_map.boundaries(fine))
+        for name, line in zip(
+            ("5 % of the radius slips", "gross slip"), running_map.boundaries(fine)
+        )
         for n, u in zip(rounded(fine), rounded(line * MICRO))
         if amplitudes[0] <= u / MICRO <= amplitudes[-1]
     ]
@@ -159,7 +252,9 @@ def edges(middles):
 def mass(folder):
     """Per period: largest displacement and normal force; some loops of the joint."""
     table = read(folder / "shaken_mass.csv")
-    time, displacement, force = (table[name] for name in ("time (s)", "displacement (m)", "tangential_force (N)"))
+    time, displacement, force = (
+        table[name] for name in ("time (s)", "displacement (m)", "tangential_force (N)")
+    )
     steps = round(1 / (RIG.frequency * (time[1] - time[0])))
     count = (time.size - 1) // steps
     of_periods = displacement[1:].reshape(count, steps) * MICRO

@@ -10,7 +10,14 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 # Okabe–Ito: distinct with every common colour blindness, and in grey.
-BLUE, ORANGE, GREEN, RED, PURPLE, SKY = "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9"
+BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
+    "#0072B2",
+    "#E69F00",
+    "#009E73",
+    "#D55E00",
+    "#CC79A7",
+    "#56B4E9",
+)
 INK, GREY = "#222222", "#8a8a8a"
 
 STYLE = {

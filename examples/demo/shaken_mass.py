@@ -1,16 +1,19 @@
 """Case (c): the FMU as the friction joint of a larger system.
 
-A 20 kg unit sits on a mount (spring and damper) on a shaking base; a ball, clamped against it by a leaf spring,
-locates it. The mount is soft, the stuck joint is stiff: its friction decides how much the unit moves. As the ball
-wears, the clamp relaxes, the joint holds less, and the unit shakes more.
+A 20 kg unit sits on a mount (spring and damper) on a shaking base; a ball, clamped against it by a
+leaf spring, locates it. The mount is soft, the stuck joint is stiff: its friction decides how much
+the unit moves. As the ball wears, the clamp relaxes, the joint holds less, and the unit shakes
+more.
 
-Coupling: a Gauss–Seidel scheme with a fixed communication step and a linear model of the joint. Over each step the
-joint is T ≈ T_n + k_n (z − z_n), from the FMU's outputs tangential_force and tangential_stiffness, but never more
-than μ F_N; an adaptive Runge–Kutta solver takes the mass through the step; the FMU then walks to where the mass has
-arrived and reports its true force. Taking the stiffness along makes the scheme second order and stable although the
-joint is far stiffer than the mount: holding T_n alone would feed energy into the stuck joint. The clamp does the same
-with normal_stiffness. The step is 1/96 of a period of the shaking: half of it changes the amplitude by well under
-1 %, and the friction work that the FMU counts agrees as well with what the ODE solver finds missing (both printed).
+Coupling: a Gauss–Seidel scheme with a fixed communication step and a linear model of the joint.
+Over each step the joint is T ≈ T_n + k_n (z − z_n), from the FMU's outputs tangential_force and
+tangential_stiffness, but never more than μ F_N; an adaptive Runge–Kutta solver takes the mass
+through the step; the FMU then moves to where the mass has arrived and reports its true force.
+Taking the stiffness along makes the scheme second order and stable although the joint is far
+stiffer than the mount: holding T_n alone would feed energy into the stuck joint. The clamp does the
+same with normal_stiffness. The step is 1/96 of a period of the shaking: half of it changes the
+amplitude by well under 1 %, and the friction work that the FMU counts agrees as well with what the
+ODE solver finds missing (both printed).
 """
 
 from dataclasses import dataclass
@@ -18,7 +21,19 @@ from dataclasses import dataclass
 import numpy as np
 from fretting_contact.component import ContactFmu
 from outcome import Headline, Outcome
-from plotting import BLUE, GREEN, GREY, INK, MICRO, ORANGE, RED, figure, save_picture, save_table, shades
+from plotting import (
+    BLUE,
+    GREEN,
+    GREY,
+    INK,
+    MICRO,
+    ORANGE,
+    RED,
+    figure,
+    save_picture,
+    save_table,
+    shades,
+)
 from scipy.integrate import solve_ivp
 from theory import Sphere
 
@@ -42,12 +57,21 @@ class Rig:
 
     def push(self, time):
         """Inertia force on the mass in the moving frame, N."""
-        return -self.mass * self.shake * min(time / self.ramp, 1.0) * np.sin(2 * np.pi * self.frequency * time)
+        return (
+            -self.mass
+            * self.shake
+            * min(time / self.ramp, 1.0)
+            * np.sin(2 * np.pi * self.frequency * time)
+        )
 
     def amplitude_with_spring(self, stiffness):
         """Amplitude of the steady motion if the joint were a plain spring, m."""
         omega = 2 * np.pi * self.frequency
-        return self.mass * self.shake / abs(self.mount + stiffness - self.mass * omega**2 + 1j * omega * self.damping)
+        return (
+            self.mass
+            * self.shake
+            / abs(self.mount + stiffness - self.mass * omega**2 + 1j * omega * self.damping)
+        )
 
 
 RIG = Rig()
@@ -70,13 +94,23 @@ def run(fmu, out, quick):
     check = cycles // 4
     coarse, fine = envelope[check - 1], amplitudes(shake(fmu, check, 2 * steps), 2 * steps)[-1]
 
-    stored = 0.5 * RIG.mass * motion["velocity"][-1] ** 2 + 0.5 * RIG.mount * motion["displacement"][-1] ** 2
+    stored = (
+        0.5 * RIG.mass * motion["velocity"][-1] ** 2
+        + 0.5 * RIG.mount * motion["displacement"][-1] ** 2
+    )
     into_joint = motion["work_in"][-1] - motion["work_damper"][-1] - stored
     outcome.headlines += [
-        Headline("amplitude if the joint could not slip", RIG.amplitude_with_spring(JOINT.stiffness) * MICRO, "µm"),
+        Headline(
+            "amplitude if the joint could not slip",
+            RIG.amplitude_with_spring(JOINT.stiffness) * MICRO,
+            "µm",
+        ),
         Headline("amplitude without the joint", RIG.amplitude_with_spring(0.0) * MICRO, "µm"),
         Headline(
-            f"amplitude with friction, cycle {check}; expected: with half the step", coarse * MICRO, "µm", fine * MICRO
+            f"amplitude with friction, cycle {check}; expected: with half the step",
+            coarse * MICRO,
+            "µm",
+            fine * MICRO,
         ),
         Headline(f"amplitude at the end, cycle {cycles}", envelope[-1] * MICRO, "µm"),
         Headline("normal force at the end (100 N at first)", motion["load"][-1], "N"),
@@ -112,16 +146,22 @@ def shake(fmu, cycles, steps):
         depth_at_rest = joint[0, OUTPUTS.index("indentation_depth")]
         for n in range(cycles * steps):
             force, stiffness, normal_stiffness, depth = joint[n, :4]
-            states[n + 1] = move_mass(n * h, h, states[n], (force, stiffness, JOINT.friction * load[n]))
+            states[n + 1] = move_mass(
+                n * h, h, states[n], (force, stiffness, JOINT.friction * load[n])
+            )
             load[n + 1] = relax_clamp(load[n], depth - depth_at_rest, normal_stiffness)
             contact.step(h, tangential_displacement=states[n + 1, 0], normal_force=load[n + 1])
             joint[n + 1] = contact.get(*OUTPUTS)
-    motion = dict(zip(("displacement", "velocity", "work_in", "work_damper"), states.T)) | dict(zip(OUTPUTS, joint.T))
+    motion = dict(zip(("displacement", "velocity", "work_in", "work_damper"), states.T)) | dict(
+        zip(OUTPUTS, joint.T)
+    )
     return motion | {"time": h * np.arange(cycles * steps + 1), "load": load}
 
 
 def move_mass(time, h, state, joint):
-    """The mass through one communication step, with the joint as a spring about its last state that may slide."""
+    """The mass through one communication step, with the joint as a spring about its last state that
+    may slide.
+    """
     start, (force, stiffness, limit) = state[0], joint
 
     def rates(t, y):
@@ -135,7 +175,9 @@ def move_mass(time, h, state, joint):
 
 
 def relax_clamp(load, approach, normal_stiffness):
-    """The clamp's force once the ball has worn in by `approach`; one Newton step with the contact's stiffness."""
+    """The clamp's force once the ball has worn in by `approach`; one Newton step with the contact's
+    stiffness.
+    """
     wanted = JOINT.normal_force - RIG.clamp * approach
     ratio = RIG.clamp / normal_stiffness
     return max((wanted + ratio * load) / (1 + ratio), 0.0)
@@ -154,9 +196,15 @@ def draw(motion, envelope, steps, path):
     time = motion["time"]
     period = (np.arange(envelope.size) + 0.5) / RIG.frequency
 
-    amplitude_axes.fill_between(period, -envelope * MICRO, envelope * MICRO, color=BLUE, alpha=0.18, lw=0)
-    amplitude_axes.plot(time, motion["displacement"] * MICRO, color=BLUE, lw=0.25, label="displacement (thin)")
-    amplitude_axes.plot(period, envelope * MICRO, color=BLUE, label="amplitude (half of peak to peak)")
+    amplitude_axes.fill_between(
+        period, -envelope * MICRO, envelope * MICRO, color=BLUE, alpha=0.18, lw=0
+    )
+    amplitude_axes.plot(
+        time, motion["displacement"] * MICRO, color=BLUE, lw=0.25, label="displacement (thin)"
+    )
+    amplitude_axes.plot(
+        period, envelope * MICRO, color=BLUE, label="amplitude (half of peak to peak)"
+    )
     amplitude_axes.legend(loc="upper left")
     amplitude_axes.set(
         title=f"The unit shakes more as its joint wears ({RIG.frequency:g} Hz)",
@@ -175,7 +223,9 @@ def draw(motion, envelope, steps, path):
             color=colour,
             label=f"{last / RIG.frequency:.2f} s",
         )
-    loop_axes.set(title="Force of the joint", xlabel="displacement (µm)", ylabel="tangential force T (N)")
+    loop_axes.set(
+        title="Force of the joint", xlabel="displacement (µm)", ylabel="tangential force T (N)"
+    )
     loop_axes.set_xlim(right=1.5 * loop_axes.get_xlim()[1])
     loop_axes.legend(loc="center right", title="after")
 
@@ -191,8 +241,12 @@ def draw(motion, envelope, steps, path):
 
     force_axes.plot(time, motion["load"], color=GREEN, label="normal force")
     friction = motion["tangential_force"][1:].reshape(-1, steps)
-    force_axes.plot(period, np.abs(friction).max(axis=1), color=ORANGE, label="peak tangential force")
-    force_axes.axhline(RIG.mass * RIG.shake, color=GREY, lw=1, ls="--", label="inertia force of the shaking")
+    force_axes.plot(
+        period, np.abs(friction).max(axis=1), color=ORANGE, label="peak tangential force"
+    )
+    force_axes.axhline(
+        RIG.mass * RIG.shake, color=GREY, lw=1, ls="--", label="inertia force of the shaking"
+    )
     force_axes.set(
         title="The clamp relaxes",
         xlabel="time (s)",
@@ -202,7 +256,12 @@ def draw(motion, envelope, steps, path):
     )
     force_axes.legend(loc="lower left")
     fig.suptitle(
-        f"A {RIG.mass:g} kg unit on its mount, located by a clamped steel ball (R = 10 mm, μ = {JOINT.friction:g})", x=0.01, ha="left", fontsize=14, color=INK
+        f"A {RIG.mass:g} kg unit on its mount, located by a clamped steel ball (R "
+        f"= 10 mm, μ = {JOINT.friction:g})",
+        x=0.01,
+        ha="left",
+        fontsize=14,
+        color=INK,
     )
     return save_picture(fig, path)
 

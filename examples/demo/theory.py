@@ -72,4 +72,8 @@ class Sphere:
         if theta > 1:
             return 4 * self.limit * (amplitude - 0.8 * self.full_slip)
         rest = 1 - theta
-        return self.limit * self.full_slip * (4 * theta + 4 * theta * rest**1.5 - 3.2 * (1 - rest**2.5))
+        return (
+            self.limit
+            * self.full_slip
+            * (4 * theta + 4 * theta * rest**1.5 - 3.2 * (1 - rest**2.5))
+        )

@@ -1,8 +1,9 @@
 """Case (b): a ball with a synthetic worn tip (profile file), worn over thousands of cycles.
 
-Two amplitudes under the same load: one in partial slip, where a ring wears around a centre that sticks, and one in
-gross slip, where the whole contact wears. The FMU computes whole cycles at a time (loading = cyclic); some of the
-life is repeated by following every cycle (loading = transient) to show that both agree.
+Two amplitudes under the same load: one in partial slip, where a ring wears around a centre that
+sticks, and one in gross slip, where the whole contact wears. The FMU computes whole cycles at a
+time (loading = cyclic); some of the life is repeated by following every cycle (loading = transient)
+to show that both agree.
 """
 
 import functools
@@ -44,7 +45,9 @@ def run(fmu, out, quick):
     for regime in REGIMES:
         life = wear_out(fmu, regime, 5 if quick else 25)
         lives.append(life)
-        cycles, volume, work = (life["history"][key] for key in ("cycles", "wear_volume", "dissipated_energy"))
+        cycles, volume, work = (
+            life["history"][key] for key in ("cycles", "wear_volume", "dissipated_energy")
+        )
         outcome.headlines += [
             Headline(
                 f"{regime.name}, {cycles[-1]:,.0f} cycles: deepest wear",
@@ -95,17 +98,35 @@ def parameters(**others):
 
 
 def wear_out(fmu, regime, steps_between):
-    """The life of the tip in whole cycles: history and fields ("film") at every step, fields at the regime's stops."""
-    names = ["wear_volume", "wear_depth", "dissipated_energy", "contact_radius", "stick_radius", "tangential_force"]
+    """The life of the tip in whole cycles: history and fields ("film") at every step, fields at the
+    regime's stops.
+    """
+    names = [
+        "wear_volume",
+        "wear_depth",
+        "dissipated_energy",
+        "contact_radius",
+        "stick_radius",
+        "tangential_force",
+    ]
     rows, film, fields = [], [], []
     with ContactFmu(fmu) as contact:
-        contact.start(**parameters(loading="cyclic", displacement_amplitude=regime.amplitude, frequency=FREQUENCY))
-        # to have slipped at the beginning, too; this little of a cycle wears nothing that could be seen
+        contact.start(
+            **parameters(
+                loading="cyclic", displacement_amplitude=regime.amplitude, frequency=FREQUENCY
+            )
+        )
+        # to have slipped at the beginning, too; this little of a cycle wears nothing that could be
+        # seen
         contact.step(1e-6 / FREQUENCY)
         done = 0.0
         for stop in regime.stops:
             # Equal steps in the square root of N: wear is fastest at the beginning.
-            targets = np.linspace(np.sqrt(done), np.sqrt(stop), steps_between + 1)[1:] ** 2 if stop else [0.0]
+            targets = (
+                np.linspace(np.sqrt(done), np.sqrt(stop), steps_between + 1)[1:] ** 2
+                if stop
+                else [0.0]
+            )
             for target in targets:
                 if target > done:
                     contact.step((target - done) / FREQUENCY)
@@ -146,20 +167,26 @@ def probe_volume(fields):
 
 
 def short_life(fmu, regime, cycles):
-    """Worn volume of some first cycles, from whole cycles and from following each: (cyclic, transient), m³.
+    """Worn volume of some first cycles, from whole cycles and from following each: (cyclic,
+    transient), m³.
 
     Wear is made faster, so that the contact changes visibly within these few cycles.
     """
     life = regime.stops[2] / cycles
     faster = {"wear_coefficient": WEAR_PER_WORK * HARDNESS * life}
     with ContactFmu(fmu) as contact:
-        contact.start(**parameters(loading="cyclic", displacement_amplitude=regime.amplitude, frequency=1.0, **faster))
+        contact.start(
+            **parameters(
+                loading="cyclic", displacement_amplitude=regime.amplitude, frequency=1.0, **faster
+            )
+        )
         for _ in range(cycles):
             contact.step(1.0)
         cyclic = contact.get("wear_volume")
     half = regime.amplitude * np.cos(np.linspace(0, np.pi, 101)[1:])
     with ContactFmu(fmu) as contact:
-        # The way from rest to the first reversal is no part of a cycle: it is made before counting starts.
+        # The way from rest to the first reversal is no part of a cycle: it is made before counting
+        # starts.
         contact.start(**parameters(loading="transient", **faster))
         contact.step(tangential_displacement=regime.amplitude)
         before = contact.get("wear_volume")
@@ -171,13 +198,19 @@ def short_life(fmu, regime, cycles):
 
 def draw(lives, path):
     """For each regime: the profile, the pressure, the worn volume, all against cycles."""
-    fig, rows = figure(len(lives), 3, figsize=(13, 7.8), width_ratios=(1.15, 1.15, 1), squeeze=False)
+    fig, rows = figure(
+        len(lives), 3, figsize=(13, 7.8), width_ratios=(1.15, 1.15, 1), squeeze=False
+    )
     for (shape, pressure, volume), life in zip(rows, lives):
         regime, fields = life["regime"], life["fields"]
         reach = 1.12 * life["history"]["contact_radius"].max() * MICRO
         r = np.linspace(0, reach / MICRO, 400)
         last = fields[-1]
-        removed = [last["radius"] * MICRO, last["unworn"] * MICRO, (last["unworn"] + last["worn"]) * MICRO]
+        removed = [
+            last["radius"] * MICRO,
+            last["unworn"] * MICRO,
+            (last["unworn"] + last["worn"]) * MICRO,
+        ]
         shape.fill_between(*removed, color=GREY, alpha=0.18, lw=0, label="worn away")
         shape.plot(r * MICRO, unworn_height(r) * MICRO, color=GREY, lw=1, ls="--", label="unworn")
         for state, colour in zip(fields, shades(len(fields))):
@@ -187,7 +220,10 @@ def draw(lives, path):
             pressure.plot(radius, state["pressure"] * GIGA, color=colour, label=label)
             volume.plot(
                 state["cycles"] / 1e3,
-                np.interp(state["cycles"], life["history"]["cycles"], life["history"]["wear_volume"]) * 1e15,
+                np.interp(
+                    state["cycles"], life["history"]["cycles"], life["history"]["wear_volume"]
+                )
+                * 1e15,
                 "o",
                 color=colour,
                 label=label,
@@ -197,10 +233,20 @@ def draw(lives, path):
             xlabel="radius r (µm)",
             ylabel="height of the tip (µm)",
             xlim=(0, reach),
-            ylim=(0, 1.1 * (unworn_height(reach / MICRO) + 0.3 * life["history"]["wear_depth"][-1]) * MICRO),
+            ylim=(
+                0,
+                1.1
+                * (unworn_height(reach / MICRO) + 0.3 * life["history"]["wear_depth"][-1])
+                * MICRO,
+            ),
         )
         shape.legend(loc="upper left", fontsize=8.5)
-        pressure.set(title="Pressure", xlabel="radius r (µm)", ylabel="contact pressure (GPa)", xlim=(0, reach))
+        pressure.set(
+            title="Pressure",
+            xlabel="radius r (µm)",
+            ylabel="contact pressure (GPa)",
+            xlim=(0, reach),
+        )
         limit_pressure(pressure, fields)
         pressure.legend(loc="upper right")
         cycles, worn = life["history"]["cycles"], life["history"]["wear_volume"]
@@ -213,7 +259,10 @@ def draw(lives, path):
             xlim=(0, None),
             ylim=(0, None),
         )
-    title = f"Synthetic worn tip of a steel ball (R = 10 mm), μ = {FRICTION:g}, {LOAD:g} N, k/σ₀ = {WEAR_PER_WORK:g} m³/J"
+    title = (
+        f"Synthetic worn tip of a steel ball (R = 10 mm), μ = {FRICTION:g}, "
+        f"{LOAD:g} N, k/σ₀ = {WEAR_PER_WORK:g} m³/J"
+    )
     fig.suptitle(title, x=0.01, ha="left", fontsize=14)
     return save_picture(fig, path)
 
@@ -228,7 +277,13 @@ def limit_pressure(axes, fields):
         place = state["radius"][state["pressure"].argmax()] * MICRO
         text = "singular at the\nstick edge"
         axes.annotate(
-            text, (place, 0.94 * limit), (-10, 0), textcoords="offset points", ha="right", va="center", color=INK
+            text,
+            (place, 0.94 * limit),
+            (-10, 0),
+            textcoords="offset points",
+            ha="right",
+            va="center",
+            color=INK,
         )
 
 
@@ -243,9 +298,14 @@ def field_table(lives, which="fields"):
     }
     table = {
         "regime": [name for name, state in states for _ in state["radius"]],
-        "cycles": np.concatenate([np.full(state["radius"].size, state["cycles"]) for _, state in states]),
+        "cycles": np.concatenate(
+            [np.full(state["radius"].size, state["cycles"]) for _, state in states]
+        ),
     }
-    return table | {header: np.concatenate([state[key] for _, state in states]) for header, key in columns.items()}
+    return table | {
+        header: np.concatenate([state[key] for _, state in states])
+        for header, key in columns.items()
+    }
 
 
 def history_table(lives):
@@ -260,5 +320,6 @@ def history_table(lives):
     }
     table = {"regime": [life["regime"].name for life in lives for _ in life["history"]["cycles"]]}
     return table | {
-        f"{key} ({unit})": np.concatenate([life["history"][key] for life in lives]) for key, unit in units.items()
+        f"{key} ({unit})": np.concatenate([life["history"][key] for life in lives])
+        for key, unit in units.items()
     }

@@ -1,7 +1,7 @@
-"""Writes worn_ball_tip.txt: a 10 mm ball whose tip is blunted and slightly wavy, as a stylus would find it.
+"""Writes worn_ball_tip.txt: a 10 mm ball whose tip is blunted and slightly wavy.
 
-The profile is synthetic and reproducible. Its 1-D image g(x) = x ∫ f'/√(x²−r²) dr must rise everywhere, or the
-contact region would not be one disc; the script checks that before it writes.
+The profile is synthetic and reproducible. Its 1-D image g(x) = x ∫ f'/√(x²−r²) dr must rise
+everywhere, or the contact region would not be one disc; the script checks that before it writes.
 """
 
 from pathlib import Path
@@ -24,7 +24,9 @@ column 2: height f above the lowest point, m"""
 
 
 def heights(r):
-    """Profile heights f(r), m: a softened flat tip on a ball, and waves that die out towards the axis."""
+    """Profile heights f(r), m: a softened flat tip on a ball, and waves that die out towards the
+    axis.
+    """
     z = r**2 - FLAT**2
     softness = 2 * FLAT * EDGE
     ball = (z + np.sqrt(z**2 + softness**2)) / (4 * RADIUS)
@@ -37,7 +39,9 @@ def heights(r):
 
 
 def image(r, f, x):
-    """1-D image at x of the points, joined linearly in r²: each piece contributes a difference of square roots."""
+    """1-D image at x of the points, joined linearly in r²: each piece contributes a difference of
+    square roots.
+    """
     slopes = np.diff(f) / np.diff(r**2)
     roots = np.sqrt(np.clip(x[:, None] ** 2 - r[None, :] ** 2, 0, None))
     return 2 * x * ((roots[:, :-1] - roots[:, 1:]) @ slopes)
@@ -48,15 +52,19 @@ def main():
     f = heights(r)
     if f.min() < 0:
         raise SystemExit("the profile dips below its own axis: reduce the waves")
-    # Between the points of a table g has microscopic dips behind each concave kink; what matters is that it
-    # rises from point to point, and by a fair share of what the plain ball's image x²/R does.
+    # Between the points of a table g has microscopic dips behind each concave kink; what matters is
+    # that it rises from point to point, and by a fair share of what the plain ball's image x²/R
+    # does.
     rise = np.diff(image(r, f, r)) / np.diff(r**2 / RADIUS)
     outside = r[1:] > 0.6 * FLAT
     print(
-        f"image rises by {rise.min():.3f} to {rise.max():.3f} of the ball's ({rise[outside].min():.3f} outside the tip)"
+        f"image rises by {rise.min():.3f} to {rise.max():.3f} of the ball's "
+        f"({rise[outside].min():.3f} outside the tip)"
     )
     if rise.min() <= 0:
-        raise SystemExit(f"the 1-D image falls at r = {r[1 + rise.argmin()]:.3e} m: reduce the waves")
+        raise SystemExit(
+            f"the 1-D image falls at r = {r[1 + rise.argmin()]:.3e} m: reduce the waves"
+        )
     target = Path(__file__).with_name("worn_ball_tip.txt")
     np.savetxt(target, np.column_stack([r, f]), fmt="%.7e", header=HEADER, encoding="utf-8")
     print(f"{POINTS} points written to {target.name}")

@@ -1,10 +1,11 @@
-"""Friction, rig stiffness and wear coefficient from a friction loop and a wear volume, both synthetic.
+"""Friction, rig stiffness and wear coefficient from a loop and a volume, both synthetic.
 
     python calibrate.py [FrettingContact.fmu]
 
-A test rig measures the displacement of its drive, not that of the contact: `rig_stiffness` takes that apart. The loop in
-measured_loop.csv is synthetic: Mindlin's formulas with noise (make_measured_loop.py), so that the answer is known: mu = 0.62,
-rig 24 N/um; the volume belongs to k/sigma0 = 5e-14 m3/J.
+A test rig measures the displacement of its drive, not that of the contact: `rig_stiffness` takes
+that apart. The loop in measured_loop.csv is synthetic: Mindlin's formulas with noise
+(make_measured_loop.py), so that the answer is known: mu = 0.62, rig 24 N/um; the volume belongs to
+k/sigma0 = 5e-14 m3/J.
 """
 
 import sys
@@ -21,8 +22,13 @@ HARDNESS = 8e9  # Pa
 if __name__ == "__main__":
     loop = MeasuredLoop.read(MEASURED, FORCE)
     fit = calibrate(loop, WornVolume(VOLUME, FORCE, AMPLITUDE, CYCLES), hardness=HARDNESS, fmu=FMU)
-    print(f"friction coefficient {fit['friction_coefficient']:.4f} +- {fit.std('friction_coefficient'):.4f}")
+    print(
+        f"friction coefficient {fit['friction_coefficient']:.4f} +- "
+        f"{fit.std('friction_coefficient'):.4f}"
+    )
     print(f"rig stiffness        {fit['rig_stiffness']:.4e} +- {fit.std('rig_stiffness'):.1e} N/m")
-    print(f"offset of the force  {fit['force_offset[1]']:.4f} +- {fit.std('force_offset[1]'):.4f} N")
+    print(
+        f"offset of the force  {fit['force_offset[1]']:.4f} +- {fit.std('force_offset[1]'):.4f} N"
+    )
     print(f"k/sigma0             {fit['wear_per_work']:.4e} m3/J")
     print(f"wear coefficient     {fit.parameters()['wear_coefficient']:.4e}")

@@ -61,7 +61,12 @@ def worn_profile(force, amplitude, cycles):
     with connector(force, amplitude) as contact:
         radius, before = contact["radius_probe"], contact["profile_height"]
         contact.step(cycles)
-        return radius, before, contact["profile_height"], contact.get("wear_volume_1", "wear_volume_2")
+        return (
+            radius,
+            before,
+            contact["profile_height"],
+            contact.get("wear_volume_1", "wear_volume_2"),
+        )
 
 
 def archard(force, amplitude):
@@ -82,7 +87,9 @@ if __name__ == "__main__":
         left.loglog(AMPLITUDES * 1e6, estimates, "--", color=colour, label=f"{force} N, Archard")
         lasting = AMPLITUDES[np.isinf(lives)] * 1e6
         if lasting.size:
-            left.plot(lasting, np.full_like(lasting, 1e5), "^", color=colour, label=f"{force} N, lasts")
+            left.plot(
+                lasting, np.full_like(lasting, 1e5), "^", color=colour, label=f"{force} N, lasts"
+            )
         for style, amplitude, cycles in zip(("-", ":"), AMPLITUDES[[2, -1]], lives[[2, -1]]):
             radius, before, after, volumes = worn_profile(force, amplitude, cycles)
             label = f"{force} N, {amplitude * 1e6:.1f} µm"

@@ -2,10 +2,11 @@
 
     python joint.py [FrettingContact.fmu]
 
-wall -(joint)- body 1 -(joint)- body 2 -(joint)- wall. The trapezium rule asks for displacements at the end of a step that satisfy the
-equations of motion with the joints' forces there: Newton's method saves the joints at the start of the step, moves them to a trial,
-reads forces and stiffness, puts them back and tries again. So the joints, hundreds of times as stiff as what
-carries the bodies, do not limit the step.
+wall -(joint)- body 1 -(joint)- body 2 -(joint)- wall. The trapezium rule asks for displacements at
+the end of a step that satisfy the equations of motion with the joints' forces there: Newton's
+method saves the joints at the start of the step, moves them to a trial, reads forces and stiffness,
+puts them back and tries again. So the joints, hundreds of times as stiff as what carries the
+bodies, do not limit the step.
 """
 
 import sys
@@ -16,7 +17,9 @@ from fretting_contact import Contact
 FMU = sys.argv[1] if len(sys.argv) > 1 else None  # that of the package
 MASS = np.array([0.5, 0.3])  # kg
 DAMPING = np.array([50.0, 50.0])  # N s/m, to the wall
-GAPS = np.array([[1.0, 0.0], [-1.0, 1.0], [0.0, 1.0]])  # joint displacements from those of the bodies
+GAPS = np.array(
+    [[1.0, 0.0], [-1.0, 1.0], [0.0, 1.0]]
+)  # joint displacements from those of the bodies
 FORCES = [60.0, 40.0, 80.0]  # N, normal
 FREQUENCY, AMPLITUDE, CYCLES = 400.0, 70.0, 6  # Hz, N on body 1, number
 
@@ -25,7 +28,7 @@ class Joint(Contact):
     """One instance, with its state at the end of the last accepted step."""
 
     def attempt(self, displacement, step):
-        """Force and stiffness at the end of a step that begins where the last accepted one ended."""
+        """Force and stiffness at the end of a step from the last accepted state."""
         self.restore(self.before)
         self.step(step, tangential_displacement=displacement)
         return self.get("tangential_force", "tangential_stiffness")
@@ -35,7 +38,9 @@ class Joint(Contact):
 
 
 def run(steps):
-    """The motion in `steps` a period; returns body displacements, the joints' work (J) and Newton iterations a step."""
+    """The motion in `steps` a period; returns body displacements, the joints' work (J) and Newton
+    iterations a step.
+    """
     joints = [Joint(fmu=FMU, normal_force=force) for force in FORCES]
     for joint in joints:
         joint.accept()
@@ -50,7 +55,10 @@ def run(steps):
             rate = 2 * (guess - x) / step - v
             end = push(time + step) - DAMPING * rate - GAPS.T @ force
             miss = MASS * (rate - v) / step - 0.5 * (total + end)
-            slope = np.diag(2 * MASS / step**2 + DAMPING / step) + 0.5 * GAPS.T @ np.diag(stiffness) @ GAPS
+            slope = (
+                np.diag(2 * MASS / step**2 + DAMPING / step)
+                + 0.5 * GAPS.T @ np.diag(stiffness) @ GAPS
+            )
             change = -np.linalg.solve(slope, miss)
             guess, iterations = guess + change, iterations + 1
             if np.max(np.abs(change)) < 1e-14:
@@ -61,7 +69,11 @@ def run(steps):
         for joint in joints:
             joint.accept()
         history.append(x)
-    return np.array(history), [joint["dissipated_energy"] for joint in joints], iterations / (CYCLES * steps)
+    return (
+        np.array(history),
+        [joint["dissipated_energy"] for joint in joints],
+        iterations / (CYCLES * steps),
+    )
 
 
 if __name__ == "__main__":

@@ -2,7 +2,8 @@
 
     python loop.py [FrettingContact.fmu]
 
-Ten cycles of ±2 µm on a steel ball of 10 mm radius under 100 N, then the same number of cycles in one step.
+Ten cycles of ±2 µm on a steel ball of 10 mm radius under 100 N, then the same number of cycles in
+one step.
 """
 
 import sys
@@ -21,6 +22,9 @@ if __name__ == "__main__":
         cycles = life(contact, CYCLES, at=[CYCLES])
     print(f"force amplitude      {last.force_amplitude:.4f} N")
     print(f"stick radius         {cycles.stick_radius[-1]:.4e} m")
-    print(f"work of a loop       {np.trapezoid(last.tangential_force, last.contact_displacement):.4e} J")
+    print(
+        "work of a loop       "
+        f"{np.trapezoid(last.tangential_force, last.contact_displacement):.4e} J"
+    )
     print(f"worn volume, stepped {last.wear_volume[-1]:.4e} m3")
     print(f"worn volume, at once {cycles.wear_volume[-1]:.4e} m3")

@@ -1,6 +1,6 @@
-"""Makes measured_loop.csv, which is synthetic: a friction loop as a rig would measure it, by Mindlin's formulas and not by the FMU.
+"""Makes measured_loop.csv: a synthetic friction loop by Mindlin's formulas.
 
-    python make_measured_loop.py
+python make_measured_loop.py
 """
 
 from pathlib import Path
@@ -35,4 +35,11 @@ drive = np.concatenate([down, -down])
 noise = NOISE * np.random.default_rng(7).standard_normal(2 * POINTS)
 table = np.column_stack([drive, np.concatenate([forces, np.negative(forces)]) + noise])
 header = "synthetic displacement of the drive (m),synthetic force (N)"
-np.savetxt(Path(__file__).with_name("measured_loop.csv"), table, fmt="%.6e", delimiter=",", header=header, comments="")
+np.savetxt(
+    Path(__file__).with_name("measured_loop.csv"),
+    table,
+    fmt="%.6e",
+    delimiter=",",
+    header=header,
+    comments="",
+)

@@ -1,10 +1,11 @@
-"""Noise on a measured displacement makes wear: how much, and what a filter or a dead band takes away again.
+"""Wear by the noise of a measured displacement, and the effect of filter and dead band.
 
     python noisy_displacement.py [FrettingContact.fmu]
 
-The displacement is synthetic: 20 cycles of ±1.5 µm at 200 points a cycle, with Gaussian noise of 20 or 50 nm rms. Each
-reversal of the noise is a small stroke, and at the contact edge even a small stroke slips. The worn volume is compared
-with that of the displacement without noise; mean and spread of five noise sequences.
+The displacement is synthetic: 20 cycles of ±1.5 µm at 200 points a cycle, with Gaussian noise of 20
+or 50 nm rms. Each reversal of the noise is a small stroke, and at the contact edge even a small
+stroke slips. The worn volume is compared with that of the displacement without noise; mean and
+spread of five noise sequences.
 """
 
 import sys
@@ -25,12 +26,14 @@ def worn_volume(displacement):
 
 
 def low_pass(displacement):
-    """Butterworth filter of fourth order, run forward and backward: it does not shift the signal in time."""
+    """Butterworth filter of fourth order, forward and backward: without a shift in time."""
     return filtfilt(*butter(4, CUTOFF / (POINTS / 2)), displacement)
 
 
 def dead_band(displacement, width):
-    """Play: the result follows only where the value is further than the width from it. It cuts the amplitude by the width."""
+    """Play: the result follows only where the value is further than the width from it. It cuts the
+    amplitude by the width.
+    """
     passed = np.empty_like(displacement)
     last = displacement[0]
     for n, value in enumerate(displacement):
@@ -41,7 +44,9 @@ def dead_band(displacement, width):
 
 def report(title, volumes, clean):
     change = 100 * (np.array(volumes) / clean - 1)
-    print(f"{title:<34} {change.mean():+6.1f} %  from {change.min():+6.1f} to {change.max():+6.1f} %")
+    print(
+        f"{title:<34} {change.mean():+6.1f} %  from {change.min():+6.1f} to {change.max():+6.1f} %"
+    )
 
 
 if __name__ == "__main__":
@@ -51,7 +56,10 @@ if __name__ == "__main__":
     print(f"worn volume without noise {clean:.4e} m3; change of it:")
     report("no noise, low-pass", [worn_volume(low_pass(motion))], clean)
     for noise in NOISE:
-        noisy = [motion + noise * np.random.default_rng(seed).standard_normal(motion.size) for seed in SEEDS]
+        noisy = [
+            motion + noise * np.random.default_rng(seed).standard_normal(motion.size)
+            for seed in SEEDS
+        ]
         name = f"{noise * 1e9:.0f} nm rms, "
         report(name + "as measured", [worn_volume(u) for u in noisy], clean)
         report(name + "low-pass", [worn_volume(low_pass(u)) for u in noisy], clean)

@@ -2,9 +2,10 @@
 
     python orbit.py [FrettingContact.fmu]
 
-Orbits of 1.5 um radius on a steel ball of 10 mm radius under 100 N. Springs of the contact whose friction bound b is less than the radius
-slip along their own deflection, the others stick; force and work of a steady orbit follow in closed form and are printed beside. The
-force lags behind the displacement: it is turned towards where the body goes.
+Orbits of 1.5 um radius on a steel ball of 10 mm radius under 100 N. Springs of the contact whose
+friction bound b is less than the radius slip along their own deflection, the others stick; force
+and work of a steady orbit follow in closed form and are printed beside. The force lags behind the
+displacement: it is turned towards where the body goes.
 """
 
 import sys
@@ -22,11 +23,13 @@ def stepped():
     time = np.arange(ORBITS * STEPS + 1) / STEPS
     place = RADIUS * np.minimum(time, 1.0) * np.exp(2j * np.pi * time)
     with Contact(fmu=FMU, wear_coefficient=3.2e-5, normal_force=FORCE) as contact:
-        return drive(contact, time, place.real, displacement_y=place.imag, outputs=["tangential_force_y"])
+        return drive(
+            contact, time, place.real, displacement_y=place.imag, outputs=["tangential_force_y"]
+        )
 
 
 def closed_form():
-    """Amplitude of the force and work of a steady orbit: |e|^2 = U^2 - b^2 for each spring that slips."""
+    """Force amplitude and work of an orbit: |e|^2 = U^2 - b^2 for each spring that slips."""
     edge = (3 * FORCE * BALL / (4 * NORMAL_MODULUS)) ** (1 / 3)
     x = np.linspace(0, edge, 200001)
     bound = np.minimum(FRICTION * NORMAL_MODULUS / SHEAR_MODULUS * (edge**2 - x**2) / BALL, RADIUS)

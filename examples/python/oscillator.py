@@ -3,9 +3,10 @@
     pip install pathsim pathsim-fmi
     python oscillator.py [FrettingContact.fmu]
 
-A 20 kg unit on a soft mount is located by a pressed ball. PathSim integrates the mass; its co-simulation block steps the joint. The
-block holds the force over a step, which feeds energy into a stiff spring: a step of a three-hundredth of the period of the mass on
-the sticking joint and the mount's damping keep that small. For steps that are not small see joint.py.
+A 20 kg unit on a soft mount is located by a pressed ball. PathSim integrates the mass; its
+co-simulation block steps the joint. The block holds the force over a step, which feeds energy into
+a stiff spring: a step of a three-hundredth of the period of the mass on the sticking joint and the
+mount's damping keep that small. For steps that are not small see joint.py.
 """
 
 import sys
@@ -23,12 +24,14 @@ STEP, END = 1.6e-5, 0.05  # s
 
 
 class RealOutputs(FMUWrapper):
-    """The block reads all outputs in one call for real numbers: `slip_state`, an enumeration, is left out."""
+    """The block reads all outputs as real numbers: the enumeration `slip_state` is left out."""
 
     def _build_variable_maps(self):
         super()._build_variable_maps()
         kinds = {variable.name: variable.type for variable in self.model_description.modelVariables}
-        self.output_refs = {name: ref for name, ref in self.output_refs.items() if kinds[name] == "Real"}
+        self.output_refs = {
+            name: ref for name, ref in self.output_refs.items() if kinds[name] == "Real"
+        }
 
 
 pathsim_fmi.blocks.FMUWrapper = RealOutputs

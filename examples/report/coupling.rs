@@ -67,7 +67,7 @@ impl Coupling {
             let most = calls.fold(0.0, f64::max);
             let _ = writeln!(text, "| {} | {most:.1} at most | {} |", master.name(), stable(master));
         }
-        text += "\n![Work of friction against that of a fine iterative run](coupling.svg)\n\nIn every run the step is 1/200 of the period of the drive; hω grows because \
+        text += "\n![Work of friction against that of a fine iterative run](coupling.png)\n\nIn every run the step is 1/200 of the period of the drive; hω grows because \
                  the mass is made smaller. With less inertia the motion comes closer to the static answer to the drive, which the implicit masters \
                  solve exactly at each step. So their error falls as hω grows.\n\nError of the work of friction in the last of three periods, \
                  against the iterative master with 20 times finer steps, by hω:\n\n";

@@ -1,4 +1,7 @@
-"""Asks Tamaas, a boundary-element solver, for the contact of the ball; writes independent.csv. Not installed: one word, no file."""
+"""Asks Tamaas, a boundary-element solver, for the contact of the ball.
+
+Where Tamaas is not installed, no file is written.
+"""
 
 import statistics
 import sys
@@ -15,7 +18,9 @@ REPEATS = 3
 
 def central_pressure(tamaas, points, reach):
     """Largest pressure, Pa, on a grid of points² over (reach)² m²."""
-    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, [reach, reach], [points, points])
+    model = tamaas.ModelFactory.createModel(
+        tamaas.model_type.basic_2d, [reach, reach], [points, points]
+    )
     model.E, model.nu = E_STAR, 0.0
     x = (np.arange(points) + 0.5) * reach / points - reach / 2
     surface = -(x[:, None] ** 2 + x[None, :] ** 2) / (2 * RADIUS)
@@ -32,7 +37,10 @@ def main(folder):
     try:
         import tamaas
     except ImportError:
-        print("Tamaas is not installed: no independent solution (`pip install tamaas` in the environment of the reports)")
+        print(
+            "Tamaas is not installed: no independent solution (`pip install tamaas` "
+            "in the environment of the reports)"
+        )
         return
     tamaas.set_log_level(tamaas.LogLevel.error)
     a = (3 * FORCE * RADIUS / (4 * E_STAR)) ** (1 / 3)
@@ -44,7 +52,10 @@ def main(folder):
             start = time.perf_counter()
             pressure = central_pressure(tamaas, points, 4 * a)
             times.append(time.perf_counter() - start)
-        lines.append(f"{points},{abs(pressure / hertz - 1)},{statistics.median(times)},{min(times)},{max(times)}")
+        lines.append(
+            f"{points},{abs(pressure / hertz - 1)},"
+            f"{statistics.median(times)},{min(times)},{max(times)}"
+        )
         if min(times) > PATIENCE:
             break
     file.write_text("\n".join(lines) + "\n", encoding="utf-8")

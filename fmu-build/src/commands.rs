@@ -24,13 +24,14 @@ const ZIG: &str = "fmu-build/zig-requirements.txt";
 /// What the demo's page of pictures needs beyond the rest.
 const PAGE: (&str, &str) = ("The page of pictures", "examples/demo/page-requirements.txt");
 
-/// What some tests need beyond the rest: the page and a driver for browsers, the other masters, and
-/// the sweep on Dask.
-const EXTRAS: [(&str, &str); 4] = [
+/// What some tests need beyond the rest: the page and a driver for browsers, the other masters and
+/// tools, and the sweep on Dask.
+const EXTRAS: [(&str, &str); 5] = [
     PAGE,
     SWEEP,
     ("The page in a browser", "tests/python/browser-requirements.txt"),
     ("The other masters", "tests/python/masters-requirements.txt"),
+    ("The Modelica compiler and the reader of SSP files", "tests/python/tools-requirements.txt"),
 ];
 
 const SWEEP: (&str, &str) = ("The sweep", "examples/sweep/sweep-requirements.txt");

@@ -26,6 +26,7 @@ mod progress;
 mod python;
 mod reference;
 mod release;
+mod smoke_test;
 mod terminals;
 mod totals;
 mod wheel;

@@ -1,9 +1,11 @@
 //! extra/org.fmi-standard.fmi-ls-ref/: experiments with reference results (FMI layered standard
 //! References, 1.0.0-beta.1), to test that an importer runs the FMU correctly.
 //!
-//! The results are closed forms, not what the FMU computes: Mindlin's loop, and the final state of
-//! wear at constant depth. Start values are those of modelDescription.xml.
+//! The results of validation are closed forms, not what the FMU computes: Mindlin's loop, and the
+//! final state of wear at constant depth. Start values are those of modelDescription.xml. The smoke
+//! test has results of the FMU itself.
 
+use crate::smoke_test;
 use anyhow::{Context, Result};
 use roxmltree::Document;
 use std::collections::BTreeMap;
@@ -20,6 +22,8 @@ const MANIFEST: &str = r#"<?xml version="1.0" encoding="UTF-8"?>
   <Related type="application/x-ma-hs-experiments" source="closed-forms.exp" role="experiment/validation" description="A friction loop and a life of wear with their closed forms"/>
   <Related type="text/csv" source="loop-ref.csv" role="result" description="Force in a friction loop by Mindlin's formulas"/>
   <Related type="text/csv" source="life-ref.csv" role="result" description="Final state of wear at constant depth"/>
+  <Related type="application/x-ma-hs-experiments" source="smoke-test.exp" role="experiment/smoke-test" description="The default experiment"/>
+  <Related type="text/csv" source="default-ref.csv" role="result" description="Results of the FMU in the default experiment"/>
   <Related type="text/html" source="../../documentation/index.html" role="document" description="Model, limits of validity, variables"/>
 </fmiReferences>
 "#;
@@ -49,6 +53,11 @@ loop   Steps of 1 s with nothing set. The displacement rises or falls for one se
        whose inputs reach their values at its end. Formulas: Mindlin and Deresiewicz (1953) for a sphere.
 life   One step of 1 s and 1e7 cycles at constant indentation depth. The stick radius stays, and wear ends when the ring around it
        carries nothing: Popov (2014); Dimaki, Dmitriev, Chai, Popov (2014).
+
+smoke-test.exp has the default experiment of modelDescription.xml with results of the FMU itself. It shows whether an importer runs
+the FMU at all, and whether a later version computes the same.
+
+default  Steps of 0.01 s. Load and displacement move for 0.05 s and rest for 0.05 s; the results stand at the ends of the rests.
 ";
 
 /// Displacements at the rests of the loop, in units of that of full slip.
@@ -73,6 +82,9 @@ pub(crate) fn files(description: &str) -> Result<BTreeMap<String, String>> {
         ("life.ssv", life_parameters),
         ("life-in.csv", life_stimuli),
         ("life-ref.csv", life_results),
+        ("smoke-test.exp", smoke_test::experiment(description)?),
+        ("default-in.csv", smoke_test::STIMULI.to_owned()),
+        ("default-ref.csv", smoke_test::RESULTS.to_owned()),
     ];
     let mut files: BTreeMap<_, _> =
         in_folder.into_iter().map(|(name, text)| (format!("{FOLDER}/{name}"), text)).collect();

@@ -1,10 +1,10 @@
 //! `cargo fmu release`: what is published, under `target/dist`: the FMU for three platforms, the
-//! presets, notes and checksums.
+//! Python package with this FMU, reference results, presets, notes and checksums.
 
 use crate::commands::Setup;
 use crate::platform::Platform;
-use crate::workspace::Workspace;
-use crate::{emulate, presets, progress};
+use crate::workspace::{MODEL_IDENTIFIER, Workspace};
+use crate::{emulate, presets, progress, smoke_test, wheel};
 use anyhow::{Context, Result};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
@@ -26,15 +26,19 @@ pub(crate) fn run(setup: &Setup<'_>) -> Result<()> {
     let platforms = Platform::requested(&PLATFORMS.map(str::to_owned))?;
     let fmu = setup.build_for_glibc(&platforms, GLIBC)?;
     let folder = workspace.product("dist");
+    if folder.exists() {
+        fs::remove_dir_all(&folder)?;
+    }
+    fs::create_dir_all(&folder)?;
+    let wheel = wheel::build(workspace, &fmu, &folder)?;
+    let wheel = wheel.file_name().context("the wheel has no name")?.to_string_lossy();
     progress::quiet("Writing target/dist", |_| {
-        if folder.exists() {
-            fs::remove_dir_all(&folder)?;
-        }
-        fs::create_dir_all(&folder)?;
         fs::copy(&fmu, folder.join(fmu.file_name().context("the FMU has no name")?))?;
         presets::copy(workspace, &folder)?;
+        let description = fs::read_to_string(workspace.file("modelDescription.xml"))?;
+        smoke_test::write_cross_check(&folder, MODEL_IDENTIFIER, &description)?;
         let tried = emulate::lines(&emulate::try_out(workspace, &fmu)?);
-        fs::write(folder.join("NOTES.md"), notes(&changes(workspace)?, &tried))?;
+        fs::write(folder.join("NOTES.md"), notes(&changes(workspace)?, &wheel, &tried))?;
         let sums = checksums(&folder)?;
         fs::write(folder.join(CHECKSUMS), sums)?;
         Ok(())
@@ -60,14 +64,18 @@ fn first_part(changelog: &str) -> &str {
     part.split_once('\n').map_or("", |(_, text)| text).trim()
 }
 
-/// NOTES.md; `tried` has a line for each library that was run under an emulator, or not.
-fn notes(changes: &str, tried: &[String]) -> String {
+/// NOTES.md; `wheel` is the file name of the Python package, and `tried` has a line for each
+/// library that was run under an emulator, or not.
+fn notes(changes: &str, wheel: &str, tried: &[String]) -> String {
     let mut notes = format!("# FrettingContact {}\n\n", env!("CARGO_PKG_VERSION"));
     let _ = write!(
         notes,
         "FMI 2.0 co-simulation FMU for {}. The Linux libraries need glibc {GLIBC} or later; nothing \
-         else has to be installed. `presets/` has parameters of pairs of materials (SSV files), which \
-         are also inside the FMU. To check the files: `sha256sum --check {CHECKSUMS}`.\n\n",
+         else has to be installed. `{wheel}` is the Python package with this FMU inside: \
+         `pip install {wheel}`. `presets/` has parameters of pairs of materials (SSV files), which are \
+         also inside the FMU. `{MODEL_IDENTIFIER}_in.csv`, `_ref.csv` and `_ref.opt` are inputs, \
+         results and options of the default experiment, to test an importer. To check the files: \
+         `sha256sum --check {CHECKSUMS}`.\n\n",
         PLATFORMS.join(", ")
     );
     for line in tried {
@@ -120,8 +128,10 @@ mod tests {
 
     #[test]
     fn notes_have_version_platforms_trials_and_changes() {
-        let notes = notes("- new", &["win64: loaded and stepped".to_owned()]);
-        for words in [env!("CARGO_PKG_VERSION"), "linux64, win64", "glibc 2.17", "- win64: loaded", "- new"] {
+        let notes = notes("- new", "contact.whl", &["win64: loaded and stepped".to_owned()]);
+        let version = env!("CARGO_PKG_VERSION");
+        let expected = [version, "linux64, win64", "glibc 2.17", "- win64: loaded", "- new"];
+        for words in expected.into_iter().chain(["pip install contact.whl", "FrettingContact_in.csv"]) {
             assert!(notes.contains(words), "{words}: {notes}");
         }
     }

@@ -12,7 +12,7 @@ const PHRASES: &str = include_str!("../phrases.txt");
 const LONGEST: usize = 100;
 
 /// Kinds of files that have prose.
-const ENDINGS: [&str; 6] = ["md", "rs", "py", "c", "html", "toml"];
+const ENDINGS: [&str; 8] = ["md", "rs", "py", "c", "html", "toml", "mo", "js"];
 
 /// Folders whose Rust comments keep to [`LONGEST`]; those of the engine follow with its rewrite.
 const WRAPPED: [&str; 4] = ["fmu-build", "src/fmi2", "examples/rust", "tests/documents"];

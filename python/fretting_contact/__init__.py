@@ -34,7 +34,7 @@ _LATER = {
     "parameter_sweep": ("SweepResult", "sweep"),
     "profile": ("ProfileFit", "Scan", "ScanError", "fit_scan", "read_scan", "write_table"),
 }
-"""Names by module that are imported when they are used: scipy takes longer to load than a loop to run."""
+"""Names by module, imported when they are used: scipy takes longer to load than a loop to run."""
 
 __all__ = [
     "Calibration",
@@ -78,7 +78,9 @@ def __getattr__(name: str) -> Any:
                 return getattr(import_module(f".{module}", __name__), name)
             except ModuleNotFoundError as problem:
                 if problem.name and problem.name.split(".")[0] == "scipy":
-                    raise ImportError(f"{name} needs scipy: pip install fretting-contact[calibrate]") from problem
+                    raise ImportError(
+                        f"{name} needs scipy: pip install fretting-contact[calibrate]"
+                    ) from problem
                 raise
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 

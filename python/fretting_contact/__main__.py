@@ -26,19 +26,38 @@ def _value(text: str) -> tuple[str, Any]:
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="python -m fretting_contact", description="Friction and wear of a fretting contact.")
+    parser = argparse.ArgumentParser(
+        prog="python -m fretting_contact", description="Friction and wear of a fretting contact."
+    )
     commands = parser.add_subparsers(dest="command", required=True)
 
-    demo = commands.add_parser("demo", help="a friction loop and the wear of 100,000 cycles; pictures if matplotlib is there")
-    demo.add_argument("-o", "--output", type=Path, default=Path("."), help="folder of the pictures (default: this one)")
+    demo = commands.add_parser(
+        "demo",
+        help="a friction loop and the wear of 100,000 cycles; pictures if matplotlib is there",
+    )
+    demo.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        default=Path("."),
+        help="folder of the pictures (default: this one)",
+    )
 
     wear = commands.add_parser("life", help="wear of a contact over many cycles as a table")
-    wear.add_argument("--cycles", type=float, default=1e5, help="number of cycles (default: 100000)")
+    wear.add_argument(
+        "--cycles", type=float, default=1e5, help="number of cycles (default: 100000)"
+    )
     wear.add_argument("--rows", type=int, default=10, help="rows of the table (default: 10)")
     wear.add_argument("-o", "--output", type=Path, help="CSV file to write")
 
-    fit = commands.add_parser("calibrate", help="friction, rig stiffness and wear coefficient from a measured loop")
-    fit.add_argument("loop", type=Path, help="two columns: displacement of the drive and tangential force, evenly in time")
+    fit = commands.add_parser(
+        "calibrate", help="friction, rig stiffness and wear coefficient from a measured loop"
+    )
+    fit.add_argument(
+        "loop",
+        type=Path,
+        help="two columns: displacement of the drive and tangential force, evenly in time",
+    )
     fit.add_argument("--normal-force", required=True, help='such as "100 N"')
     fit.add_argument("--loop-cycles", type=int, default=1, help="cycles in the file (default: 1)")
     fit.add_argument("--displacement-unit", default="m", choices=["m", "mm", "um", "nm"])
@@ -46,11 +65,23 @@ def _parser() -> argparse.ArgumentParser:
     fit.add_argument("--volume", help='worn volume of a wear test, such as "0.01 mm3"')
     fit.add_argument("--amplitude", help='of the drive in the wear test, such as "8 um"')
     fit.add_argument("--cycles", type=float, help="of the wear test")
-    fit.add_argument("-o", "--output", type=Path, help="picture of the measured and the fitted loop")
+    fit.add_argument(
+        "-o", "--output", type=Path, help="picture of the measured and the fitted loop"
+    )
 
     for command in wear, fit:
-        command.add_argument("parameters", nargs="*", type=_value, metavar="NAME=VALUE", help='such as radius="10 mm"')
-    commands.add_parser("profile", help="a profile table from a measured line scan; --help for its arguments", add_help=False)
+        command.add_argument(
+            "parameters",
+            nargs="*",
+            type=_value,
+            metavar="NAME=VALUE",
+            help='such as radius="10 mm"',
+        )
+    commands.add_parser(
+        "profile",
+        help="a profile table from a measured line scan; --help for its arguments",
+        add_help=False,
+    )
     return parser
 
 
@@ -58,12 +89,17 @@ def _demo(options: argparse.Namespace) -> None:
     amplitude = 1.5e-6
     with Contact(radius="10 mm", normal_force=100.0) as contact:
         one = loop(contact, amplitude)
-    with Contact(radius="10 mm", normal_force=100.0, displacement_amplitude=amplitude, loading="cyclic") as contact:
+    with Contact(
+        radius="10 mm", normal_force=100.0, displacement_amplitude=amplitude, loading="cyclic"
+    ) as contact:
         worn = life(contact, 1e5)
     print("a steel ball of 10 mm radius on a steel flat, 100 N, cycles of +-1.5 um")
     print(f"force amplitude          {one.force_amplitude:.2f} N")
     print(f"friction work of a cycle {one.work * 1e6:.2f} uJ")
-    print(f"after 100,000 cycles     {worn.wear_volume[-1] * 1e9:.2e} mm3 worn, {worn.wear_depth[-1] * 1e6:.2f} um deep")
+    print(
+        f"after 100,000 cycles     {worn.wear_volume[-1] * 1e9:.2e} mm3 worn, "
+        f"{worn.wear_depth[-1] * 1e6:.2f} um deep"
+    )
     try:
         import matplotlib
     except ImportError:
@@ -81,7 +117,9 @@ def _life(options: argparse.Namespace) -> None:
     with Contact(loading="cyclic", **dict(options.parameters)) as contact:
         worn = life(contact, options.cycles, at)
     print(f"{'cycles':>12} {'volume m3':>12} {'depth m':>12} {'force N':>12} {'stick m':>12}")
-    for row in zip(worn.cycles, worn.wear_volume, worn.wear_depth, worn.tangential_force, worn.stick_radius):
+    for row in zip(
+        worn.cycles, worn.wear_volume, worn.wear_depth, worn.tangential_force, worn.stick_radius
+    ):
         print(" ".join(f"{value:12.5g}" for value in row))
     if options.output:
         worn.write_csv(options.output)
@@ -95,10 +133,15 @@ def _calibrate(options: argparse.Namespace) -> None:
     measured = MeasuredLoop.read(options.loop, force, options.loop_cycles, *units)
     of_test = (options.volume, options.amplitude, options.cycles)
     if any(of_test) and not all(of_test):
-        raise ParameterError("--volume, --amplitude and --cycles belong together: give all of them, or none")
+        raise ParameterError(
+            "--volume, --amplitude and --cycles belong together: give all of them, or none"
+        )
     volumes = []
     if all(of_test):
-        volume, amplitude = in_si(options.volume, "m3", "--volume"), in_si(options.amplitude, "m", "--amplitude")
+        volume, amplitude = (
+            in_si(options.volume, "m3", "--volume"),
+            in_si(options.amplitude, "m", "--amplitude"),
+        )
         volumes = [WornVolume(volume, force, amplitude, options.cycles)]
     fit = calibrate(measured, volumes, **dict(options.parameters))
     print(fit)

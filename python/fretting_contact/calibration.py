@@ -2,10 +2,11 @@
 
 How: each loop is reduced to a smooth drive, a Fourier series fitted to the measured displacement.
 The contact behind the rig follows that drive; friction coefficient, rig stiffness and one force
-offset for each loop are fitted to the measured forces (scipy.optimize.least_squares). The worn volume
-over the friction work, k/σ₀, is fitted afterwards to the volumes, with friction and rig held. The
-covariance has the noise of the force, the noise of the displacement, carried over by the derivatives of
-the force with respect to the coefficients of the drive, and the scatter of the volumes.
+offset for each loop are fitted to the measured forces (scipy.optimize.least_squares). The worn
+volume over the friction work, k/σ₀, is fitted afterwards to the volumes, with friction and rig
+held. The covariance has the noise of the force, the noise of the displacement, carried over by the
+derivatives of the force with respect to the coefficients of the drive, and the scatter of the
+volumes.
 """
 
 import os
@@ -27,7 +28,7 @@ FITTED = ("friction_coefficient", "rig_stiffness")
 LOG_STEP = 1e-4
 """Step of a logarithm in a difference quotient."""
 MOST_DEVIATION = 0.25
-"""Standard deviation of a logarithm above which its value is refused: errors are no longer normal there."""
+"""Largest standard deviation of a logarithm: beyond it errors are no longer normal."""
 CYCLES_BEFORE = 1
 """Cycles that the contact makes before the one that is compared: the first begins at rest."""
 
@@ -37,8 +38,10 @@ class Calibration:
     """Fitted values with their covariance."""
 
     names: tuple[str, ...]
-    """Names of the values: friction_coefficient (1), rig_stiffness (N/m), wear_per_work (m³/J), which is
-    wear_coefficient/hardness, and for each loop force_offset[i] (N) and displacement_offset[i] (m)."""
+    """Names of the values: friction_coefficient (1), rig_stiffness (N/m), wear_per_work (m³/J),
+    which is wear_coefficient/hardness, and for each loop force_offset[i] (N) and
+    displacement_offset[i] (m).
+    """
     values: Array
     """The values in SI units."""
     covariance: Array
@@ -70,22 +73,42 @@ class Calibration:
         """The fitted values as parameters of a `Contact`."""
         found = {name: self[name] for name in FITTED if name in self.names}
         if "wear_per_work" in self.names:
-            found |= {"wear_coefficient": self["wear_per_work"] * self.hardness, "hardness": self.hardness}
+            found |= {
+                "wear_coefficient": self["wear_per_work"] * self.hardness,
+                "hardness": self.hardness,
+            }
         return found
 
     def __str__(self) -> str:
         units = {"friction_coefficient": "", "rig_stiffness": " N/m", "wear_per_work": " m3/J"}
-        units |= {name: " N" if name.startswith("force") else " m" for name in self.names if name.endswith("]")}
-        lines = [f"{name:<23} {self[name]:11.4e} +- {self.std(name):.1e}{units[name]}" for name in self.names]
+        units |= {
+            name: " N" if name.startswith("force") else " m"
+            for name in self.names
+            if name.endswith("]")
+        }
+        lines = [
+            f"{name:<23} {self[name]:11.4e} +- {self.std(name):.1e}{units[name]}"
+            for name in self.names
+        ]
         return "\n".join([*lines, f"{'noise of the force':<23} {self.force_noise:11.4e} N"])
 
     def plot(self, axes: Any = None) -> Any:
         """Measured and fitted loops in one picture; returns the axes."""
         axes = new_axes(axes)
-        for k, (loop, drive, force) in enumerate(zip(self.loops, self.drives, self.forces), start=1):
+        for k, (loop, drive, force) in enumerate(
+            zip(self.loops, self.drives, self.forces), start=1
+        ):
             colour = f"C{(k - 1) % 10}"
             label = f"{loop.normal_force:g} N"
-            axes.plot(loop.displacement * MICRO, loop.force, ".", color=colour, ms=3, alpha=0.5, label=f"measured, {label}")
+            axes.plot(
+                loop.displacement * MICRO,
+                loop.force,
+                ".",
+                color=colour,
+                ms=3,
+                alpha=0.5,
+                label=f"measured, {label}",
+            )
             around = np.r_[np.arange(len(drive)), 0] if loop.is_one_cycle else np.arange(len(drive))
             axes.plot(drive[around] * MICRO, force[around], color=colour, label=f"fitted, {label}")
         axes.set(xlabel="displacement of the drive (µm)", ylabel="tangential force (N)")
@@ -104,12 +127,12 @@ def calibrate(
     """Fits friction coefficient, rig stiffness and offsets to loops, and k/σ₀ to worn volumes.
 
     `loops`: one or several loops of the same pair, at any loads and amplitudes; one at least should
-    reach gross slip: in partial slip the friction coefficient hardly acts on the loop, and its errors are
-    larger than normal ones. `volumes`: of
-    wear tests with the same pair and rig. `parameters`: of the contact, as for `Contact`. A
-    `rig_stiffness` or a `friction_coefficient` among them is held and not fitted. `hardness`: Pa;
-    only the ratio to the wear coefficient counts. `fmu`: path of the FMU; that of the package if not
-    given. Noise is taken as independent from sample to sample.
+    reach gross slip: in partial slip the friction coefficient hardly acts on the loop, and its
+    errors are larger than normal ones. `volumes`: of wear tests with the same pair and rig.
+    `parameters`: of the contact, as for `Contact`. A `rig_stiffness` or a `friction_coefficient`
+    among them is held and not fitted. `hardness`: Pa; only the ratio to the wear coefficient
+    counts. `fmu`: path of the FMU; that of the package if not given. Noise is taken as independent
+    from sample to sample.
     """
     loops = (loops,) if isinstance(loops, MeasuredLoop) else tuple(loops)
     volumes = (volumes,) if isinstance(volumes, WornVolume) else tuple(volumes)
@@ -117,7 +140,9 @@ def calibrate(
         raise ParameterError("loops is empty: one measured loop at least is needed")
     for name in "loading", "normal_force", "wear_coefficient":
         if name in parameters:
-            raise ParameterError(f"{name} is not a parameter of calibrate: loads are those of the loops and volumes")
+            raise ParameterError(
+                f"{name} is not a parameter of calibrate: loads are those of the loops and volumes"
+            )
     fitted = tuple(name for name in FITTED if name not in parameters)
     with Contact(fmu=fmu) as contact:
         model = _LoopModel(loops, fitted, parameters, contact)
@@ -127,7 +152,9 @@ def calibrate(
         offsets = values[len(fitted) : len(fitted) + len(loops)]
         if volumes:
             held = {**parameters, "hardness": hardness}
-            names, values, covariance = fit_volumes(contact, volumes, fitted, held, names, values, covariance)
+            names, values, covariance = fit_volumes(
+                contact, volumes, fitted, held, names, values, covariance
+            )
     return Calibration(
         names=names,
         values=values,
@@ -143,7 +170,13 @@ def calibrate(
 class _LoopModel:
     """Forces along the smooth drives for given friction and rig."""
 
-    def __init__(self, loops: Sequence[MeasuredLoop], fitted: Sequence[str], parameters: dict[str, Any], contact: Contact):
+    def __init__(
+        self,
+        loops: Sequence[MeasuredLoop],
+        fitted: Sequence[str],
+        parameters: dict[str, Any],
+        contact: Contact,
+    ):
         self.loops, self.fitted, self.contact = loops, fitted, contact
         self.drives = [smooth_drive(loop) for loop in loops]
         self.parameters = {**parameters, "loading": "transient", "wear_coefficient": 0.0}
@@ -152,7 +185,10 @@ class _LoopModel:
         """Friction by the height of the loops, rig by their height over their elastic width."""
         friction, rig = [], []
         for loop, drive in zip(self.loops, self.drives):
-            u, force = drive.displacement - drive.mean, loop.force - (loop.force.max() + loop.force.min()) / 2
+            u, force = (
+                drive.displacement - drive.mean,
+                loop.force - (loop.force.max() + loop.force.min()) / 2,
+            )
             height = float(np.ptp(force) / 2)
             work = abs(float(np.trapezoid(np.r_[force, force[0]], np.r_[u, u[0]]))) / loop.cycles
             elastic = max(float(np.ptp(u) / 2) - work / (4 * height), 0.02 * float(np.ptp(u)))
@@ -167,11 +203,16 @@ class _LoopModel:
         self.contact.restart(**self.parameters, **values, normal_force=self.loops[k].normal_force)
         lead = displacement[: self.loops[k].points_per_cycle]
         path = np.concatenate([*([lead] * CYCLES_BEFORE), displacement])
-        return self.contact.follow(["tangential_force"], tangential_displacement=path)["tangential_force"][-len(displacement) :]
+        return self.contact.follow(["tangential_force"], tangential_displacement=path)[
+            "tangential_force"
+        ][-len(displacement) :]
 
     def forces(self, log: Array) -> list[Array]:
         """Forces at the points of all loops."""
-        return [self.force(k, log, drive.displacement - drive.mean) for k, drive in enumerate(self.drives)]
+        return [
+            self.force(k, log, drive.displacement - drive.mean)
+            for k, drive in enumerate(self.drives)
+        ]
 
 
 def _fit_loops(model: _LoopModel) -> tuple[tuple[str, ...], Array, Array, float]:
@@ -187,7 +228,10 @@ def _fit_loops(model: _LoopModel) -> tuple[tuple[str, ...], Array, Array, float]
     def jacobian(x: Array) -> Array:
         columns = []
         for k in range(count):
-            ends = [np.concatenate(model.forces(x[:count] + sign * LOG_STEP * np.eye(count)[k])) for sign in (1, -1)]
+            ends = [
+                np.concatenate(model.forces(x[:count] + sign * LOG_STEP * np.eye(count)[k]))
+                for sign in (1, -1)
+            ]
             columns.append((ends[0] - ends[1]) / (2 * LOG_STEP))
         return np.column_stack([*columns, offset_columns])
 
@@ -202,7 +246,8 @@ def _fit_loops(model: _LoopModel) -> tuple[tuple[str, ...], Array, Array, float]
     whole = np.zeros((size + len(loops), size + len(loops)))
     whole[:size, :size] = noise**2 * (inverse @ inverse.T)
     for k, drive in enumerate(model.drives):
-        # an error of the drive moves the fit by −(JᵀJ)⁻¹Jᵀ ∂T/∂c; its mean is the displacement offset
+        # an error of the drive moves the fit by −(JᵀJ)⁻¹Jᵀ ∂T/∂c; its mean is the displacement
+        # offset
         rows = np.flatnonzero(which == k)
         carried = np.zeros((size + len(loops), len(drive.coefficients)))
         carried[:size] = -inverse[:, rows] @ _drive_slopes(model, k, fit.x[:count], drive)
@@ -211,15 +256,23 @@ def _fit_loops(model: _LoopModel) -> tuple[tuple[str, ...], Array, Array, float]
     for k, name in enumerate(model.fitted):
         if not whole[k, k] < MOST_DEVIATION**2:
             raise LoopError(
-                f"the loops do not determine {name}: its standard deviation is {100 * np.sqrt(whole[k, k]):.0f} % of "
-                f"{np.exp(fit.x[k]):.2e}; add a loop of larger amplitude, or give {name} as a parameter"
+                f"the loops do not determine {name}: its standard deviation is "
+                f"{100 * np.sqrt(whole[k, k]):.0f} % of "
+                f"{np.exp(fit.x[k]):.2e}; add a loop of larger amplitude, or give {name} "
+                "as a parameter"
             )
     scale = np.ones(len(whole))
     scale[:count] = np.exp(fit.x[:count])  # from logarithms to values
     covariance = whole * np.outer(scale, scale)
     indices = [f"[{k}]" for k in range(1, len(loops) + 1)]
-    names = (*model.fitted, *(f"force_offset{k}" for k in indices), *(f"displacement_offset{k}" for k in indices))
-    values = np.concatenate([np.exp(fit.x[:count]), fit.x[count:], [drive.mean for drive in model.drives]])
+    names = (
+        *model.fitted,
+        *(f"force_offset{k}" for k in indices),
+        *(f"displacement_offset{k}" for k in indices),
+    )
+    values = np.concatenate(
+        [np.exp(fit.x[:count]), fit.x[count:], [drive.mean for drive in model.drives]]
+    )
     return names, values, covariance, noise
 
 
@@ -230,7 +283,9 @@ def _drive_slopes(model: _LoopModel, k: int, log: Array, drive: Drive) -> Array:
         return slopes
     about = drive.displacement - drive.mean
     step = max(1e-4 * float(np.ptp(about)), float(np.sqrt(drive.covariance[1, 1])))
-    for j in range(1, len(drive.coefficients)):  # a shift of all points has no influence on a closed cycle
+    for j in range(
+        1, len(drive.coefficients)
+    ):  # a shift of all points has no influence on a closed cycle
         ends = [model.force(k, log, about + sign * step * drive.basis[:, j]) for sign in (1, -1)]
         slopes[:, j] = (ends[0] - ends[1]) / (2 * step)
     return slopes

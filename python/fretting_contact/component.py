@@ -40,13 +40,16 @@ _messages: dict[str, list[tuple[int, str]]] = {}
 _numbers = itertools.count(1)
 
 
-def _log(_environment: object, instance_name: bytes, status: int, _category: bytes, message: bytes) -> None:
+def _log(
+    _environment: object, instance_name: bytes, status: int, _category: bytes, message: bytes
+) -> None:
     text = (message or b"").decode("utf-8", "replace")
     _messages.setdefault((instance_name or b"").decode(), []).append((status, text))
 
 
-# fmpy formats printf-style messages in a native proxy that keeps one pointer to a Python logger for the
-# whole process. One set of callbacks that lives as long as the process is therefore shared by all instances.
+# fmpy formats printf-style messages in a native proxy that keeps one pointer to a Python logger for
+# the whole process. One set of callbacks that lives as long as the process is therefore shared by
+# all instances.
 _callbacks = fmi2CallbackFunctions()
 _callbacks.logger = fmi2CallbackLoggerTYPE(_log)
 _callbacks.allocateMemory = fmi2CallbackAllocateMemoryTYPE(calloc)
@@ -61,7 +64,9 @@ class ContactError(Exception):
     def __init__(self, function: str, status: int, messages: list[str]):
         self.function, self.status, self.messages = function, status, messages
         name = STATUS[status] if status in range(len(STATUS)) else str(status)
-        super().__init__(f"{' / '.join(messages) or 'the component gave no message'} ({function}: {name})")
+        super().__init__(
+            f"{' / '.join(messages) or 'the component gave no message'} ({function}: {name})"
+        )
 
 
 class ContactFmu:
@@ -95,7 +100,7 @@ class ContactFmu:
         return _messages.get(self.name, [])
 
     def start(self, **values: Any) -> Any:
-        """Sets parameters and initial inputs, and initialises. The bodies then touch with these inputs."""
+        """Sets parameters and initial inputs, and initialises with the bodies in contact."""
         self._call(self.slave.setupExperiment, startTime=0.0)
         self.set(**values)
         self._call(self.slave.enterInitializationMode)
@@ -112,7 +117,11 @@ class ContactFmu:
         for type_, group in self._by_type(values).items():
             setter = getattr(self.slave, "set" + {"Enumeration": "Integer"}.get(type_, type_))
             references = [variable.valueReference for variable in group]
-            self._call(setter, references, [self._encode(variable, values[variable.name]) for variable in group])
+            self._call(
+                setter,
+                references,
+                [self._encode(variable, values[variable.name]) for variable in group],
+            )
 
     def get(self, *names):
         """Values of variables: one for one name, otherwise a list in the requested order."""
@@ -120,7 +129,9 @@ class ContactFmu:
         for type_, group in self._by_type(names).items():
             getter = getattr(self.slave, "get" + {"Enumeration": "Integer"}.get(type_, type_))
             values = self._call(getter, [variable.valueReference for variable in group])
-            found.update({variable.name: self._decode(variable, x) for variable, x in zip(group, values)})
+            found.update(
+                {variable.name: self._decode(variable, x) for variable, x in zip(group, values)}
+            )
         return found[names[0]] if len(names) == 1 else [found[name] for name in names]
 
     def field(self, name: str) -> NDArray[np.float64]:
@@ -128,7 +139,7 @@ class ContactFmu:
         return np.array(self.get(*(f"{name}[{i}]" for i in range(1, PROBES + 1))))
 
     def step(self, size=1e-3, **inputs):
-        """Sets inputs and advances by `size` seconds: the contact follows a straight line to the new inputs."""
+        """Sets inputs and advances by `size` seconds, on a straight line to the new inputs."""
         if inputs:
             self.set(**inputs)
         self._call(self.slave.doStep, self.time, size)
@@ -140,9 +151,12 @@ class ContactFmu:
     ) -> dict[str, NDArray[np.float64]]:
         """Follows equally long sequences of Real inputs, one step for each value.
 
-        Returns {output: array}, the state after each step. `step_size`: s, one for all or one a step.
+        Returns {output: array}, the state after each step. `step_size`: s, one for all or one a
+        step.
         """
-        rows = np.column_stack([np.asarray(values, dtype=float) for values in inputs.values()]).tolist()
+        rows = np.column_stack(
+            [np.asarray(values, dtype=float) for values in inputs.values()]
+        ).tolist()
         sizes = np.broadcast_to(np.asarray(step_size, dtype=float), len(rows)).tolist()
         to_set, to_get = self._references(inputs), self._references(outputs)
         found = np.empty((len(rows), len(to_get)))
@@ -166,13 +180,17 @@ class ContactFmu:
     @staticmethod
     def _encode(variable: Any, value: Any) -> Any:
         if variable.type == "Enumeration" and isinstance(value, str):
-            return next(int(item.value) for item in variable.declaredType.items if item.name == value)
+            return next(
+                int(item.value) for item in variable.declaredType.items if item.name == value
+            )
         return value
 
     @staticmethod
     def _decode(variable: Any, value: Any) -> Any:
         if variable.type == "Enumeration":
-            return next(item.name for item in variable.declaredType.items if int(item.value) == value)
+            return next(
+                item.name for item in variable.declaredType.items if int(item.value) == value
+            )
         if variable.type == "Boolean":
             return bool(value)
         return value.decode() if isinstance(value, bytes) else value

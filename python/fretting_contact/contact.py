@@ -39,7 +39,9 @@ class SavedState:
 
     def __bytes__(self) -> bytes:
         contact = self._contact._check_open()
-        return struct.pack("<d", self.time) + contact._call(contact.slave.serializeFMUstate, self._pointer)
+        return struct.pack("<d", self.time) + contact._call(
+            contact.slave.serializeFMUstate, self._pointer
+        )
 
     def __del__(self) -> None:
         if self._contact._is_open:
@@ -97,7 +99,7 @@ class Contact(ContactFmu):
             self._free()
 
     def start(self, **parameters: Any) -> "Contact":
-        """Initialises with these parameters and initial inputs, all others at their start values."""
+        """Initialises with these parameters and inputs; others have their start values."""
         super().start(**parameters)
         if self._table is not None:  # it has been read
             self._table.unlink(missing_ok=True)
@@ -113,8 +115,14 @@ class Contact(ContactFmu):
     def set(self, **values: Any) -> None:
         """Sets inputs, tunable parameters (between steps), or parameters (before the start)."""
         given = values
-        if values.get("profile_file") is not None and not isinstance(values["profile_file"], (str, os.PathLike)):
-            values = {"profile": "table", **values, "profile_file": self._write_table(values["profile_file"])}
+        if values.get("profile_file") is not None and not isinstance(
+            values["profile_file"], (str, os.PathLike)
+        ):
+            values = {
+                "profile": "table",
+                **values,
+                "profile_file": self._write_table(values["profile_file"]),
+            }
         super().set(**{name: self._checked(name, value) for name, value in values.items()})
         if self.time == 0.0:
             self.given |= given
@@ -147,7 +155,9 @@ class Contact(ContactFmu):
     def field(self, name: str) -> NDArray[np.float64]:
         """A field at the radii `radius_probe`."""
         if name not in self.fields:
-            raise ParameterError(f"{name} is no field{_near(name, self.fields)}; there are {', '.join(self.fields)}")
+            raise ParameterError(
+                f"{name} is no field{_near(name, self.fields)}; there are {', '.join(self.fields)}"
+            )
         return self[name]
 
     def save(self) -> SavedState:
@@ -160,12 +170,16 @@ class Contact(ContactFmu):
         self._check_open()
         if isinstance(state, SavedState):
             if state._contact is not self:
-                raise ParameterError("the state is of another contact: restore it there, or give bytes(state)")
+                raise ParameterError(
+                    "the state is of another contact: restore it there, or give bytes(state)"
+                )
             self._call(self.slave.setFMUstate, state._pointer)
             self.time = state.time
             return self
         if len(state) < 8:
-            raise ParameterError(f"{len(state)} byte(s) are no state: give what bytes(contact.save()) returned")
+            raise ParameterError(
+                f"{len(state)} byte(s) are no state: give what bytes(contact.save()) returned"
+            )
         pointer = self._call(self.slave.deSerializeFMUstate, state[8:])
         try:
             self._call(self.slave.setFMUstate, pointer)
@@ -179,7 +193,9 @@ class Contact(ContactFmu):
         for name, value in values.items():
             found = self.get(name)
             if found != value:
-                raise ParameterError(f"{name} = {found!r}, but {value!r} is needed: Contact({name}={value!r}, ...)")
+                raise ParameterError(
+                    f"{name} = {found!r}, but {value!r} is needed: Contact({name}={value!r}, ...)"
+                )
 
     def _free(self) -> None:
         self._is_open = False
@@ -197,7 +213,8 @@ class Contact(ContactFmu):
         if variable is None:
             names = [*(n for n in self.fmu.variables if not n.endswith("]")), *self.fields]
             raise ParameterError(
-                f"{name} is no variable of the component{_near(name, names)}; docs/variables.md lists them all"
+                f"{name} is no variable of the component{_near(name, names)}; "
+                "docs/variables.md lists them all"
             )
         return variable
 
@@ -205,9 +222,13 @@ class Contact(ContactFmu):
         """The value as the component takes it."""
         variable = self._require(name)
         if variable.causality not in SETTABLE:
-            raise ParameterError(f"{name} is computed by the component: read it with contact[{name!r}]")
+            raise ParameterError(
+                f"{name} is computed by the component: read it with contact[{name!r}]"
+            )
         if variable.type == "Enumeration":
-            return _enumeration(name, value, {item.name: int(item.value) for item in variable.declaredType.items})
+            return _enumeration(
+                name, value, {item.name: int(item.value) for item in variable.declaredType.items}
+            )
         if variable.type == "String":
             return os.fspath(value)
         if isinstance(value, str):
@@ -220,7 +241,9 @@ class Contact(ContactFmu):
         if not whole and isinstance(value, Real):
             return float(value)
         kind = "a whole number" if whole else "a number"
-        raise ParameterError(f"{name} = {value!r}: give {kind}; for several values at once see sweep()")
+        raise ParameterError(
+            f"{name} = {value!r}: give {kind}; for several values at once see sweep()"
+        )
 
     def _write_table(self, profile: Any) -> str:
         """Writes a profile of r and f in m to a file that lives until it has been read."""
@@ -256,4 +279,6 @@ def _enumeration(name: str, value: Any, items: dict[str, int]) -> int:
         return items[value]
     if isinstance(value, Integral) and int(value) in items.values():
         return int(value)
-    raise ParameterError(f"{name} = {value!r}{_near(str(value), items)}: give one of {', '.join(items)}")
+    raise ParameterError(
+        f"{name} = {value!r}{_near(str(value), items)}: give one of {', '.join(items)}"
+    )

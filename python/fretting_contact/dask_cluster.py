@@ -14,29 +14,40 @@ MOST_LOSSES = 100
 
 
 def run_on_dask(
-    content: bytes, parameters: dict[str, Any], batches: Sequence[list[dict[str, Any]]], task: Task, cluster: Any
+    content: bytes,
+    parameters: dict[str, Any],
+    batches: Sequence[list[dict[str, Any]]],
+    task: Task,
+    cluster: Any,
 ) -> Iterator[tuple[int, list[dict[str, Any]]]]:
     """Yields number and results of each batch as they come in.
 
-    `cluster`: address of a scheduler, or a `distributed.Client`. The workers need this package; the FMU
-    is sent to them. How many workers may be lost under one batch is a setting of the scheduler,
+    `cluster`: address of a scheduler, or a `distributed.Client`. The workers need this package; the
+    FMU is sent to them. How many workers may be lost under one batch is a setting of the scheduler,
     `distributed.scheduler.allowed-failures`.
     """
     try:
         from distributed import Client, as_completed
     except ImportError as problem:
-        raise ImportError("cluster = ... needs Dask: pip install fretting-contact[sweep]") from problem
+        raise ImportError(
+            "cluster = ... needs Dask: pip install fretting-contact[sweep]"
+        ) from problem
     client = cluster if isinstance(cluster, Client) else Client(cluster)
     try:
-        # as the result of a task, and not scattered: that would be lost with the workers that hold it
+        # as the result of a task, and not scattered: that would be lost with the workers that hold
+        # it
         sent = client.submit(bytes, content)
         losses = 0
 
         def submit(k: int) -> Any:
-            return client.submit(run_batch, sent, parameters, batches[k], task, retries=RETRIES, pure=False)
+            return client.submit(
+                run_batch, sent, parameters, batches[k], task, retries=RETRIES, pure=False
+            )
 
         tasks = {submit(k): k for k in range(len(batches))}
-        queue = as_completed(list(tasks), loop=client.loop)  # not that of another client in this process
+        queue = as_completed(
+            list(tasks), loop=client.loop
+        )  # not that of another client in this process
         for future in queue:
             number = tasks.pop(future)
             try:

@@ -29,14 +29,18 @@ def fmu_path(given: str | os.PathLike[str] | None = None) -> Path:
     if named is not None:
         if not Path(named).is_file():
             origin = "fmu" if given is not None else f"the environment variable {VARIABLE}"
-            raise FmuNotFoundError(f"{origin} = {str(named)!r}: there is no such file; give the path of {NAME}")
+            raise FmuNotFoundError(
+                f"{origin} = {str(named)!r}: there is no such file; give the path of {NAME}"
+            )
         return Path(named)
     places = [package / NAME, package.parents[1] / "target" / "fmu" / NAME]
     for place in places:
         if place.is_file():
             return place
     raise FmuNotFoundError(
-        f"there is no {NAME} in {' or '.join(str(place.parent) for place in places)}: install the wheel of "
+        f"there is no {NAME} in "
+        f"{' or '.join(str(place.parent) for place in places)}: install the wheel "
+        "of "
         f"fretting-contact, run `cargo fmu build` in the checkout, or set {VARIABLE} to its path"
     )
 
@@ -50,7 +54,8 @@ class FmuFile:
         folders = fmpy.supported_platforms(self.path)
         if fmpy.platform not in folders:
             raise FmuNotFoundError(
-                f"{self.path} has libraries for {', '.join(folders)}, and none for {fmpy.platform}, this machine: "
+                f"{self.path} has libraries for {', '.join(folders)}, and none for "
+                f"{fmpy.platform}, this machine: "
                 "build it here with `cargo fmu build`, or join FMUs with `cargo fmu merge`"
             )
         self.directory = fmpy.extract(self.path)

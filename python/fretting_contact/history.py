@@ -20,7 +20,9 @@ def new_axes(axes: Any, count: int = 1) -> Any:
     try:
         import matplotlib.pyplot as plt
     except ImportError as problem:
-        raise ImportError("pictures need matplotlib: pip install fretting-contact[plot]") from problem
+        raise ImportError(
+            "pictures need matplotlib: pip install fretting-contact[plot]"
+        ) from problem
     return plt.subplots(1, count, figsize=(5.6 * count, 4.2), layout="constrained")[1]
 
 
@@ -29,9 +31,15 @@ class History:
 
     def columns(self) -> dict[str, Array]:
         """The one-dimensional arrays by name, for a table: `pandas.DataFrame(result.columns())`."""
-        found = {each.name: getattr(self, each.name) for each in fields(self) if each.name != "more"}  # type: ignore[arg-type]
+        found = {
+            each.name: getattr(self, each.name) for each in fields(self) if each.name != "more"
+        }  # type: ignore[arg-type]
         found |= getattr(self, "more", {})
-        return {name: value for name, value in found.items() if isinstance(value, np.ndarray) and value.ndim == 1}
+        return {
+            name: value
+            for name, value in found.items()
+            if isinstance(value, np.ndarray) and value.ndim == 1
+        }
 
     def write_csv(self, path: str | os.PathLike[str]) -> None:
         """Writes the columns, SI units."""
@@ -39,7 +47,9 @@ class History:
         with open(path, "w", newline="", encoding="utf-8") as file:
             writer = csv.writer(file)
             writer.writerow(columns)
-            writer.writerows([f"{value:.9g}" for value in row] for row in zip(*columns.values(), strict=True))
+            writer.writerows(
+                [f"{value:.9g}" for value in row] for row in zip(*columns.values(), strict=True)
+            )
 
 
 @dataclass(frozen=True)
@@ -80,7 +90,9 @@ class MotionHistory(History):
         axes[0].plot(self.time, self.contact_displacement * MICRO)
         axes[1].plot(self.time, self.tangential_force)
         axes[2].plot(self.time, self.wear_volume * CUBIC_MM)
-        for each, label in zip(axes, ("contact displacement (µm)", "tangential force (N)", "worn volume (mm³)")):
+        for each, label in zip(
+            axes, ("contact displacement (µm)", "tangential force (N)", "worn volume (mm³)")
+        ):
             each.set(xlabel="time (s)", ylabel=label)
         return axes
 
@@ -96,5 +108,6 @@ OUTPUTS = {
 }
 """Arrays of a `MotionHistory` and the outputs they are read from.
 
-Without `wear_depth`: reading it computes the depth along the whole profile, which takes ten times as
-long as the step itself."""
+Without `wear_depth`: reading it computes the depth along the whole profile, which takes ten times
+as long as the step itself.
+"""

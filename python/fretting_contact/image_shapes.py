@@ -8,9 +8,9 @@ Lengths are in units of the largest radius of the scan.
 | shape | image g(x), X = x² | profile f(r), ρ = r² |
 | --- | --- | --- |
 | power n | κₙ xⁿ | rⁿ |
-| ramp up to B | min(X, B) | ρ/2 for ρ < B, else [ρ asin(b/r) − b√(ρ − B) + 2B acos(b/r)]/π, b = √B |
+| ramp up to B = b² | min(X, B) | ρ/2 for ρ < B, else [ρ asin(b/r) − b√(ρ − B) + 2B acos(b/r)]/π |
 | flat tip of radius b | x√(X − B) for X > B = b² | (ρ − B)/2 for ρ > B |
-| with an edge rounded over w | quadrature | [z + √(z² + s²)]/4 less its value on the axis, z = ρ − B, s = 2Bw |
+| edge rounded over w | quadrature | [z + √(z² + s²)]/4 less its value at 0; z = ρ − B, s = 2Bw |
 
 The last one is convex in ρ: a sum of flat tips, whose image is monotone, too.
 """
@@ -27,7 +27,8 @@ from scipy.linalg import solve_triangular
 Array = NDArray[np.float64]
 
 SHARP, LEAST_WIDTH = 0.0, 0.02
-"""Width of a sharp edge, and least width of a rounded edge, in units of the radius of the flat tip."""
+"""Width of a sharp edge, and least width of a rounded edge, in units of the radius of the flat tip.
+"""
 
 QUADRATURE = tuple(0.5 * (np.polynomial.legendre.leggauss(200) + np.array([[1.0], [0.0]])))
 """Points and weights on 0 < t < 1."""
@@ -181,7 +182,8 @@ def candidates(count: int = 24, least: float = 0.0) -> list[Shape]:
 
 
 def profile_of_image(x: Array, image: Array) -> Array:
-    """Heights at the radii x of the profile whose image has the given values there and is linear in x² between them.
+    """Heights at the radii x of the profile whose image has the given values there and is linear in
+    x² between them.
 
     f(r) = (2/π) ∫₀ʳ g dx/√(r² − x²). The FMU solves this relation for the image and gets these
     values back.
@@ -192,8 +194,11 @@ def profile_of_image(x: Array, image: Array) -> Array:
 
 
 def image_of_table(r: Array, f: Array) -> Array:
-    """The image at the radii of a table as the FMU computes it: the inverse of `profile_of_image`."""
+    """The image at the radii of a table, as the FMU computes it: see `profile_of_image`."""
     corners = np.array([ramp_profile(r, corner) for corner in r])
     # heights from increments of the image: a lower triangular matrix
     weights = np.diff(corners, axis=0)[:, 1:].T / np.diff(r**2)
-    return np.concatenate([[0.0], np.cumsum(solve_triangular(weights, f[1:] - f[0], lower=True))]) + f[0]
+    return (
+        np.concatenate([[0.0], np.cumsum(solve_triangular(weights, f[1:] - f[0], lower=True))])
+        + f[0]
+    )

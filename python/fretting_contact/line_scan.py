@@ -56,4 +56,6 @@ def is_one_sided(scan: Scan, centre: float | None) -> bool:
     """Whether the positions are radii: they begin at 0, and so does the body."""
     span = float(np.ptp(scan.x))
     starts_at_axis = abs(scan.x[0]) <= 1e-9 * span
-    return bool(starts_at_axis and (vertex_of(scan) <= 0.15 * span if centre is None else centre == 0.0))
+    return bool(
+        starts_at_axis and (vertex_of(scan) <= 0.15 * span if centre is None else centre == 0.0)
+    )

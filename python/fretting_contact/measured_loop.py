@@ -37,12 +37,19 @@ class MeasuredLoop:
             values = np.asarray(getattr(self, name), dtype=float)
             object.__setattr__(self, name, values)
             if values.ndim != 1 or not np.all(np.isfinite(values)):
-                raise LoopError(f"{name} has the shape {values.shape}: give a sequence of finite numbers")
+                raise LoopError(
+                    f"{name} has the shape {values.shape}: give a sequence of finite numbers"
+                )
         count = len(self.displacement)
         if count != len(self.force):
-            raise LoopError(f"displacement has {count} points and force has {len(self.force)}: give pairs")
+            raise LoopError(
+                f"displacement has {count} points and force has {len(self.force)}: give pairs"
+            )
         if self.cycles < 1 or count < FEWEST_POINTS * self.cycles:
-            raise LoopError(f"{count} points for {self.cycles} cycle(s): at least {FEWEST_POINTS} points a cycle are needed")
+            raise LoopError(
+                f"{count} points for {self.cycles} cycle(s): at least {FEWEST_POINTS} "
+                "points a cycle are needed"
+            )
         if not self.normal_force > 0:
             raise LoopError(f"normal_force = {self.normal_force} N: give a number > 0")
 
@@ -69,7 +76,9 @@ class MeasuredLoop:
         `displacement_unit`, `force_unit`: what 1 in the file is, in m and in N.
         """
         table = read_columns(os.fspath(path))
-        return MeasuredLoop(table[:, 0] * displacement_unit, table[:, 1] * force_unit, normal_force, cycles)
+        return MeasuredLoop(
+            table[:, 0] * displacement_unit, table[:, 1] * force_unit, normal_force, cycles
+        )
 
 
 @dataclass(frozen=True)
@@ -83,7 +92,7 @@ class Drive:
     covariance: Array
     """Covariance of the coefficients, m²."""
     noise: float
-    """Standard deviation of the displacement about the series, m; 0 below a millionth of the amplitude."""
+    """Standard deviation about the series, m; 0 below a millionth of the amplitude."""
 
     @property
     def mean(self) -> float:
@@ -97,12 +106,17 @@ class Drive:
 
 
 def smooth_drive(loop: MeasuredLoop) -> Drive:
-    """The Fourier series with the number of harmonics of the least Bayesian information criterion."""
+    """The Fourier series whose number of harmonics has the least Bayesian criterion."""
     count = len(loop.displacement)
     phase = 2 * np.pi * np.arange(count) * loop.cycles / count
     most = min(MOST_HARMONICS, (loop.points_per_cycle - 1) // 4)
     harmonics = np.outer(phase, np.arange(1, most + 1))
-    basis = np.column_stack([np.ones(count), np.stack([np.cos(harmonics), np.sin(harmonics)], axis=2).reshape(count, -1)])
+    basis = np.column_stack(
+        [
+            np.ones(count),
+            np.stack([np.cos(harmonics), np.sin(harmonics)], axis=2).reshape(count, -1),
+        ]
+    )
     amplitude = float(np.ptp(loop.displacement) / 2)
     if not amplitude > 0:
         raise LoopError("displacement is constant: a loop needs a motion")
@@ -111,7 +125,9 @@ def smooth_drive(loop: MeasuredLoop) -> Drive:
         columns = basis[:, :size]
         coefficients, *_ = np.linalg.lstsq(columns, loop.displacement, rcond=None)
         left = float(np.sum((loop.displacement - columns @ coefficients) ** 2))
-        floor = count * (1e-6 * amplitude) ** 2  # of rounding in a text file: no reason for a harmonic
+        floor = (
+            count * (1e-6 * amplitude) ** 2
+        )  # of rounding in a text file: no reason for a harmonic
         criterion = count * np.log(max(left, floor) / count) + size * np.log(count)
         if best is None or criterion < best[0]:
             noise = np.sqrt(left / (count - size)) if left > floor else 0.0
@@ -119,5 +135,8 @@ def smooth_drive(loop: MeasuredLoop) -> Drive:
             best = criterion, Drive(columns, coefficients, covariance, float(noise))
     assert best is not None
     if float(np.hypot(*best[1].coefficients[1:3])) < 0.5 * amplitude:
-        raise LoopError(f"the displacement does not make {loop.cycles} cycle(s): give the number of cycles of the record")
+        raise LoopError(
+            f"the displacement does not make {loop.cycles} cycle(s): give the number "
+            "of cycles of the record"
+        )
     return best[1]

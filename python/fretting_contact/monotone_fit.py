@@ -31,7 +31,9 @@ class _Columns:
         """`tilt_weight`: what a tilt of 1 counts as, in units of z."""
         self.x, self.radius = x, np.abs(x)
         self.tilt_weight = tilt_weight
-        self.free, _ = np.linalg.qr(self._with_prior(np.column_stack([np.ones_like(x), x]), tilt_weight))
+        self.free, _ = np.linalg.qr(
+            self._with_prior(np.column_stack([np.ones_like(x), x]), tilt_weight)
+        )
         self.target = self._without_free(self._with_prior(z, 0.0))
 
     @staticmethod
@@ -51,7 +53,9 @@ class _Columns:
 
     def heights(self, shapes: Sequence[Shape], coefficients: Array) -> Array:
         """Heights of the sum of the shapes at the points."""
-        return np.sum([c * shape.profile(self.radius) for c, shape in zip(coefficients, shapes)], axis=0)
+        return np.sum(
+            [c * shape.profile(self.radius) for c, shape in zip(coefficients, shapes)], axis=0
+        )
 
     def level(self, rest: Array) -> tuple[float, float]:
         """Offset and tilt of what the shapes leave of the heights."""
@@ -70,7 +74,9 @@ class _Columns:
         return coefficients, self.target - columns @ coefficients
 
 
-def _with_one_more(columns: _Columns, shapes: list[Shape], known: Sequence[Shape], noise: float) -> list[Shape] | None:
+def _with_one_more(
+    columns: _Columns, shapes: list[Shape], known: Sequence[Shape], noise: float
+) -> list[Shape] | None:
     """The known shapes and the one that lowers the sum of squares most, beyond its price.
 
     None if no shape is worth its price.
@@ -98,9 +104,9 @@ def _with_one_more(columns: _Columns, shapes: list[Shape], known: Sequence[Shape
 def _price(shape: Shape, points: int, count: int) -> float:
     """What a shape has to take off the sum of squares, in units of noise².
 
-    ln n for each number that is fitted to n points, and 4 ln m more for a shape that is no sphere and
-    was chosen among m candidates. This is an extended Bayesian information criterion. It is strict
-    because a feature that does not exist spoils light loads most.
+    ln n for each number that is fitted to n points, and 4 ln m more for a shape that is no sphere
+    and was chosen among m candidates. This is an extended Bayesian information criterion. It is
+    strict because a feature that does not exist spoils light loads most.
     """
     is_sphere = shape in SPHERE
     return log(points) * max(len(shape.positions), 1) + (0.0 if is_sphere else 4 * log(count))
@@ -115,7 +121,8 @@ class Window:
         x, z = scan.x[self.inside], scan.z[self.inside]
         if len(x) < FEWEST_POINTS:
             raise ScanError(
-                f"{len(x)} point(s) within {width:g} m of the centre, x = {centre:g} m, but at least {FEWEST_POINTS} "
+                f"{len(x)} point(s) within {width:g} m of the centre, x = {centre:g} m, "
+                f"but at least {FEWEST_POINTS} "
                 "are needed: scan further on both sides, or give another --center"
             )
         self.rise = float(np.ptp(z))
@@ -146,7 +153,9 @@ def best_shift(window: Window, noise: float) -> float:
     def cost(shift: float) -> float:
         x = (window.x - shift) / (1 - span)
         part = np.abs(x) <= 1
-        left = _Columns(x[part], window.z[part], window.tilt_weight(noise) / (1 - span)).fit(shapes)[1]
+        left = _Columns(x[part], window.z[part], window.tilt_weight(noise) / (1 - span)).fit(
+            shapes
+        )[1]
         return float(left @ left) / part.sum()
 
     shifts = np.linspace(-span, span, 31)
@@ -165,13 +174,18 @@ class _Model:
     """Sum of squares and prices, in units of noise²."""
 
 
-def _refined(window: Window, shapes: list[Shape], noise: float, shift: float, centre_is_free: bool) -> _Model:
+def _refined(
+    window: Window, shapes: list[Shape], noise: float, shift: float, centre_is_free: bool
+) -> _Model:
     """Least squares over the centre and the positions of the shapes."""
     counts = [len(shape.positions) for shape in shapes]
 
     def moved(values: Array) -> tuple[float, list[Shape]]:
         positions = iter(values[1:] if centre_is_free else values)
-        placed = [shape.moved([float(next(positions)) for _ in range(n)]) for shape, n in zip(shapes, counts)]
+        placed = [
+            shape.moved([float(next(positions)) for _ in range(n)])
+            for shape, n in zip(shapes, counts)
+        ]
         return (float(values[0]) if centre_is_free else shift), placed
 
     def left(values: Array) -> Array:
@@ -183,7 +197,9 @@ def _refined(window: Window, shapes: list[Shape], noise: float, shift: float, ce
     best = np.zeros(0)
     if free:
         start, low, high = np.array(free).T
-        best = least_squares(left, start, bounds=(low, high), diff_step=1e-5, x_scale=0.1, max_nfev=30).x
+        best = least_squares(
+            left, start, bounds=(low, high), diff_step=1e-5, x_scale=0.1, max_nfev=30
+        ).x
     at, placed = moved(best)
     rest = left(best)
     price = sum(_price(shape, len(rest), window.candidate_count) for shape in placed)
@@ -202,7 +218,8 @@ def _simpler(shapes: list[Shape]) -> list[list[Shape]]:
 
 
 def best_model(window: Window, noise: float, centre_is_free: bool) -> _Model | None:
-    """The fewest shapes that explain the heights within their noise; none if the heights do not rise.
+    """The fewest shapes that explain the heights within their noise; none if the heights do not
+    rise.
 
     Shapes are added to a sphere one by one. Centre and positions are refined each time. Then shapes
     that are no longer needed are left out.
@@ -224,8 +241,12 @@ def best_model(window: Window, noise: float, centre_is_free: bool) -> _Model | N
         model = larger
     while model and (options := _simpler(model.shapes)):
         columns = window.columns(model.shift, noise)
-        promising = sorted(options, key=lambda option: float(np.sum(columns.fit(option)[1] ** 2)))[:2]
-        refined = [_refined(window, option, noise, model.shift, centre_is_free) for option in promising]
+        promising = sorted(options, key=lambda option: float(np.sum(columns.fit(option)[1] ** 2)))[
+            :2
+        ]
+        refined = [
+            _refined(window, option, noise, model.shift, centre_is_free) for option in promising
+        ]
         simpler = min(refined, key=lambda one: one.cost)
         if simpler.cost >= model.cost:
             break

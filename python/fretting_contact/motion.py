@@ -61,7 +61,9 @@ def loop(
     44.31 N, 1.9e-05 J
     """
     if not (cycles >= 1 and points >= 4):
-        raise SignalError(f"cycles = {cycles}, points = {points}: at least 1 cycle of 4 points is needed")
+        raise SignalError(
+            f"cycles = {cycles}, points = {points}: at least 1 cycle of 4 points is needed"
+        )
     phase = np.arange(points * int(cycles) + 1) / points
     displacement = center + amplitude * np.sin(2 * np.pi * phase)
     whole = drive(contact, phase * period, displacement, normal_force)
@@ -82,10 +84,10 @@ def drive(
 
     `time`: s, rising. `displacement`: m, in the direction of `tangential_displacement`;
     `displacement_y`: m, across it. `normal_force`: N, one value or one a sample; that of the
-    contact if not given. Lists, arrays and pandas columns are accepted. `outputs`: further
-    outputs to record, by name. A contact that has not been moved yet is pressed on at the first sample, so
-    that an offset of the displacement does no harm; another one goes straight there. Noise of a displacement
-    wears: filter it first (docs/noisy_signals.md).
+    contact if not given. Lists, arrays and pandas columns are accepted. `outputs`: further outputs
+    to record, by name. A contact that has not been moved yet is pressed on at the first sample, so
+    that an offset of the displacement does no harm; another one goes straight there. Noise of a
+    displacement wears: filter it first (docs/noisy_signals.md).
 
     >>> with Contact() as contact:
     ...     there = drive(contact, [0.0, 0.1, 0.2], [0.0, 1e-6, 4e-6], normal_force=[100, 100, 50])
@@ -93,28 +95,45 @@ def drive(
     [0.0, 31.7, 30.0]
     """
     contact.require(loading="transient")
-    signals: dict[str, Array] = {"time": _signal("time", time), "tangential_displacement": _signal("displacement", displacement)}
+    signals: dict[str, Array] = {
+        "time": _signal("time", time),
+        "tangential_displacement": _signal("displacement", displacement),
+    }
     if displacement_y is not None:
         signals["tangential_displacement_y"] = _signal("displacement_y", displacement_y)
     if normal_force is not None:
         load = np.asarray(normal_force, dtype=float)
-        signals["normal_force"] = np.full(signals["time"].shape, load) if load.ndim == 0 else _signal("normal_force", load)
+        signals["normal_force"] = (
+            np.full(signals["time"].shape, load)
+            if load.ndim == 0
+            else _signal("normal_force", load)
+        )
     count = len(signals["time"])
     for name, values in signals.items():
         if len(values) != count:
-            raise SignalError(f"{name} has {len(values)} samples and time has {count}: give one sample for each time")
+            raise SignalError(
+                f"{name} has {len(values)} samples and time has {count}: give one sample "
+                "for each time"
+            )
     given = signals.pop("time")
     steps = np.diff(given)
     if count > 1 and not np.all(steps > 0):
         k = int(np.argmin(steps > 0))
-        raise SignalError(f"time[{k + 1}] = {given[k + 1]:g} s does not rise from time[{k}] = {given[k]:g} s: sort the samples")
+        raise SignalError(
+            f"time[{k + 1}] = {given[k + 1]:g} s does not rise from time[{k}] = "
+            f"{given[k]:g} s: sort the samples"
+        )
     for name in outputs:
         contact._require(name)
     names = [*OUTPUTS.values(), *outputs]
     if contact.time == 0.0:
-        contact.restart(**{**contact.given, **{name: values[0] for name, values in signals.items()}})
+        contact.restart(
+            **{**contact.given, **{name: values[0] for name, values in signals.items()}}
+        )
         first = contact.get(*names)
-        rest = contact.follow(names, steps, **{name: values[1:] for name, values in signals.items()})
+        rest = contact.follow(
+            names, steps, **{name: values[1:] for name, values in signals.items()}
+        )
         found = {name: np.concatenate([[value], rest[name]]) for name, value in zip(names, first)}
     else:
         # the way to the first sample takes one more step of time, of no influence on what happens
@@ -122,7 +141,9 @@ def drive(
         found = contact.follow(names, np.concatenate([[lead], steps]), **signals)
     columns = {field: found[name] for field, name in OUTPUTS.items()}
     more = {name: found[name] for name in outputs}
-    return MotionHistory(time=given, displacement=signals["tangential_displacement"], **columns, more=more)
+    return MotionHistory(
+        time=given, displacement=signals["tangential_displacement"], **columns, more=more
+    )
 
 
 def _signal(name: str, values: ArrayLike) -> Array:
@@ -132,5 +153,7 @@ def _signal(name: str, values: ArrayLike) -> Array:
         raise SignalError(f"{name} has the shape {array.shape}: give a sequence of samples")
     if not np.all(np.isfinite(array)):
         k = int(np.argmin(np.isfinite(array)))
-        raise SignalError(f"{name}[{k}] = {array[k]} is not finite: interpolate the gap or cut the signal there")
+        raise SignalError(
+            f"{name}[{k}] = {array[k]} is not finite: interpolate the gap or cut the signal there"
+        )
     return array

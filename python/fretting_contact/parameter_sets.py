@@ -23,7 +23,10 @@ class ParameterSets:
     def __post_init__(self) -> None:
         lengths = {name: len(values) for name, values in self.columns.items()}
         if not lengths or len(set(lengths.values())) != 1 or 0 in lengths.values():
-            raise SetsError(f"the columns have {lengths} values: give as many for each parameter, and one at least")
+            raise SetsError(
+                f"the columns have {lengths} values: give as many for each parameter, and "
+                "one at least"
+            )
 
     def __len__(self) -> int:
         return len(next(iter(self.columns.values())))
@@ -31,13 +34,18 @@ class ParameterSets:
     def rows(self, first: int = 0, last: int | None = None) -> list[dict[str, Any]]:
         """The sets from `first` to before `last`, each as a dictionary."""
         names = list(self.columns)
-        return [dict(zip(names, row)) for row in zip(*(values[first:last] for values in self.columns.values()))]
+        return [
+            dict(zip(names, row))
+            for row in zip(*(values[first:last] for values in self.columns.values()))
+        ]
 
 
 def _plain(values: ArrayLike) -> list[Any]:
     """A list of Python's own numbers and texts."""
     if isinstance(values, (list, tuple)) and not any(np.ndim(value) for value in values):
-        return [value.item() if isinstance(value, np.generic) else value for value in values]  # texts and numbers together
+        return [
+            value.item() if isinstance(value, np.generic) else value for value in values
+        ]  # texts and numbers together
     found = np.asarray(values)
     if found.ndim != 1:
         raise SetsError(f"values of the shape {found.shape}: give a sequence for each parameter")
@@ -52,15 +60,17 @@ def grid(over: Mapping[str, ArrayLike]) -> ParameterSets:
     """
     lists = {name: _plain(values) for name, values in over.items()}
     places = np.indices([len(values) for values in lists.values()]).reshape(len(lists), -1)
-    return ParameterSets({name: [values[k] for k in place] for (name, values), place in zip(lists.items(), places)})
+    return ParameterSets(
+        {name: [values[k] for k in place] for (name, values), place in zip(lists.items(), places)}
+    )
 
 
 def spread(over: Mapping[str, Sequence[Any]], count: int, seed: float = 1.0) -> ParameterSets:
     """`count` sets, spread evenly over ranges of one or several parameters.
 
-    `over`: (low, high) for each parameter, or (low, high, "log") for even logarithms. The sequence is
-    that of Kronecker with the powers of the generalised golden ratio; `seed` shifts it. More sets are the
-    same sets and further ones.
+    `over`: (low, high) for each parameter, or (low, high, "log") for even logarithms. The sequence
+    is that of Kronecker with the powers of the generalised golden ratio; `seed` shifts it. More
+    sets are the same sets and further ones.
 
     >>> sets = spread({"normal_force": (10.0, 300.0, "log"), "radius": (0.005, 0.02)}, 100)
     >>> len(sets), 10 < min(sets.columns["normal_force"]) < 12
@@ -75,7 +85,10 @@ def spread(over: Mapping[str, Sequence[Any]], count: int, seed: float = 1.0) -> 
     for (name, bounds), place in zip(over.items(), places.T):
         low, high, *scale = bounds
         if scale not in ([], ["log"]) or not low < high or (scale and not low > 0):
-            raise SetsError(f'{name} = {bounds!r}: give (low, high) or (low, high, "log") with low < high, above 0 for "log"')
+            raise SetsError(
+                f'{name} = {bounds!r}: give (low, high) or (low, high, "log") with low < '
+                'high, above 0 for "log"'
+            )
         values = low * (high / low) ** place if scale else low + (high - low) * place
         columns[name] = values.tolist()
     return ParameterSets(columns)
@@ -94,7 +107,10 @@ def read_sets(path: str | os.PathLike[str]) -> ParameterSets:
     columns: dict[str, list[Any]] = {name: [] for name in names}
     for number, line in enumerate(lines[1:], start=2):
         if len(line) != len(names):
-            raise SetsError(f"{path}, line {number}: {len(line)} value(s) for {len(names)} name(s): correct the line")
+            raise SetsError(
+                f"{path}, line {number}: {len(line)} value(s) for {len(names)} name(s): "
+                "correct the line"
+            )
         for name, text in zip(names, line):
             columns[name].append(_value(text.strip()))
     return ParameterSets(columns)
@@ -110,7 +126,7 @@ def _value(text: str) -> int | float | str:
 
 
 def sets_of(over: Any) -> ParameterSets:
-    """What `sweep` takes as sets: `ParameterSets`, a grid of arrays, a table of pandas, or a CSV file."""
+    """Sets for `sweep`: `ParameterSets`, a grid of arrays, a pandas table or a CSV file."""
     if isinstance(over, ParameterSets):
         return over
     if isinstance(over, (str, os.PathLike)):
@@ -119,4 +135,7 @@ def sets_of(over: Any) -> ParameterSets:
         return ParameterSets({str(name): over[name].tolist() for name in over.columns})
     if isinstance(over, Mapping):
         return grid(over)
-    raise SetsError(f"over = {over!r}: give a dictionary of arrays, grid(), spread(), a DataFrame or the path of a CSV file")
+    raise SetsError(
+        f"over = {over!r}: give a dictionary of arrays, grid(), spread(), a "
+        "DataFrame or the path of a CSV file"
+    )

@@ -34,7 +34,8 @@ class SweepResult:
     """Results of a sweep, in the order of the sets."""
 
     columns: dict[str, NDArray[Any]]
-    """Values of the sets and results by name; `error` is the message of a refused set, else empty."""
+    """Values of the sets and results by name; `error` is the message of a refused set, else empty.
+    """
     run: int
     """Sets that this call has run; the others were there from before."""
     missing: int
@@ -58,7 +59,7 @@ class SweepResult:
         return dict(Counter(str(text) for text in self.columns["error"] if text))
 
     def plot(self, x: str, y: str, color: str = "wear_volume", axes: Any = None) -> Any:
-        """A map on logarithmic axes: a mark for each regime, colour by the logarithm of a result; returns the axes."""
+        """A map on logarithmic axes, coloured by the logarithm of a result; returns the axes."""
         axes = new_axes(axes)
         from matplotlib.colors import LogNorm
 
@@ -71,7 +72,9 @@ class SweepResult:
             here = (regimes == name) & (values > 0)
             if here.any():
                 places = (self.columns[x][here].astype(float), self.columns[y][here].astype(float))
-                dots = axes.scatter(*places, c=values[here], marker=mark, s=12, norm=shades, label=name)
+                dots = axes.scatter(
+                    *places, c=values[here], marker=mark, s=12, norm=shades, label=name
+                )
         axes.set(xscale="log", yscale="log", xlabel=x, ylabel=y)
         if dots is not None:
             axes.figure.colorbar(dots, ax=axes, label=color)
@@ -96,22 +99,23 @@ def sweep(
     """Runs a contact for each set of parameters.
 
     `parameters`: values that all sets have in common. `over`: the sets; a dictionary of arrays
-    (their grid), `spread(...)`, a pandas table, or the path of a CSV file. Any parameter or input may
-    be in either.
+    (their grid), `spread(...)`, a pandas table, or the path of a CSV file. Any parameter or input
+    may be in either.
 
     `cycles`: each contact makes so many cycles of `displacement_amplitude`; results are its regime,
     force and work in the first cycle, and its wear after all of them. `task`: something else to do
     with each contact, a function of a `Contact` that returns a dictionary.
 
-    `out`: folder for Parquet files, one for each batch, and `all.parquet` at the end. Called again with
-    the same folder, the sweep continues with what is missing. `processes`: worker processes on this
-    machine; its cores if not given. `cluster`: address of a Dask scheduler, or a client, in place of
-    them. `share`: (number, count), the part of the batches that this call runs, number from 0: for job
-    arrays that share the folder `out`. `batch`: sets in a batch. `progress`: a bar (tqdm) or lines, or a
-    function that takes a line.
+    `out`: folder for Parquet files, one for each batch, and `all.parquet` at the end. Called again
+    with the same folder, the sweep continues with what is missing. `processes`: worker processes on
+    this machine; its cores if not given. `cluster`: address of a Dask scheduler, or a client, in
+    place of them. `share`: (number, count), the part of the batches that this call runs, number
+    from 0: for job arrays that share the folder `out`. `batch`: sets in a batch. `progress`: a bar
+    (tqdm) or lines, or a function that takes a line.
 
-    A set that the component refuses has its message in the column `error`, warnings are in `warning`. A
-    worker that dies costs time, no results. In a script call `sweep` under `if __name__ == "__main__":`, since workers import it.
+    A set that the component refuses has its message in the column `error`, warnings are in
+    `warning`. A worker that dies costs time, no results. In a script call `sweep` under `if
+    __name__ == "__main__":`, since workers import it.
     """
     sets = sets_of(over)
     action: Task = task if task is not None else CyclicLife(float(cycles))
@@ -126,13 +130,18 @@ def sweep(
         open_folder(folder, content, common, sets, action, batch)
         results = {part.number: read_part(part.path) for part in every if part.path.exists()}
     if share is not None and (folder is None or not 0 <= share[0] < share[1]):
-        raise ValueError(f"share = {share}: give (number, count) with 0 <= number < count, and out, the folder of all shares")
+        raise ValueError(
+            f"share = {share}: give (number, count) with 0 <= number < count, and "
+            "out, the folder of all shares"
+        )
     mine = every if share is None else every[share[0] :: share[1]]
     todo = [part for part in mine if part.number not in results]
     batches = [sets.rows(part.first, part.last) for part in todo]
     total = sum(len(rows) for rows in batches)
     if cluster is None:
-        incoming = run_on_processes(content, common, batches, action, processes or os.cpu_count() or 1)
+        incoming = run_on_processes(
+            content, common, batches, action, processes or os.cpu_count() or 1
+        )
     else:
         incoming = run_on_dask(content, common, batches, action, cluster)
     report = _reporter(progress, total)
@@ -157,7 +166,9 @@ def _columns(rows: list[dict[str, Any]]) -> dict[str, NDArray[Any]]:
     for name in dict.fromkeys(name for row in rows for name in row):
         values = [row.get(name) for row in rows]
         is_text = any(isinstance(value, str) for value in values)
-        columns[name] = np.array([("" if is_text else np.nan) if value is None else value for value in values])
+        columns[name] = np.array(
+            [("" if is_text else np.nan) if value is None else value for value in values]
+        )
     return columns
 
 
@@ -177,7 +188,9 @@ def _reporter(progress: bool | Callable[[str], None], total: int) -> Callable[[i
 
     def line(done: int | None) -> None:
         now = time.perf_counter() - started
-        if done is None or (progress is True and done < total and now - last[0] < SECONDS_BETWEEN_LINES):
+        if done is None or (
+            progress is True and done < total and now - last[0] < SECONDS_BETWEEN_LINES
+        ):
             return
         last[0] = now
         text = f"{done} of {total} sets, {done / now:.0f} a second"

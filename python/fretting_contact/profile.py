@@ -21,7 +21,16 @@ from .line_scan import UNITS, Scan, ScanError, difference_noise, is_one_sided, r
 from .monotone_fit import Window, best_model, best_shift
 from .text_table import TextTableError
 
-__all__ = ["ProfileFit", "Scan", "ScanError", "fit_scan", "main", "read_scan", "summary", "write_table"]
+__all__ = [
+    "ProfileFit",
+    "Scan",
+    "ScanError",
+    "fit_scan",
+    "main",
+    "read_scan",
+    "summary",
+    "write_table",
+]
 
 OUTLIER = 6.0
 """A point this many standard deviations off the first fit is dropped."""
@@ -33,13 +42,15 @@ LEAST_OUTLIER = 1e-3
 """A point that is less than this off, in units of the height range, is no outlier."""
 
 TABLE_POINTS, TABLE_GRADING = 401, 1.5
-"""Points of the table. Its radii go like this power of their number: light loads need close points."""
+"""Points of the table. Its radii go like this power of their number: light loads need close points.
+"""
 
 MOST_OUTLIERS = 0.05
 """Share of the points that may be dropped."""
 
 LEAST_RISE = 1e-6
-"""Share of a sphere that is added: so the image of a flat tip still rises after rounding to text."""
+"""Share of a sphere that is added: so the image of a flat tip still rises after rounding to text.
+"""
 
 
 @dataclass(frozen=True)
@@ -89,8 +100,12 @@ class ProfileFit:
         if any(isinstance(shape, Power) and shape.exponent < 2 for _, shape in self.shapes):
             return 0.0
         step = 1e-3
-        curvature = sum(c * float(shape.image(np.array(step))) for c, shape in self.shapes) / step**2
-        return inf if curvature <= 1e-2 * self.image[-1] else float(self.radius[-1] ** 2 / curvature)
+        curvature = (
+            sum(c * float(shape.image(np.array(step))) for c, shape in self.shapes) / step**2
+        )
+        return (
+            inf if curvature <= 1e-2 * self.image[-1] else float(self.radius[-1] ** 2 / curvature)
+        )
 
     @property
     def flank_radius(self) -> float:
@@ -102,7 +117,9 @@ class ProfileFit:
     @property
     def flat_radius(self) -> float:
         """Radius up to which the height is below the residual or a thousandth of the whole, m."""
-        return float(self.radius[np.searchsorted(self.height, max(self.rms, 1e-3 * self.height[-1])) - 1])
+        return float(
+            self.radius[np.searchsorted(self.height, max(self.rms, 1e-3 * self.height[-1])) - 1]
+        )
 
 
 def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = None) -> ProfileFit:
@@ -113,13 +130,16 @@ def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = Non
 
     Heights are offset + tilt x + f(|x − centre|). f is a sum of shapes with monotone images
     (`image_shapes`) whose coefficients are not negative (scipy.optimize.nnls), so that the image of
-    the sum is monotone. Noise is the standard deviation that a fit of all candidate shapes leaves. The
-    fewest shapes that explain the heights within that noise are taken (`monotone_fit`). The centre and
-    the positions of the shapes are fitted as well (scipy.optimize.least_squares).
+    the sum is monotone. Noise is the standard deviation that a fit of all candidate shapes leaves.
+    The fewest shapes that explain the heights within that noise are taken (`monotone_fit`). The
+    centre and the positions of the shapes are fitted as well (scipy.optimize.least_squares).
     """
     mirrored = is_one_sided(scan, centre)
     if mirrored:
-        scan, centre = Scan(np.concatenate([-scan.x[:0:-1], scan.x]), np.concatenate([scan.z[:0:-1], scan.z])), 0.0
+        scan, centre = (
+            Scan(np.concatenate([-scan.x[:0:-1], scan.x]), np.concatenate([scan.z[:0:-1], scan.z])),
+            0.0,
+        )
     vertex = vertex_of(scan) if centre is None else centre
     curvature = np.polyfit((scan.x - vertex) / np.ptp(scan.x), scan.z, 2)[0]
     is_peak = bool(curvature < 0)
@@ -131,12 +151,14 @@ def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = Non
         width = min(middle - scan.x[0], scan.x[-1] - middle)
         if radius is not None and radius > width * (1 + 1e-9):
             raise ScanError(
-                f"radius = {radius:g} m, but the scan reaches {width:g} m on both sides of its centre, x = {middle:g} m: "
+                f"radius = {radius:g} m, but the scan reaches {width:g} m on both sides "
+                f"of its centre, x = {middle:g} m: "
                 "give a smaller --radius"
             )
         if width <= 0:
             raise ScanError(
-                f"centre = {middle:g} m, but the scan goes from {scan.x[0]:g} m to {scan.x[-1]:g} m: give a --center inside"
+                f"centre = {middle:g} m, but the scan goes from {scan.x[0]:g} m to "
+                f"{scan.x[-1]:g} m: give a --center inside"
             )
         return Window(upward, middle, width if radius is None else radius, keep)
 
@@ -157,7 +179,8 @@ def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = Non
     dropped = int(np.sum(~keep))
     if dropped > MOST_OUTLIERS * len(keep):
         raise ScanError(
-            f"{dropped} of {len(keep)} points lie more than {OUTLIER:g} standard deviations off any profile of a round tip: "
+            f"{dropped} of {len(keep)} points lie more than {OUTLIER:g} standard "
+            "deviations off any profile of a round tip: "
             "cut the scan to the tip, or check that it passes over the axis"
         )
     noise = window.noise(left, int(np.sum(coefficients > 0)))
@@ -165,7 +188,9 @@ def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = Non
         noise *= sqrt(2)  # each point counts twice
     model = best_model(window, noise, centre is None)
     if model is None:
-        raise ScanError("the heights do not rise from the centre by more than their noise: scan further out")
+        raise ScanError(
+            "the heights do not rise from the centre by more than their noise: scan further out"
+        )
     final = window_about(vertex + model.shift * window.width)
     return _result(upward, final, model.shapes, window, noise, is_peak, mirrored, dropped)
 
@@ -187,7 +212,9 @@ def _result(
     coefficients, left = columns.fit(shapes)
     level, slope = columns.level(window.z - columns.heights(shapes, coefficients))
     last = float(sum(c * shape.image(np.array(1.0)) for c, shape in zip(coefficients, shapes)))
-    terms = [(float(c), shape) for c, shape in zip(coefficients, shapes) if c > 0] + [(LEAST_RISE * last, Power(2))]
+    terms = [(float(c), shape) for c, shape in zip(coefficients, shapes) if c > 0] + [
+        (LEAST_RISE * last, Power(2))
+    ]
     x = np.linspace(0, 1, TABLE_POINTS) ** TABLE_GRADING
     image = np.sum([c * shape.image(x) for c, shape in terms], axis=0)
     sign = -1.0 if is_peak else 1.0
@@ -223,7 +250,13 @@ def write_table(fit: ProfileFit, path: str | Path, source: str = "") -> None:
             "column 2: height f above the tip, m",
         ]
     )
-    np.savetxt(path, np.column_stack([fit.radius, fit.height]), fmt="%.14e", header=header, encoding="utf-8")
+    np.savetxt(
+        path,
+        np.column_stack([fit.radius, fit.height]),
+        fmt="%.14e",
+        header=header,
+        encoding="utf-8",
+    )
 
 
 def _length(value: float) -> str:
@@ -236,7 +269,11 @@ def _length(value: float) -> str:
 
 def summary(fit: ProfileFit) -> list[str]:
     """What was done to the scan and what came out, one line each."""
-    turned = "turned over, since the tip is the highest point" if fit.is_peak else "as it is, the tip is the lowest point"
+    turned = (
+        "turned over, since the tip is the highest point"
+        if fit.is_peak
+        else "as it is, the tip is the lowest point"
+    )
     if fit.tip_radius == inf:
         tip = f"infinite: flat within the residual up to r = {_length(fit.flat_radius)}"
     elif fit.tip_radius == 0:
@@ -249,26 +286,45 @@ def summary(fit: ProfileFit) -> list[str]:
         f"height: {turned}; {_length(fit.offset)} subtracted",
         f"tilt: {degrees(fit.tilt):.3f} deg taken off",
         f"centre: x = {_length(fit.centre)}",
-        f"folded: {len(fit.x)} points up to r = {_length(fit.radius[-1])}; {fit.unused} further out are not used",
+        f"folded: {len(fit.x)} points up to r = {_length(fit.radius[-1])}; "
+        f"{fit.unused} further out are not used",
         f"outliers: {fit.dropped} dropped",
         f"residual: {_length(fit.rms)} rms",
         f"radius of curvature at the apex: {tip}",
         f"radius of curvature of the flank, r/f' at the last radius: {_length(fit.flank_radius)}",
-        f"image: rises monotonically up to r = {_length(fit.radius[-1])}, where it is {_length(fit.image[-1])}",
+        f"image: rises monotonically up to r = {_length(fit.radius[-1])}, where "
+        f"it is {_length(fit.image[-1])}",
     ]
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """The command line; returns the exit status."""
     parser = argparse.ArgumentParser(
-        prog="cargo fmu profile", description="Makes a profile table for the FMU from a measured line scan."
+        prog="cargo fmu profile",
+        description="Makes a profile table for the FMU from a measured line scan.",
     )
-    parser.add_argument("scan", type=Path, help="two columns: position x and height z over the tip, both flanks")
-    parser.add_argument("-o", "--output", type=Path, required=True, help="the table to write; a picture goes beside it")
-    parser.add_argument("--unit", choices=UNITS, default="m", help="unit of both columns (default: m)")
+    parser.add_argument(
+        "scan", type=Path, help="two columns: position x and height z over the tip, both flanks"
+    )
+    parser.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        required=True,
+        help="the table to write; a picture goes beside it",
+    )
+    parser.add_argument(
+        "--unit", choices=UNITS, default="m", help="unit of both columns (default: m)"
+    )
     parser.add_argument("--z-unit", choices=UNITS, help="unit of the heights, if another one")
-    parser.add_argument("--center", type=float, help="x of the axis, in the unit of the scan (default: by symmetry)")
-    parser.add_argument("--radius", type=float, help="largest radius, in the unit of the scan (default: all there is)")
+    parser.add_argument(
+        "--center", type=float, help="x of the axis, in the unit of the scan (default: by symmetry)"
+    )
+    parser.add_argument(
+        "--radius",
+        type=float,
+        help="largest radius, in the unit of the scan (default: all there is)",
+    )
     options = parser.parse_args(arguments)
     factor = UNITS[options.unit]
     try:
@@ -285,7 +341,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except (ScanError, TextTableError, OSError) as problem:
         print(f"error: {problem}", file=sys.stderr)
         return 1
-    print("\n".join([*summary(fit), f"table: {options.output}, r and f in m", f"picture: {picture}"]))
+    print(
+        "\n".join([*summary(fit), f"table: {options.output}, r and f in m", f"picture: {picture}"])
+    )
     return 0
 
 

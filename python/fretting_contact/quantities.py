@@ -32,7 +32,7 @@ def in_si(text: str, unit: str | None, name: str = "value") -> float:
     >>> in_si("5 N", "m", "radius")
     Traceback (most recent call last):
     fretting_contact.quantities.QuantityError: radius = '5 N': the unit has to be one of m, mm, um, nm; SI is m
-    """
+    """  # noqa: E501
     match = _PATTERN.fullmatch(text)
     known = UNITS.get(unit or "", {})
     if match is None or not known:
@@ -43,4 +43,8 @@ def in_si(text: str, unit: str | None, name: str = "value") -> float:
         raise QuantityError(f"{name} = {text!r}: the unit has to be one of {names}; SI is {unit}")
     # a quotient of two numbers without rounding of their own: "10 mm" is 0.01 to the last bit
     factor = known[match[2]]
-    return float(match[1]) / round(1 / factor) if factor < 1e-2 and unit != "rad" else float(match[1]) * factor
+    return (
+        float(match[1]) / round(1 / factor)
+        if factor < 1e-2 and unit != "rad"
+        else float(match[1]) * factor
+    )

@@ -1,4 +1,4 @@
-"""The folder of a sweep: one Parquet file for each batch, and a description of what the sweep is."""
+"""The folder of a sweep: a Parquet file for each batch, and a description of the sweep."""
 
 import hashlib
 import io
@@ -38,14 +38,23 @@ def parts(folder: Path, count: int, batch: int) -> list[Part]:
     ]
 
 
-def open_folder(folder: Path, content: bytes, parameters: dict[str, Any], sets: ParameterSets, task: Any, batch: int) -> None:
+def open_folder(
+    folder: Path,
+    content: bytes,
+    parameters: dict[str, Any],
+    sets: ParameterSets,
+    task: Any,
+    batch: int,
+) -> None:
     """Makes the folder, or checks that it holds results of the same sweep."""
     described = {
         "fmu": hashlib.sha256(content).hexdigest(),
         "parameters": {name: repr(value) for name, value in sorted(parameters.items())},
         "sets": hashlib.sha256(json.dumps(sets.columns, default=repr).encode()).hexdigest(),
         "number of sets": len(sets),
-        "task": repr(task) if not callable(task) or hasattr(task, "__dataclass_fields__") else task.__qualname__,
+        "task": repr(task)
+        if not callable(task) or hasattr(task, "__dataclass_fields__")
+        else task.__qualname__,
         "sets in a batch": batch,
     }
     folder.mkdir(parents=True, exist_ok=True)
@@ -55,7 +64,8 @@ def open_folder(folder: Path, content: bytes, parameters: dict[str, Any], sets: 
         differ = [name for name, value in described.items() if found.get(name) != value]
         if differ:
             raise SweepFolderError(
-                f"{folder} holds another sweep, which differs in {', '.join(differ)}: give another folder, or delete this one"
+                f"{folder} holds another sweep, which differs in {', '.join(differ)}: "
+                "give another folder, or delete this one"
             )
         return
     write_whole(path, json.dumps(described, indent=2).encode())
@@ -73,16 +83,23 @@ def _parquet() -> Any:
     try:
         import pyarrow.parquet
     except ImportError as problem:
-        raise ImportError("out = ... writes Parquet: pip install fretting-contact[sweep]") from problem
+        raise ImportError(
+            "out = ... writes Parquet: pip install fretting-contact[sweep]"
+        ) from problem
     return pyarrow
 
 
 def write_part(path: Path, rows: list[dict[str, Any]]) -> None:
     """Writes results as Parquet."""
     pyarrow = _parquet()
-    columns = {name: [row.get(name) for row in rows] for name in dict.fromkeys(name for row in rows for name in row)}
+    columns = {
+        name: [row.get(name) for row in rows]
+        for name in dict.fromkeys(name for row in rows for name in row)
+    }
     for name, values in columns.items():
-        if len({isinstance(value, str) for value in values if value is not None}) > 1:  # "10 mm" and 0.02: a column has one type
+        if (
+            len({isinstance(value, str) for value in values if value is not None}) > 1
+        ):  # "10 mm" and 0.02: a column has one type
             columns[name] = [None if value is None else str(value) for value in values]
     table = pyarrow.table(columns)
     buffer = io.BytesIO()

@@ -11,14 +11,16 @@ from .fmu_file import file_of_bytes
 from .quantities import QuantityError
 
 Task = Callable[[Contact], dict[str, Any]]
-"""Moves a contact and returns numbers or texts by name. Workers import it: define it in a module."""
+"""Moves a contact and returns numbers or texts by name. Workers import it: define it in a module.
+"""
 
 LIMIT_OF_STICK = 0.95
 """Share of the contact radius that sticks, above which a cycle counts as full stick."""
 
 
 def regime(stick_radius: float, contact_radius: float) -> str:
-    """Slip regime of a cycle: "gross", "partial", "stick" where more than 95 % of the radius sticks, or "separated".
+    """Slip regime of a cycle: "gross", "partial", "stick" where more than 95 % of the radius
+    sticks, or "separated".
 
     >>> regime(0.0, 1e-4), regime(5e-5, 1e-4), regime(9.9e-5, 1e-4), regime(0.0, 0.0)
     ('gross', 'partial', 'stick', 'separated')
@@ -38,23 +40,41 @@ class CyclicLife:
 
     def __call__(self, contact: Contact) -> dict[str, Any]:
         cycle = 1.0 / contact.get("frequency")
-        outputs = ("tangential_force", "dissipated_energy", "stick_radius", "contact_radius", "wear_volume", "wear_depth")
+        outputs = (
+            "tangential_force",
+            "dissipated_energy",
+            "stick_radius",
+            "contact_radius",
+            "wear_volume",
+            "wear_depth",
+        )
         contact.step(cycle)
         force, work, stick, radius, *_ = contact.get(*outputs)
         first = {"regime": regime(stick, radius), "force_amplitude": force, "work_per_cycle": work}
         if self.cycles > 1:
             contact.step((self.cycles - 1) * cycle)
         force, work, stick, radius, volume, depth = contact.get(*outputs)
-        last = {"regime_at_end": regime(stick, radius), "force_amplitude_at_end": force, "dissipated_energy": work}
-        last |= {"stick_radius": stick, "contact_radius": radius, "wear_volume": volume, "wear_depth": depth}
+        last = {
+            "regime_at_end": regime(stick, radius),
+            "force_amplitude_at_end": force,
+            "dissipated_energy": work,
+        }
+        last |= {
+            "stick_radius": stick,
+            "contact_radius": radius,
+            "wear_volume": volume,
+            "wear_depth": depth,
+        }
         return first | last
 
 
-def run_batch(content: bytes, parameters: dict[str, Any], rows: list[dict[str, Any]], task: Task) -> list[dict[str, Any]]:
+def run_batch(
+    content: bytes, parameters: dict[str, Any], rows: list[dict[str, Any]], task: Task
+) -> list[dict[str, Any]]:
     """Results of some sets, in their order, by one instance of the FMU whose bytes are `content`.
 
-    Each result has the values of the set, what the task returned, `warning`, and `error`: the component's
-    message where it has refused the set. Both are empty texts where there is none.
+    Each result has the values of the set, what the task returned, `warning`, and `error`: the
+    component's message where it has refused the set. Both are empty texts where there is none.
     """
     results = []
     contact: Contact | None = None
@@ -65,11 +85,17 @@ def run_batch(content: bytes, parameters: dict[str, Any], rows: list[dict[str, A
             outcome: dict[str, Any]
             try:
                 values = {**parameters, **row}
-                contact = contact.restart(**values) if contact else Contact(fmu=file_of_bytes(content), **values)
+                contact = (
+                    contact.restart(**values)
+                    if contact
+                    else Contact(fmu=file_of_bytes(content), **values)
+                )
                 outcome = {**task(contact), "error": ""}
             except (ContactError, ParameterError, QuantityError) as problem:
                 outcome = {"error": str(problem)}
-            results.append({**row, **outcome, "warning": " / ".join(str(note.message) for note in noted)})
+            results.append(
+                {**row, **outcome, "warning": " / ".join(str(note.message) for note in noted)}
+            )
         if contact is not None:
             contact.close()
     return results

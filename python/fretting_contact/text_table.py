@@ -47,7 +47,8 @@ def parse_columns(text: str) -> NDArray[np.float64]:
         place = f'line {index}, "{line.strip()[:60]}"'
         if len(fields) != 2:
             raise TextTableError(
-                f"{place}: {len(fields)} column(s), but two are needed; with decimal commas separate them by ; or tab"
+                f"{place}: {len(fields)} column(s), but two are needed; with decimal "
+                "commas separate them by ; or tab"
             )
         if numbers[0] is None or numbers[1] is None:
             raise TextTableError(f"{place}: `{fields[numbers.index(None)]}` is not a number")

@@ -53,7 +53,7 @@ class WearLife(History):
     """Contact pressure at these radii, Pa."""
 
     def plot(self, axes: Any = None) -> Any:
-        """Worn volume and depth against cycles, and the worn depth along the radius; returns the three axes."""
+        """Worn volume and depth against cycles, worn depth along the radius; returns the axes."""
         axes = new_axes(axes, 3)
         axes[0].plot(self.cycles, self.wear_volume * CUBIC_MM)
         axes[1].plot(self.cycles, self.wear_depth * MICRO)
@@ -88,10 +88,17 @@ def life(
     """
     contact.require(loading="cyclic")
     numbers = np.linspace(0, cycles, 21) if at is None else np.asarray(at, dtype=float)
-    if numbers.ndim != 1 or len(numbers) == 0 or np.any(np.diff(numbers) <= 0) or not numbers[0] >= 0:
+    if (
+        numbers.ndim != 1
+        or len(numbers) == 0
+        or np.any(np.diff(numbers) <= 0)
+        or not numbers[0] >= 0
+    ):
         raise SignalError(f"at = {at!r}: give rising numbers of cycles, the first one 0 or more")
     if not numbers[-1] <= cycles * (1 + 1e-12):
-        raise SignalError(f"at ends with {numbers[-1]:g}, beyond cycles = {cycles:g}: raise cycles or shorten at")
+        raise SignalError(
+            f"at ends with {numbers[-1]:g}, beyond cycles = {cycles:g}: raise cycles or shorten at"
+        )
     given = {"displacement_amplitude": amplitude, "normal_force": normal_force}
     contact.set(**{name: value for name, value in given.items() if value is not None})
     frequency = contact.get("frequency")
@@ -111,4 +118,6 @@ def life(
         contact.step((cycles - done) / frequency)
     columns = dict(zip(_OUTPUTS, np.array(rows, dtype=float).T))
     radius, worn_depth, pressure = (np.array(values) for values in fields.values())
-    return WearLife(cycles=numbers, **columns, radius=radius, worn_depth=worn_depth, pressure=pressure)
+    return WearLife(
+        cycles=numbers, **columns, radius=radius, worn_depth=worn_depth, pressure=pressure
+    )

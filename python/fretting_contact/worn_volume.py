@@ -36,13 +36,17 @@ def fit_volumes(
     values: Array,
     covariance: Array,
 ) -> tuple[tuple[str, ...], Array, Array]:
-    """Adds the worn volume over the friction work to names, values and covariance of a fit to loops."""
+    """Adds the worn volume over friction work to the values of a fit to loops."""
     measured = np.log([volume.volume for volume in volumes])
-    given = [volume.uncertainty / volume.volume if volume.uncertainty else np.nan for volume in volumes]
+    given = [
+        volume.uncertainty / volume.volume if volume.uncertainty else np.nan for volume in volumes
+    ]
     relative = np.array(given)
     if np.isnan(relative).any():
         if not np.isnan(relative).all():
-            raise ParameterError("uncertainty is given for some volumes only: give it for all or for none")
+            raise ParameterError(
+                "uncertainty is given for some volumes only: give it for all or for none"
+            )
         relative = np.ones(len(volumes))
 
     def outcome(volume: WornVolume, log: Array, per_work: float) -> tuple[float, float]:
@@ -59,7 +63,8 @@ def fit_volumes(
         worn, work = contact.get("wear_volume", "dissipated_energy")
         if not work > 0:
             raise ParameterError(
-                f"amplitude = {volume.amplitude:g} m at {volume.normal_force:g} N wears nothing in the model: "
+                f"amplitude = {volume.amplitude:g} m at {volume.normal_force:g} N wears "
+                "nothing in the model: "
                 "check amplitude and load of the wear test"
             )
         return worn, work
@@ -70,20 +75,27 @@ def fit_volumes(
     log = np.log(values[: len(fitted)])
     work = [outcome(volume, log, 1e-18)[1] for volume in volumes]
     start = np.mean(measured - np.log(work))
-    fit = least_squares(lambda x: (logs(log, x[0]) - measured) / relative, [start], diff_step=1e-4, x_scale=0.1)
+    fit = least_squares(
+        lambda x: (logs(log, x[0]) - measured) / relative, [start], diff_step=1e-4, x_scale=0.1
+    )
     found = float(fit.x[0])
     slope = (logs(log, found + 1e-3) - logs(log, found - 1e-3)) / 2e-3
     others = [
-        (logs(log + 1e-3 * unit, found) - logs(log - 1e-3 * unit, found)) / 2e-3 for unit in np.eye(len(fitted))
+        (logs(log + 1e-3 * unit, found) - logs(log - 1e-3 * unit, found)) / 2e-3
+        for unit in np.eye(len(fitted))
     ]
     weighted = slope / relative
     inverse = weighted / (weighted @ weighted)
     scatter = 1.0
-    if volumes[0].uncertainty is None:  # of one volume alone the scatter is not known, and 0 is taken
+    if (
+        volumes[0].uncertainty is None
+    ):  # of one volume alone the scatter is not known, and 0 is taken
         scatter = float(2 * fit.cost / (len(volumes) - 1)) if len(volumes) > 1 else 0.0
     per_work = np.exp(found)
     row = np.zeros(len(values))  # change of k/σ₀ with the other values
-    row[: len(fitted)] = [-per_work * float(inverse @ (other / relative)) for other in others] / values[: len(fitted)]
+    row[: len(fitted)] = [
+        -per_work * float(inverse @ (other / relative)) for other in others
+    ] / values[: len(fitted)]
     grown = np.zeros((len(values) + 1,) * 2)
     grown[:-1, :-1] = covariance
     grown[-1, :-1] = grown[:-1, -1] = row @ covariance

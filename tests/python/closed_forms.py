@@ -1,7 +1,7 @@
 """Exact solutions of normal and tangential contact of bodies of revolution, for the tests.
 
-Written from the 1-D image g(x) of each profile: F_N = 2 E* ∫₀ᵃ x g'(x) dx, p(r) = (E*/π) ∫ᵣᵃ g'(x) dx / √(x²−r²).
-SI units throughout.
+Written from the 1-D image g(x) of each profile: F_N = 2 E* ∫₀ᵃ x g'(x) dx, p(r) = (E*/π) ∫ᵣᵃ g'(x)
+dx / √(x²−r²). SI units throughout.
 """
 
 from dataclasses import dataclass
@@ -77,7 +77,10 @@ class PowerLaw:
         """By quadrature with x = √(r² + s²), which takes the root singularity away."""
         n, top = self.power, np.sqrt(np.clip(a**2 - np.asarray(r) ** 2, 0, None))
         slope = n * self.stretch * self.coefficient
-        values = [quad(lambda s, r=r: (r**2 + s**2) ** (n / 2 - 1), 0, t, epsrel=1e-12)[0] for r, t in zip(r, top)]
+        values = [
+            quad(lambda s, r=r: (r**2 + s**2) ** (n / 2 - 1), 0, t, epsrel=1e-12)[0]
+            for r, t in zip(r, top)
+        ]
         return E_STAR / np.pi * slope * np.array(values)
 
 
@@ -93,7 +96,13 @@ class BluntedSphere:
         return a / self.radius * np.sqrt(a**2 - self.flat**2)
 
     def force(self, a):
-        return 2 * E_STAR / (3 * self.radius) * (2 * a**2 + self.flat**2) * np.sqrt(a**2 - self.flat**2)
+        return (
+            2
+            * E_STAR
+            / (3 * self.radius)
+            * (2 * a**2 + self.flat**2)
+            * np.sqrt(a**2 - self.flat**2)
+        )
 
     def pressure_at_axis(self, a):
         s = np.sqrt(a**2 - self.flat**2)
@@ -109,7 +118,9 @@ class RoundedPunch:
         return {"profile": "rounded_punch", "radius": self.radius, "flat_radius": self.flat}
 
     def depth(self, a):
-        return a / self.radius * (np.sqrt(a**2 - self.flat**2) - self.flat * np.arccos(self.flat / a))
+        return (
+            a / self.radius * (np.sqrt(a**2 - self.flat**2) - self.flat * np.arccos(self.flat / a))
+        )
 
     def force(self, a):
         """From g' = [2√(x²−b²) − b acos(b/x)]/R."""
@@ -118,7 +129,9 @@ class RoundedPunch:
 
     def pressure_at_axis(self, a):
         b = self.flat
-        value, _ = quad(lambda x: (2 * np.sqrt(x**2 - b**2) - b * np.arccos(b / x)) / x, b, a, epsrel=1e-12)
+        value, _ = quad(
+            lambda x: (2 * np.sqrt(x**2 - b**2) - b * np.arccos(b / x)) / x, b, a, epsrel=1e-12
+        )
         return E_STAR / (np.pi * self.radius) * value
 
 
@@ -133,7 +146,9 @@ def force_at_depth(shape, depth):
     least = getattr(shape, "flat", 0.0) * (1 + 1e-14) or 1e-12
     if depth <= shape.depth(least):
         return 0.0
-    return shape.force(brentq(lambda a: shape.depth(a) - depth, least, 0.01, xtol=1e-18, rtol=1e-15))
+    return shape.force(
+        brentq(lambda a: shape.depth(a) - depth, least, 0.01, xtol=1e-18, rtol=1e-15)
+    )
 
 
 class Tangential:
@@ -147,13 +162,20 @@ class Tangential:
         self.limit = MU * normal_force
 
     def loading(self, displacement):
-        """μ [F(d) − F(d − G* U/(μ E*))]: the tangential contact as a difference of normal contacts."""
-        lost = [force_at_depth(self.shape, self.depth - u / SLIDING) for u in np.atleast_1d(displacement)]
+        """μ [F(d) − F(d − G* U/(μ E*))]: the tangential contact as a difference of normal
+        contacts.
+        """
+        lost = [
+            force_at_depth(self.shape, self.depth - u / SLIDING)
+            for u in np.atleast_1d(displacement)
+        ]
         return self.limit - MU * np.array(lost)
 
     def reversal(self, displacement, amplitude):
         """T on the way back from +amplitude."""
-        return self.loading(amplitude) - 2 * self.loading((amplitude - np.atleast_1d(displacement)) / 2)
+        return self.loading(amplitude) - 2 * self.loading(
+            (amplitude - np.atleast_1d(displacement)) / 2
+        )
 
     def loop_work(self, amplitude):
         """∮ T dU of the closed loop between ±amplitude."""

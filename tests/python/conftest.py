@@ -15,8 +15,12 @@ DEMO = ROOT / "examples" / "demo"
 sys.path.insert(0, str(DEMO))
 PACKAGE = str(ROOT / "python")
 sys.path.insert(0, PACKAGE)
-os.environ["PYTHONPATH"] = os.pathsep.join([PACKAGE, *filter(None, [os.environ.get("PYTHONPATH")])])  # of examples, too
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices: threads would only wait for each other
+os.environ["PYTHONPATH"] = os.pathsep.join(
+    [PACKAGE, *filter(None, [os.environ.get("PYTHONPATH")])]
+)  # of examples, too
+os.environ.setdefault(
+    "OPENBLAS_NUM_THREADS", "1"
+)  # small matrices: threads would only wait for each other
 
 from fretting_contact.component import ContactFmu, FmuFile  # noqa: E402
 
@@ -25,7 +29,9 @@ from fretting_contact.component import ContactFmu, FmuFile  # noqa: E402
 def fmu_path():
     path = Path(os.environ.get("FRETTING_FMU", ROOT / "target" / "fmu" / "FrettingContact.fmu"))
     if not path.is_file():
-        pytest.fail(f"there is no FMU at {path}: run `cargo fmu build`, or set FRETTING_FMU", pytrace=False)
+        pytest.fail(
+            f"there is no FMU at {path}: run `cargo fmu build`, or set FRETTING_FMU", pytrace=False
+        )
     return path
 
 
@@ -39,7 +45,15 @@ def fmu(fmu_path):
 def demo(fmu_path, tmp_path_factory):
     """The worked example in its short form: the folder that it wrote, and what it said."""
     out = tmp_path_factory.mktemp("demo")
-    command = [sys.executable, str(DEMO / "demo.py"), "--fmu", str(fmu_path), "--out", str(out), "--quick"]
+    command = [
+        sys.executable,
+        str(DEMO / "demo.py"),
+        "--fmu",
+        str(fmu_path),
+        "--out",
+        str(out),
+        "--quick",
+    ]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
     return out, done.stdout

@@ -2,7 +2,8 @@
 
     python tests/python/killed_worker_study.py [workers to kill] [dask]
 
-Kills a worker process after each 200 sets; ends with the numbers of sets, of different sets and of refused ones.
+Kills a worker process after each 200 sets; ends with the numbers of sets, of different sets and of
+refused ones.
 """
 
 import multiprocessing
@@ -36,21 +37,35 @@ def run(kills: int, workers: Callable[[], list[int]], **where: Any) -> None:
     with tempfile.TemporaryDirectory() as folder:
         results = sweep({}, spread(OVER, COUNT), cycles=CYCLES, out=folder, progress=kill, **where)
     different = len(set(zip(results["normal_force"], results["displacement_amplitude"])))
-    print(f"{len(killed)} workers killed; {len(results)} results of {different} different sets, {len(results.refused)} refused")
-    print(f"least worn volume {results['wear_volume'].min():.3e} m3; {time.perf_counter() - started:.1f} s")
+    print(
+        f"{len(killed)} workers killed; {len(results)} results of {different} "
+        f"different sets, {len(results.refused)} refused"
+    )
+    print(
+        f"least worn volume {results['wear_volume'].min():.3e} m3; "
+        f"{time.perf_counter() - started:.1f} s"
+    )
 
 
 def main(kills: int, on_dask: bool) -> None:
     """On two processes, or on a Dask cluster of two."""
     if not on_dask:
-        run(kills, lambda: [child.pid or 0 for child in multiprocessing.active_children()], processes=2)
+        run(
+            kills,
+            lambda: [child.pid or 0 for child in multiprocessing.active_children()],
+            processes=2,
+        )
         return
     import dask
     from distributed import Client
 
     with dask.config.set({"distributed.scheduler.allowed-failures": 10}):
         with Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
-            run(kills, lambda: list(client.run(os.getpid).values()), cluster=client.scheduler.address)
+            run(
+                kills,
+                lambda: list(client.run(os.getpid).values()),
+                cluster=client.scheduler.address,
+            )
 
 
 if __name__ == "__main__":

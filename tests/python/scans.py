@@ -15,7 +15,9 @@ BALL_RADIUS = 0.01  # m
 
 @dataclass(frozen=True)
 class Body:
-    """A body of revolution: its heights, how far it is scanned, and how the FMU is given it without noise."""
+    """A body of revolution: its heights, how far it is scanned, and how the FMU is given it without
+    noise.
+    """
 
     name: str
     half_width: float  # m
@@ -33,7 +35,9 @@ class Body:
         if self.flat:
             return np.maximum(r**2 - self.flat**2, 0.0) / (2 * self.radius)
         if self.parameters.get("profile") == "table":
-            return r**2 / (self.radius + np.sqrt(self.radius**2 - r**2))  # the circle, without cancellation
+            return r**2 / (
+                self.radius + np.sqrt(self.radius**2 - r**2)
+            )  # the circle, without cancellation
         return r**2 / (2 * self.radius)
 
     def scan(self, noise: float, pitch: float, seed: int) -> Scan:
@@ -56,12 +60,20 @@ class Body:
 BALL = Body("ball of 10 mm", 500e-6, {"profile": "parabola", "radius": BALL_RADIUS})
 SMALL_BALL = Body("ball of 1 mm", 200e-6, {"profile": "table"}, radius=1e-3)
 WORN_FLAT = Body(
-    "worn flat of 100 µm", 500e-6, {"profile": "blunted_sphere", "radius": BALL_RADIUS, "flat_radius": 100e-6}, flat=100e-6
+    "worn flat of 100 µm",
+    500e-6,
+    {"profile": "blunted_sphere", "radius": BALL_RADIUS, "flat_radius": 100e-6},
+    flat=100e-6,
 )
 SMALL_FLAT = Body(
-    "worn flat of 60 µm", 500e-6, {"profile": "blunted_sphere", "radius": BALL_RADIUS, "flat_radius": 60e-6}, flat=60e-6
+    "worn flat of 60 µm",
+    500e-6,
+    {"profile": "blunted_sphere", "radius": BALL_RADIUS, "flat_radius": 60e-6},
+    flat=60e-6,
 )
-ROUNDED_FLAT = Body("worn flat of 100 µm, rounded edge", 500e-6, {"profile": "table"}, flat=100e-6, edge=30e-6)
+ROUNDED_FLAT = Body(
+    "worn flat of 100 µm, rounded edge", 500e-6, {"profile": "table"}, flat=100e-6, edge=30e-6
+)
 
 
 @dataclass(frozen=True)
@@ -75,13 +87,17 @@ class Contact:
 
 def at_depth(start_contact, parameters: dict, depth: float) -> Contact:
     """The contact of indentation depth `depth`, m."""
-    contact = start_contact(**parameters, normal_control="indentation", indentation=depth, wear_coefficient=0.0)
+    contact = start_contact(
+        **parameters, normal_control="indentation", indentation=depth, wear_coefficient=0.0
+    )
     load, radius = contact.get("normal_reaction", "contact_radius")
     return Contact(load, radius, depth)
 
 
 def at_load(start_contact, table: Path, load: float) -> Contact:
     """The contact of a profile table under `load`, N."""
-    contact = start_contact(profile="table", profile_file=str(table), normal_force=load, wear_coefficient=0.0)
+    contact = start_contact(
+        profile="table", profile_file=str(table), normal_force=load, wear_coefficient=0.0
+    )
     radius, depth = contact.get("contact_radius", "indentation_depth")
     return Contact(load, radius, depth)

@@ -1,6 +1,7 @@
-"""A deliberately plain model to test against: a row of springs with Coulomb friction under a sphere.
+"""A plain model to test against: a row of springs with Coulomb friction under a sphere.
 
-Each spring follows eq. (13) of the method of dimensionality reduction; no wear, many small sub-steps.
+Each spring follows eq. (13) of the method of dimensionality reduction; no wear, many small
+sub-steps.
 """
 
 import numpy as np

@@ -22,7 +22,9 @@ def step_with(contact, **inputs):
 
 
 @pytest.mark.parametrize("name", ["tangential_displacement", "normal_force"])
-@pytest.mark.parametrize(("value", "word"), [(float("nan"), "NaN"), (float("inf"), "inf"), (float("-inf"), "-inf")])
+@pytest.mark.parametrize(
+    ("value", "word"), [(float("nan"), "NaN"), (float("inf"), "inf"), (float("-inf"), "-inf")]
+)
 def test_input_that_is_no_number(start_contact, name, value, word):
     contact, untouched = start_contact(), start_contact()
     for each in (contact, untouched):
@@ -35,7 +37,9 @@ def test_input_that_is_no_number(start_contact, name, value, word):
 
 
 @pytest.mark.parametrize(
-    "inputs", [{"displacement_amplitude": -1e-6}, {"frequency": float("nan")}, {"frequency": -1.0}], ids=str
+    "inputs",
+    [{"displacement_amplitude": -1e-6}, {"frequency": float("nan")}, {"frequency": -1.0}],
+    ids=str,
 )
 def test_bad_input_of_cyclic_loading(start_contact, inputs):
     contact = start_contact(loading="cyclic", displacement_amplitude=1e-6, frequency=1.0)
@@ -174,9 +178,16 @@ def test_profile_whose_image_is_not_monotone(new_contact, tmp_path):
     """A ball with a deep groove at r = 100 µm: its contact region would be a disc and a ring."""
     path = tmp_path / "groove.txt"
     radii = [i * 2e-6 for i in range(300)]
-    path.write_text("".join(f"{r:.9e} {r**2 / 0.02 + 2e-6 * (90e-6 < r < 110e-6):.9e}\n" for r in radii))
+    path.write_text(
+        "".join(f"{r:.9e} {r**2 / 0.02 + 2e-6 * (90e-6 < r < 110e-6):.9e}\n" for r in radii)
+    )
     contact = new_contact()
-    refused(lambda: contact.start(profile="table", profile_file=str(path), normal_force=100.0), "monotone", "r = ", "cargo fmu profile")
+    refused(
+        lambda: contact.start(profile="table", profile_file=str(path), normal_force=100.0),
+        "monotone",
+        "r = ",
+        "cargo fmu profile",
+    )
 
 
 def test_load_beyond_the_table(start_contact, tmp_path):

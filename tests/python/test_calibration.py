@@ -1,8 +1,18 @@
-"""Calibration: exact values without noise, standard deviations that hold with it, and what is refused."""
+"""Calibration: exact values without noise, standard deviations with it, and refusals."""
 
 import numpy as np
 import pytest
-from calibration_study import FORCE_OFFSETS, FRICTION, HARDNESS, PER_WORK, RIG, TRUTH, deviations, exact_loop, true_volumes
+from calibration_study import (
+    FORCE_OFFSETS,
+    FRICTION,
+    HARDNESS,
+    PER_WORK,
+    RIG,
+    TRUTH,
+    deviations,
+    exact_loop,
+    true_volumes,
+)
 from fretting_contact import Contact, LoopError, MeasuredLoop, ParameterError, WornVolume, calibrate
 from fretting_contact.measured_loop import smooth_drive
 
@@ -16,22 +26,32 @@ def this_fmu(fmu_path):
 
 def measured(load=100.0, amplitude=8e-6, noise=0.0, offset=0.0, seed=0):
     drive, force = exact_loop(load, amplitude)
-    return MeasuredLoop(drive, force + offset + noise * np.random.default_rng(seed).standard_normal(force.size), load)
+    return MeasuredLoop(
+        drive,
+        force + offset + noise * np.random.default_rng(seed).standard_normal(force.size),
+        load,
+    )
 
 
 def test_without_noise_the_values_are_exact():
-    """The loop is by Mindlin's formulas: 1e-9 of the FMU, with straight lines between 200,001 points of them."""
+    """The loop is by Mindlin's formulas: 1e-9 of the FMU, with straight lines between 200,001
+    points of them.
+    """
     fit = calibrate(measured(offset=1.2), hardness=HARDNESS)
     assert fit["friction_coefficient"] == pytest.approx(FRICTION, rel=1e-7)
     assert fit["rig_stiffness"] == pytest.approx(RIG, rel=1e-6)
     assert fit["force_offset[1]"] == pytest.approx(1.2, rel=1e-6)
     assert fit["displacement_offset[1]"] == pytest.approx(0.0, abs=1e-15)
     assert fit.force_noise < 1e-5
-    assert fit.parameters() == {name: fit[name] for name in ("friction_coefficient", "rig_stiffness")}
+    assert fit.parameters() == {
+        name: fit[name] for name in ("friction_coefficient", "rig_stiffness")
+    }
 
 
 def test_twelve_seeds_have_errors_of_their_standard_deviations():
-    """A small version of calibration_study.py: of 84 normal errors 80 are expected within 2, and none beyond 4."""
+    """A small version of calibration_study.py: of 84 normal errors 80 are expected within 2, and
+    none beyond 4.
+    """
     found = deviations(12)
     assert set(found) == set(TRUTH)
     errors = np.concatenate(list(found.values()))
@@ -41,9 +61,13 @@ def test_twelve_seeds_have_errors_of_their_standard_deviations():
 
 def test_a_value_that_is_given_is_held():
     fit = calibrate(measured(), rig_stiffness=RIG)
-    assert "rig_stiffness" not in fit.names and fit["friction_coefficient"] == pytest.approx(FRICTION, rel=1e-7)
+    assert "rig_stiffness" not in fit.names and fit["friction_coefficient"] == pytest.approx(
+        FRICTION, rel=1e-7
+    )
     fit = calibrate(measured(), friction_coefficient=FRICTION)
-    assert "friction_coefficient" not in fit.names and fit["rig_stiffness"] == pytest.approx(RIG, rel=1e-6)
+    assert "friction_coefficient" not in fit.names and fit["rig_stiffness"] == pytest.approx(
+        RIG, rel=1e-6
+    )
 
 
 def test_loops_of_different_loads_have_offsets_of_their_own():
@@ -60,7 +84,10 @@ def test_one_volume_gives_the_wear_coefficient_and_two_its_scatter():
     assert one.parameters()["wear_coefficient"] == one["wear_per_work"] * HARDNESS
     with Contact(**one.parameters(), loading="cyclic", displacement_amplitude=8e-6) as contact:
         assert contact.step(1e5)["wear_volume"] == pytest.approx(exact[0], rel=1e-4)
-    apart = [WornVolume(volume, 100.0, 8e-6, cycles) for volume, cycles in ((exact[0] * 1.1, 1e5), (exact[1] / 1.1, 2e5))]
+    apart = [
+        WornVolume(volume, 100.0, 8e-6, cycles)
+        for volume, cycles in ((exact[0] * 1.1, 1e5), (exact[1] / 1.1, 2e5))
+    ]
     two = calibrate(measured(), apart, hardness=HARDNESS)
     assert two["wear_per_work"] == pytest.approx(PER_WORK, rel=0.02)
     # two logarithms at ±0.095: the standard deviation of their mean is 0.095
@@ -72,7 +99,9 @@ def test_several_cycles_in_a_record_are_one_loop():
     noise = 0.5 * np.random.default_rng(3).standard_normal(4 * force.size)
     fit = calibrate(MeasuredLoop(np.tile(drive, 4), np.tile(force, 4) + noise, 100.0, cycles=4))
     single = calibrate(measured(noise=0.5, seed=4))
-    assert fit.std("friction_coefficient") == pytest.approx(single.std("friction_coefficient") / 2, rel=0.25)
+    assert fit.std("friction_coefficient") == pytest.approx(
+        single.std("friction_coefficient") / 2, rel=0.25
+    )
 
 
 def test_a_smooth_drive_has_the_harmonics_of_the_measured_one():
@@ -99,15 +128,43 @@ def test_picture_and_table_have_the_values():
 
 
 REFUSED = [
-    (lambda: MeasuredLoop([0, 1e-6], [0], 100.0), LoopError, "displacement has 2 points and force has 1"),
-    (lambda: MeasuredLoop(np.zeros(10), np.zeros(10), 100.0), LoopError, "10 points for 1 cycle.*at least 16"),
-    (lambda: MeasuredLoop(np.zeros(20), np.zeros(20), 0.0), LoopError, "normal_force = 0.0 N: give a number > 0"),
+    (
+        lambda: MeasuredLoop([0, 1e-6], [0], 100.0),
+        LoopError,
+        "displacement has 2 points and force has 1",
+    ),
+    (
+        lambda: MeasuredLoop(np.zeros(10), np.zeros(10), 100.0),
+        LoopError,
+        "10 points for 1 cycle.*at least 16",
+    ),
+    (
+        lambda: MeasuredLoop(np.zeros(20), np.zeros(20), 0.0),
+        LoopError,
+        "normal_force = 0.0 N: give a number > 0",
+    ),
     (lambda: MeasuredLoop([np.nan] * 20, np.zeros(20), 1.0), LoopError, "finite numbers"),
-    (lambda: smooth_drive(MeasuredLoop(np.ones(20), np.zeros(20), 1.0)), LoopError, "displacement is constant"),
-    (lambda: smooth_drive(MeasuredLoop(*exact_loop(1e2, 8e-6), 1e2, 3)), LoopError, "does not make 3 cycle"),
+    (
+        lambda: smooth_drive(MeasuredLoop(np.ones(20), np.zeros(20), 1.0)),
+        LoopError,
+        "displacement is constant",
+    ),
+    (
+        lambda: smooth_drive(MeasuredLoop(*exact_loop(1e2, 8e-6), 1e2, 3)),
+        LoopError,
+        "does not make 3 cycle",
+    ),
     (lambda: calibrate([]), ParameterError, "one measured loop at least"),
-    (lambda: calibrate(measured(), loading="cyclic"), ParameterError, "loading is not a parameter of calibrate"),
-    (lambda: calibrate(measured(), WornVolume(1e-13, 100.0, 8e-6, 0.0)), ParameterError, "wears nothing in the model"),
+    (
+        lambda: calibrate(measured(), loading="cyclic"),
+        ParameterError,
+        "loading is not a parameter of calibrate",
+    ),
+    (
+        lambda: calibrate(measured(), WornVolume(1e-13, 100.0, 8e-6, 0.0)),
+        ParameterError,
+        "wears nothing in the model",
+    ),
 ]
 
 
@@ -119,5 +176,8 @@ def test_what_cannot_be_calibrated_is_refused(call, kind, message):
 
 def test_a_friction_coefficient_that_the_loop_does_not_determine_is_named():
     """Of a contact that sticks but for its rim: the drive makes 0.2 um."""
-    with pytest.raises(LoopError, match="do not determine friction_coefficient: its .*add a loop of larger amplitude"):
+    with pytest.raises(
+        LoopError,
+        match="do not determine friction_coefficient: its .*add a loop of larger amplitude",
+    ):
         calibrate(measured(amplitude=2e-7, noise=0.5))

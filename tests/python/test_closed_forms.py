@@ -2,7 +2,17 @@
 
 import numpy as np
 import pytest
-from closed_forms import E_STAR, G_STAR, BluntedSphere, Cone, PowerLaw, RoundedPunch, Sphere, Tangential, contact_radius
+from closed_forms import (
+    E_STAR,
+    G_STAR,
+    BluntedSphere,
+    Cone,
+    PowerLaw,
+    RoundedPunch,
+    Sphere,
+    Tangential,
+    contact_radius,
+)
 from scipy.integrate import quad
 
 SHAPES = [Sphere(), Cone(), PowerLaw(), BluntedSphere(), RoundedPunch()]
@@ -19,12 +29,19 @@ def test_steel_ball_figures():
         case.full_slip,
         Sphere().pressure(0.0, case.contact_radius),
     ]
-    assert found == pytest.approx([115.385e9, 95.0226e9, 186.626e-6, 3.48291e-6, 2.53755e-6, 1.37088e9], rel=5e-6)
+    assert found == pytest.approx(
+        [115.385e9, 95.0226e9, 186.626e-6, 3.48291e-6, 2.53755e-6, 1.37088e9], rel=5e-6
+    )
 
 
 @pytest.mark.parametrize(
     ("theta", "force", "work"),
-    [(0.25, 21.0289, 1.27356e-6), (0.5, 38.7868, 11.0828e-6), (0.75, 52.5, 41.8696e-6), (1.0, 60.0, 121.802e-6)],
+    [
+        (0.25, 21.0289, 1.27356e-6),
+        (0.5, 38.7868, 11.0828e-6),
+        (0.75, 52.5, 41.8696e-6),
+        (1.0, 60.0, 121.802e-6),
+    ],
 )
 def test_steel_ball_loops(theta, force, work):
     case = Tangential(Sphere(), 100.0)
@@ -48,8 +65,14 @@ def test_force_is_the_integral_of_contact_radius(shape):
     assert slope == pytest.approx(2 * E_STAR * a, rel=1e-8)  # h² of the central difference
 
 
-@pytest.mark.parametrize("shape", [Sphere(), Cone(), PowerLaw()], ids=lambda shape: type(shape).__name__)
+@pytest.mark.parametrize(
+    "shape", [Sphere(), Cone(), PowerLaw()], ids=lambda shape: type(shape).__name__
+)
 def test_pressure_carries_the_force(shape):
     a = contact_radius(shape, 100.0)
-    total, _ = quad(lambda r: 2 * np.pi * r * float(shape.pressure(np.array([r]), a)[0]), 0, a, epsrel=1e-9)
-    assert total == pytest.approx(100.0, rel=1e-7)  # the quadrature meets a root singularity at r = a
+    total, _ = quad(
+        lambda r: 2 * np.pi * r * float(shape.pressure(np.array([r]), a)[0]), 0, a, epsrel=1e-9
+    )
+    assert total == pytest.approx(
+        100.0, rel=1e-7
+    )  # the quadrature meets a root singularity at r = a

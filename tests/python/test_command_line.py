@@ -22,7 +22,22 @@ def test_demo_says_numbers_and_draws(tmp_path, capsys):
 
 def test_life_prints_a_table_and_writes_it(tmp_path, capsys):
     path = tmp_path / "life.csv"
-    assert main(["life", "radius=20 mm", "displacement_amplitude=1.5e-6", "--cycles", "1e4", "--rows", "2", "-o", str(path)]) == 0
+    assert (
+        main(
+            [
+                "life",
+                "radius=20 mm",
+                "displacement_amplitude=1.5e-6",
+                "--cycles",
+                "1e4",
+                "--rows",
+                "2",
+                "-o",
+                str(path),
+            ]
+        )
+        == 0
+    )
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 1 + 3 and lines[-1].split()[0] == "10000"
     table = np.genfromtxt(path, delimiter=",", names=True)
@@ -44,17 +59,38 @@ def test_calibrate_says_the_values_and_draws(tmp_path, capsys):
 def test_profile_is_the_command_of_cargo(tmp_path, capsys):
     x = np.linspace(-400, 400, 201)
     np.savetxt(tmp_path / "scan.txt", np.column_stack([x, x**2 / 20_000]))
-    assert main(["profile", str(tmp_path / "scan.txt"), "--unit", "um", "-o", str(tmp_path / "table.txt")]) == 0
+    assert (
+        main(
+            [
+                "profile",
+                str(tmp_path / "scan.txt"),
+                "--unit",
+                "um",
+                "-o",
+                str(tmp_path / "table.txt"),
+            ]
+        )
+        == 0
+    )
     assert "radius of curvature at the apex: 10 mm" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["life", "raduis=1"], "error: raduis is no variable of the component (did you mean radius?)"),
+        (
+            ["life", "raduis=1"],
+            "error: raduis is no variable of the component (did you mean radius?)",
+        ),
         (["life", "radius=-1"], "radius = -1.0 is refused"),
-        (["calibrate", LOOP, "--normal-force", "100 kg"], "error: --normal-force = '100 kg': the unit has to be one of N"),
-        (["calibrate", LOOP, "--normal-force", "100 N", "--cycles", "5"], "error: --volume, --amplitude and --cycles belong together"),
+        (
+            ["calibrate", LOOP, "--normal-force", "100 kg"],
+            "error: --normal-force = '100 kg': the unit has to be one of N",
+        ),
+        (
+            ["calibrate", LOOP, "--normal-force", "100 N", "--cycles", "5"],
+            "error: --volume, --amplitude and --cycles belong together",
+        ),
         (["calibrate", "none.csv", "--normal-force", "100 N"], "none.csv"),
     ],
 )

@@ -1,4 +1,4 @@
-"""What lies in the FMU beside the model: terminals and icon, reference results, documentation, licences."""
+"""Files in the FMU beside the model: terminals, reference results, documentation, licences."""
 
 import io
 import re
@@ -27,7 +27,9 @@ def xml(archive, name):
 
 
 def table(archive, name):
-    return np.genfromtxt(io.BytesIO(archive.read(f"{REFERENCE}/{name}")), delimiter=",", names=True, ndmin=1)
+    return np.genfromtxt(
+        io.BytesIO(archive.read(f"{REFERENCE}/{name}")), delimiter=",", names=True, ndmin=1
+    )
 
 
 def test_terminals_are_valid_and_speak_of_variables(archive, fmu):
@@ -55,9 +57,14 @@ def test_the_manifest_names_its_standard_and_its_files(archive):
         assert name in archive.namelist(), source
 
 
-# What the schemas of the layered standard (github.com/modelica/fmi-ls-ref, schema/) allow: no package brings them.
+# What the schemas of the layered standard (github.com/modelica/fmi-ls-ref, schema/) allow: no
+# package brings them.
 MANIFEST_RULES = {
-    "fmiReferences": ({f"{LAYERED}fmi-ls-{name}" for name in ("name", "version", "description")}, set(), ["Related"]),
+    "fmiReferences": (
+        {f"{LAYERED}fmi-ls-{name}" for name in ("name", "version", "description")},
+        set(),
+        ["Related"],
+    ),
     "Related": ({"source", "role"}, {"type", "description", "checksum", "checksumType"}, ["Label"]),
 }
 EXPERIMENT_RULES = {
@@ -148,9 +155,16 @@ def test_the_fmu_gives_the_reference_results(archive, fmu, start_contact, fmu_pa
     results = table(archive, experiment.find("References").get("source"))
     stimuli = table(archive, experiment.find("Stimuli").get("source"))
     columns = results.dtype.names[1:]
-    items = {item.name: int(item.value) for v in fmu.variables.values() if v.declaredType for item in v.declaredType.items}
+    items = {
+        item.name: int(item.value)
+        for v in fmu.variables.values()
+        if v.declaredType
+        for item in v.declaredType.items
+    }
     parameters = {key: items[value] for key, value in start_values(archive, experiment).items()}
-    stop, step, tolerance = (float(experiment.get(key)) for key in ("stopTime", "stepSize", "tolerance"))
+    stop, step, tolerance = (
+        float(experiment.get(key)) for key in ("stopTime", "stepSize", "tolerance")
+    )
     found = master(fmu_path, start_contact, parameters, stimuli, columns, stop, step)
     for column in columns:
         at_times = np.interp(results["time"], found["time"], found[column])
@@ -170,7 +184,13 @@ def test_every_variable_is_documented_with_its_unit(archive, fmu):
         if variable.declaredType:
             for item in variable.declaredType.items:
                 assert f"<li>{item.value} = <code>{item.name}</code>" in page, item.name
-    for heading in ("Model", "Limits of validity", "Resolution and tolerance", "Variables", "Licence"):
+    for heading in (
+        "Model",
+        "Limits of validity",
+        "Resolution and tolerance",
+        "Variables",
+        "Licence",
+    ):
         assert f"<h2>{heading}</h2>" in page
     links = re.findall(r'href="([^":]+)"', page)
     assert links and all(f"documentation/{link}" in archive.namelist() for link in links)

@@ -1,4 +1,4 @@
-"""The class Contact: parameters by name and unit, states, fields, messages, and the FMU file it finds."""
+"""The class Contact: parameters by name and unit, states, fields, messages, FMU file."""
 
 import shutil
 import warnings
@@ -6,7 +6,14 @@ import warnings
 import numpy as np
 import pytest
 from closed_forms import Sphere, contact_radius
-from fretting_contact import Contact, ContactError, ContactWarning, FmuNotFoundError, ParameterError, fmu_file
+from fretting_contact import (
+    Contact,
+    ContactError,
+    ContactWarning,
+    FmuNotFoundError,
+    ParameterError,
+    fmu_file,
+)
 from fretting_contact.fmu_file import FmuFile, file_of_bytes, shared_file
 from fretting_contact.quantities import UNITS, QuantityError, in_si
 
@@ -17,14 +24,22 @@ def this_fmu(fmu_path, monkeypatch):
 
 
 def test_units_and_enumerations_are_those_of_the_component():
-    with Contact(radius="20 mm", youngs_modulus_1="210 GPa", profile="cone", cone_slope="1 deg", normal_control="indentation") as contact:
+    with Contact(
+        radius="20 mm",
+        youngs_modulus_1="210 GPa",
+        profile="cone",
+        cone_slope="1 deg",
+        normal_control="indentation",
+    ) as contact:
         assert contact["radius"] == 0.02 and contact["youngs_modulus_1"] == 210e9
         assert contact["cone_slope"] == pytest.approx(np.pi / 180, rel=1e-15)
         assert contact["profile"] == "cone" and contact["normal_control"] == "indentation"
 
 
 def test_numbers_of_numpy_and_of_enumerations_are_taken():
-    with Contact(radius=np.float64(0.02), resolution=np.int64(96), profile=2, hardness=np.array(7e9)) as contact:
+    with Contact(
+        radius=np.float64(0.02), resolution=np.int64(96), profile=2, hardness=np.array(7e9)
+    ) as contact:
         assert contact.get("radius", "resolution", "profile", "hardness") == [0.02, 96, "cone", 7e9]
 
 
@@ -61,11 +76,14 @@ def test_a_text_without_a_unit_or_for_a_quantity_without_one_is_refused():
 
 
 def test_every_unit_of_the_component_is_known(fmu):
-    assert {variable.unit for variable in fmu.variables.values() if variable.unit} <= set(UNITS) | {"J/m2", "s"}
+    units = {variable.unit for variable in fmu.variables.values() if variable.unit}
+    assert units <= set(UNITS) | {"J/m2", "s"}
 
 
 def test_a_refusal_has_the_message_of_the_component_and_changes_nothing():
-    with pytest.raises(ContactError, match=r"radius = -1\.0 is refused.*fmi2SetReal: fmi2Error") as caught:
+    with pytest.raises(
+        ContactError, match=r"radius = -1\.0 is refused.*fmi2SetReal: fmi2Error"
+    ) as caught:
         Contact(radius=-1.0)
     assert caught.value.status == 3 and len(caught.value.messages) == 1
     with Contact() as contact:
@@ -85,8 +103,17 @@ def test_warnings_of_the_component_are_those_of_python():
 
 
 def test_both_bodies_a_coating_and_fixed_probes():
-    values = {"wear_coefficient": 0.02, "wear_coefficient_2": 0.02, "hardness_2": "4 GPa", "loading": "cyclic"}
-    coated = {"coating_thickness": "0.2 um", "probe_radius_max": "0.3 mm", "displacement_amplitude": "1.5 um"}
+    values = {
+        "wear_coefficient": 0.02,
+        "wear_coefficient_2": 0.02,
+        "hardness_2": "4 GPa",
+        "loading": "cyclic",
+    }
+    coated = {
+        "coating_thickness": "0.2 um",
+        "probe_radius_max": "0.3 mm",
+        "displacement_amplitude": "1.5 um",
+    }
     with Contact(normal_force=100.0, **values, **coated) as contact:
         before, radius = contact["profile_height"], contact["radius_probe"]
         assert contact["worn_through"] is False
@@ -98,20 +125,27 @@ def test_both_bodies_a_coating_and_fixed_probes():
         assert contact["profile_height"] - before == pytest.approx(contact["worn_depth"], abs=1e-15)
         assert contact["wear_volume_2"] == pytest.approx(2 * contact["wear_volume_1"], rel=1e-12)
         density = contact["energy_density"]
-        assert contact["worn_depth"] == pytest.approx(density * (0.02 / 8e9 + 0.02 / 4e9), rel=1e-12)
+        assert contact["worn_depth"] == pytest.approx(
+            density * (0.02 / 8e9 + 0.02 / 4e9), rel=1e-12
+        )
         # at the edge the slip is next to that of the body, and inside the stick radius there is none
         slip = contact["slip_amplitude"]
         inside = radius < 0.999 * contact["stick_radius"]
         assert np.all(slip[inside] == 0.0) and 0.0 < slip.max() < 1.5e-6
         with pytest.raises(ParameterError, match="worn_through is computed"):
             contact.set(worn_through=True)
-    with Contact(wear_coefficient=0.0) as contact, pytest.warns(ContactWarning, match="energy_density"):
+    with (
+        Contact(wear_coefficient=0.0) as contact,
+        pytest.warns(ContactWarning, match="energy_density"),
+    ):
         assert np.all(np.isnan(contact["energy_density"]))
 
 
 def test_fields_are_arrays_with_the_closed_form():
     with Contact(normal_force=100.0, wear_coefficient=0.0) as contact:
-        assert {"radius_probe", "worn_depth", "pressure", "shear_traction", "image"} <= set(contact.fields)
+        assert {"radius_probe", "worn_depth", "pressure", "shear_traction", "image"} <= set(
+            contact.fields
+        )
         radius, pressure = contact["radius_probe"], contact.field("pressure")
         with pytest.raises(ParameterError, match="presure is no field .did you mean pressure"):
             contact.field("presure")
@@ -161,7 +195,13 @@ def test_a_contact_started_again_is_as_new():
     with Contact(radius=0.02, normal_force=50.0) as contact, Contact(normal_force=80.0) as new:
         contact.step(tangential_displacement=1e-6)
         contact.restart(normal_force=80.0)
-        names = ("radius", "normal_force", "contact_radius", "tangential_force", "dissipated_energy")
+        names = (
+            "radius",
+            "normal_force",
+            "contact_radius",
+            "tangential_force",
+            "dissipated_energy",
+        )
         assert contact.get(*names) == new.get(*names) and contact.time == 0.0
 
 
@@ -186,7 +226,9 @@ def test_the_fmu_is_found_where_it_is_said(fmu_path, tmp_path, monkeypatch):
     with pytest.raises(FmuNotFoundError, match="fmu = .*there is no such file"):
         find(tmp_path / "none.fmu")
     monkeypatch.setenv("FRETTING_FMU", "none.fmu")
-    with pytest.raises(FmuNotFoundError, match="the environment variable FRETTING_FMU = 'none.fmu'"):
+    with pytest.raises(
+        FmuNotFoundError, match="the environment variable FRETTING_FMU = 'none.fmu'"
+    ):
         find()
     monkeypatch.delenv("FRETTING_FMU")
     monkeypatch.setattr(fmu_file, "NAME", "none.fmu")

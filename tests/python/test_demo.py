@@ -1,4 +1,4 @@
-"""The worked example in its short form: it runs, writes what it says, and its headline numbers are right."""
+"""The worked example in its short form: it runs, and its headline numbers are right."""
 
 import csv
 import subprocess
@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from conftest import DEMO
 
-# name (beginning of) → allowed relative deviation from the expected value that the demo prints beside it
+# name (beginning of) → allowed relative deviation from the expected value that the demo prints
+# beside it
 BOUNDS = {
     "contact radius": 1e-9,
     "indentation depth": 1e-9,
@@ -22,10 +23,11 @@ BOUNDS = {
     "Partial slip: cycle by cycle": 0.1,  # three cycles that wear as much as thousands
     "Gross slip: cycle by cycle": 0.1,
     "amplitude with friction": 0.02,  # of a second-order scheme at 64 steps a period
-    "friction work: counted": 0.03,  # likewise; and the joint keeps some elastic energy
+    "friction work: counted": 0.03,  # of the same scheme; and the joint keeps some elastic energy
     "worn volume against": 1e-3,
     "worn volume /(a₀² d₀)": 0.01,  # tables good to 0.3 %
-    "force from the image": 0.03,  # the image jumps at the stick edge, somewhere between two of 64 probes
+    # the image jumps at the stick edge, somewhere between two of 64 probes
+    "force from the image": 0.03,
     "stick radius c/a₀": 1e-6,
     "last force": 5e-3,
     "fields of the map": 0.0,
@@ -55,7 +57,9 @@ def test_every_expectation_is_bounded(demo):
 LIVES = ["life_parabola", "life_cone", "life_constant_depth", "life_worn_tip"]
 
 
-@pytest.mark.parametrize("name", ["ball_loops", "worn_tip", "shaken_mass", "running_map", "overview", *LIVES])
+@pytest.mark.parametrize(
+    "name", ["ball_loops", "worn_tip", "shaken_mass", "running_map", "overview", *LIVES]
+)
 def test_pictures(demo, name):
     picture = demo[0] / f"{name}.png"
     assert picture.read_bytes().startswith(b"\x89PNG")
@@ -75,7 +79,9 @@ def test_tables_have_units_and_numbers(demo):
 
 
 def test_the_life_at_constant_depth_ends_in_the_closed_shape(demo):
-    rows = [row for quantity, row in headlines(demo[0]).items() if quantity.startswith("largest miss")]
+    rows = [
+        row for quantity, row in headlines(demo[0]).items() if quantity.startswith("largest miss")
+    ]
     assert len(rows) == 1
     assert 0 < float(rows[0]["value"]) < 5e-3  # of d₀, at the probes
 
@@ -89,7 +95,9 @@ def test_lives_start_unworn_and_never_heal(demo):
         assert lives[0] == 0 and len(lives) == 6
         before = None
         for life in lives:
-            here = [row for row in rows if row["case"] == case and float(row["life (N/N0)"]) == life]
+            here = [
+                row for row in rows if row["case"] == case and float(row["life (N/N0)"]) == life
+            ]
             radius, worn, image, depth = (
                 np.array([float(row[name]) for row in here])
                 for name in ("radius (m)", "worn_depth (m)", "image (m)", "unworn_height (m)")
@@ -98,9 +106,12 @@ def test_lives_start_unworn_and_never_heal(demo):
             if before is None:
                 assert np.max(worn) < 1e-6 * np.max(image)
             else:
-                # the probes of two stops differ: the lesser of the former neighbours was worn off between them, too
+                # the probes of two stops differ: the lesser of the former neighbours was worn off
+                # between them, too
                 above = np.searchsorted(before[0], radius)
-                lesser = np.minimum(*(np.append(before[1], 0.0)[np.clip(k, 0, 64)] for k in (above - 1, above)))
+                lesser = np.minimum(
+                    *(np.append(before[1], 0.0)[np.clip(k, 0, 64)] for k in (above - 1, above))
+                )
                 assert np.all(worn >= lesser - 1e-6 * np.max(worn))
             before = radius, worn
 
@@ -123,7 +134,14 @@ def test_the_page_is_left_out_without_its_library(monkeypatch, tmp_path):
 
 
 def test_missing_fmu_is_one_clear_line(tmp_path):
-    command = [sys.executable, str(DEMO / "demo.py"), "--fmu", str(tmp_path / "none.fmu"), "--out", str(tmp_path)]
+    command = [
+        sys.executable,
+        str(DEMO / "demo.py"),
+        "--fmu",
+        str(tmp_path / "none.fmu"),
+        "--out",
+        str(tmp_path),
+    ]
     done = subprocess.run(command, capture_output=True, text=True, timeout=60)
     assert done.returncode == 2
     assert done.stderr.count("\n") == 1

@@ -19,7 +19,9 @@ NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 
 
 def run(*command, **options):
-    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=120, **options)
+    done = subprocess.run(
+        [str(part) for part in command], capture_output=True, text=True, timeout=120, **options
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -59,17 +61,23 @@ def test_loop(fmu_path):
     text = run_python("loop.py", fmu_path)
     assert first(text, "force amplitude") == pytest.approx(BALL.loading(2e-6), rel=1e-4)
     work = BALL.loop_work(2e-6)
-    assert first(text, "work of a loop") == pytest.approx(work, rel=2e-3)  # of the trapezium rule on 80 points
+    assert first(text, "work of a loop") == pytest.approx(
+        work, rel=2e-3
+    )  # of the trapezium rule on 80 points
     per_work = 4e-14
-    # of the tenth cycle the last quarter slips least: ten loops but for what the first quarter, from rest, does not slip
+    # of the tenth cycle the last quarter slips least: ten loops but for what the first quarter,
+    # from rest, does not slip
     assert first(text, "worn volume, stepped") == pytest.approx(9.75 * work * per_work, rel=0.03)
     assert first(text, "worn volume, at once") == pytest.approx(10 * work * per_work, rel=1e-3)
 
 
 def test_orbit(fmu_path):
     text = run_python("orbit.py", fmu_path)
-    # 180 corners for a circle; 128 springs: 2e-4 of the limit of friction, which in the work is of its path
-    assert first(text, "force, stepped") == pytest.approx(first(text, "force, closed form"), rel=1e-3)
+    # 180 corners for a circle; 128 springs: 2e-4 of the limit of friction, which in the work is of
+    # its path
+    assert first(text, "force, stepped") == pytest.approx(
+        first(text, "force, closed form"), rel=1e-3
+    )
     assert first(text, "work, stepped") == pytest.approx(first(text, "work, closed form"), rel=3e-3)
     edge = (3 * 100.0 * 0.01 / (4 * 115.385e9)) ** (1 / 3)
     stick = edge * (1 - 1.5e-6 / BALL.full_slip) ** 0.5
@@ -100,11 +108,15 @@ def test_oscillator(fmu_path):
     assert first(text, "force amplitude") == pytest.approx(60.0, rel=1e-6)  # gross slip, μF
     full_slip = BALL.full_slip
     assert amplitude > full_slip
-    assert work == pytest.approx(4 * 60.0 * (amplitude - 0.8 * full_slip), rel=0.05)  # it still swings in
+    assert work == pytest.approx(
+        4 * 60.0 * (amplitude - 0.8 * full_slip), rel=0.05
+    )  # it still swings in
 
 
 def test_joint(fmu_path):
-    """The trapezium rule is of second order: errors of a doubled number of steps fall to a quarter."""
+    """The trapezium rule is of second order: errors of a doubled number of steps fall to a
+    quarter.
+    """
     text = run_python("joint.py", fmu_path)
     for title in ("amplitude of body 1", "work of the joints"):
         coarse, middle, fine = (line[0] for line in numbers(text, title))
@@ -157,8 +169,13 @@ def test_the_measured_loop_is_made_as_it_says(tmp_path):
     assert made == (EXAMPLES / "python" / "measured_loop.csv").read_text(encoding="utf-8")
 
 
-PAGES = [path for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))) if "```python" in path.read_text("utf-8")]
-PAGES.remove(ROOT / "docs" / "python.md")  # of the package and its own FMU: test_python_guide.py
+PAGES = [
+    path
+    for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")))
+    if "```python" in path.read_text("utf-8")
+]
+for of_the_package in ("python.md", "multibody.md"):  # test_python_guide.py runs them
+    PAGES.remove(ROOT / "docs" / of_the_package)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.name)
@@ -177,7 +194,9 @@ def test_the_python_of_a_page_runs_as_it_stands_and_says_what_it_shows(fmu_path,
 
 def test_the_loop_of_the_readme_is_that_of_mindlin(fmu_path, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    code = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)[1]
+    code = re.search(
+        r"```python\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL
+    )[1]
     names = {}
     exec(code.replace("target/fmu/FrettingContact.fmu", fmu_path.as_posix()), names)
     last = names["result"][-names["steps"] - 1 :]
@@ -187,18 +206,30 @@ def test_the_loop_of_the_readme_is_that_of_mindlin(fmu_path, tmp_path, monkeypat
     # the trapezium rule on 200 points a cycle is (2π/200)²/6 = 1.6e-4 low
     assert np.trapezoid(force, displacement) == pytest.approx(BALL.loop_work(1.5e-6), rel=2e-4)
     # what the README warns of: the input as abscissa
-    of_input = np.interp(last["time"], names["signals"]["time"], names["signals"]["tangential_displacement"])
+    of_input = np.interp(
+        last["time"], names["signals"]["time"], names["signals"]["tangential_displacement"]
+    )
     assert np.trapezoid(force, of_input) == pytest.approx(0.65 * BALL.loop_work(1.5e-6), rel=0.01)
     assert (tmp_path / "loop.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_input_derivatives_fail_inside_fmpy_as_the_readme_says(fmu_path):
-    signals = np.array([(0.0, 0.0), (1.0, 1e-6)], dtype=[("time", "f8"), ("tangential_displacement", "f8")])
+    signals = np.array(
+        [(0.0, 0.0), (1.0, 1e-6)], dtype=[("time", "f8"), ("tangential_displacement", "f8")]
+    )
     with pytest.raises(ValueError, match="Can only assign sequence of same size"):
-        fmpy.simulate_fmu(str(fmu_path), stop_time=1.0, output_interval=0.1, input=signals, set_input_derivatives=True)
+        fmpy.simulate_fmu(
+            str(fmu_path),
+            stop_time=1.0,
+            output_interval=0.1,
+            input=signals,
+            set_input_derivatives=True,
+        )
 
 
-@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="the example loads a Linux library")
+@pytest.mark.skipif(
+    not sys.platform.startswith("linux"), reason="the example loads a Linux library"
+)
 def test_c(fmu_path, tmp_path):
     compiler = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:

@@ -3,7 +3,14 @@
 import numpy as np
 from fretting_contact.component import ContactFmu
 
-OUTPUTS = ["tangential_force", "wear_volume", "wear_depth", "dissipated_energy", "indentation_depth", "contact_radius"]
+OUTPUTS = [
+    "tangential_force",
+    "wear_volume",
+    "wear_depth",
+    "dissipated_energy",
+    "indentation_depth",
+    "contact_radius",
+]
 
 
 def scene(seed):

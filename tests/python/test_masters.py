@@ -1,7 +1,8 @@
-"""Masters that others wrote: each drives the FMU through the same inputs and has to come to the same numbers.
+"""Masters that others wrote: each drives the FMU through the same inputs to the same results.
 
-The inputs are set at a communication point and hold for the step from there, which every master can do. Each master runs in a
-process of its own, so that none sees what another has loaded or left behind.
+The inputs are set at a communication point and hold for the step from there, which every master can
+do. Each master runs in a process of its own, so that none sees what another has loaded or left
+behind.
 """
 
 import json
@@ -16,7 +17,14 @@ MASTERS = Path(__file__).parent / "masters"
 
 #: s; a power of two, so that the communication points add up exactly.
 STEP = 0.125
-OUTPUTS = ["tangential_force", "wear_volume", "wear_depth", "dissipated_energy", "contact_radius", "indentation_depth"]
+OUTPUTS = [
+    "tangential_force",
+    "wear_volume",
+    "wear_depth",
+    "dissipated_energy",
+    "contact_radius",
+    "indentation_depth",
+]
 #: Wear that shows, in partial slip and in gross slip.
 PARAMETERS = {"wear_coefficient": 0.03, "friction_coefficient": 0.5}
 AGREEMENT = 1e-12
@@ -29,7 +37,9 @@ def history():
 
 
 def run(master, fmu_path, folder):
-    """The outputs after each step, as the master gives them; skips where it cannot run on this machine."""
+    """The outputs after each step, as the master gives them; skips where it cannot run on this
+    machine.
+    """
     task = {
         "fmu": str(fmu_path),
         "folder": str(folder),
@@ -40,7 +50,12 @@ def run(master, fmu_path, folder):
     }
     script = MASTERS / f"{master}_master.py"
     done = subprocess.run(
-        [sys.executable, str(script)], input=json.dumps(task), capture_output=True, text=True, timeout=120, check=False
+        [sys.executable, str(script)],
+        input=json.dumps(task),
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
     )
     if "MISSING:" in done.stderr:
         pytest.skip(done.stderr[done.stderr.index("MISSING:") :].strip())

@@ -1,4 +1,4 @@
-"""Loop, life and drive of the Python package: closed forms, signals as they come, and what is refused."""
+"""Loop, life and drive of the Python package: closed forms, sampled signals, refusals."""
 
 import numpy as np
 import pytest
@@ -18,12 +18,15 @@ def this_fmu(fmu_path, monkeypatch):
 def test_the_work_of_a_loop_is_that_of_mindlin(amplitude):
     with Contact(wear_coefficient=0.0) as contact:
         one = loop(contact, amplitude, points=100)
-    # the sine meets its reversals at 100 points; the work between them is exact, the closed form a quadrature
+    # the sine meets its reversals at 100 points; the work between them is exact, the closed form a
+    # quadrature
     assert one.work == pytest.approx(BALL.loop_work(amplitude), rel=1e-8)
     assert one.force_amplitude == pytest.approx(BALL.loading(amplitude)[0], rel=1e-9)
     assert one.displacement_amplitude == pytest.approx(amplitude, rel=1e-12)
     assert one.worn_volume == 0.0
-    assert len(one.time) == 101 and one.tangential_force[0] == pytest.approx(one.tangential_force[-1], rel=1e-9)
+    assert len(one.time) == 101 and one.tangential_force[0] == pytest.approx(
+        one.tangential_force[-1], rel=1e-9
+    )
 
 
 def test_a_loop_about_another_place_at_another_load():
@@ -41,10 +44,19 @@ def test_a_life_wears_what_its_work_says():
         worn = life(contact, 1e5, at=[0, 1, 1e4, 9e4], amplitude=1.5e-6, normal_force=80.0)
         end = contact["wear_volume"]
     assert worn.wear_volume == pytest.approx(PER_WORK * worn.dissipated_energy, rel=1e-9)
-    assert worn.wear_volume[0] == 0.0 and np.all(np.diff(worn.wear_volume) > 0) and end > worn.wear_volume[-1]
+    assert (
+        worn.wear_volume[0] == 0.0
+        and np.all(np.diff(worn.wear_volume) > 0)
+        and end > worn.wear_volume[-1]
+    )
     first = Tangential(Sphere(), 80.0).loop_work(1.5e-6)
     assert worn.dissipated_energy[1] == pytest.approx(first, rel=1e-3)
-    assert worn.radius.shape == worn.worn_depth.shape == worn.pressure.shape == (4, worn.radius.shape[1])
+    assert (
+        worn.radius.shape
+        == worn.worn_depth.shape
+        == worn.pressure.shape
+        == (4, worn.radius.shape[1])
+    )
     # the deepest point may lie between two of the radii
     assert worn.worn_depth[-1].max() == pytest.approx(worn.wear_depth[-1], rel=0.02)
 
@@ -95,7 +107,9 @@ def test_columns_of_pandas_are_taken_and_made(tmp_path):
     plain.write_csv(tmp_path / "drive.csv")
     table = np.genfromtxt(tmp_path / "drive.csv", delimiter=",", names=True)
     assert table["tangential_force"] == pytest.approx(plain.tangential_force, rel=1e-8)
-    pandas = pytest.importorskip("pandas", reason="pandas is not installed: pip install fretting-contact[sweep]")
+    pandas = pytest.importorskip(
+        "pandas", reason="pandas is not installed: pip install fretting-contact[sweep]"
+    )
     frame = pandas.DataFrame({"t": time, "u": 2e-6 * np.sin(time)})
     with Contact() as contact:
         again = drive(contact, frame["t"], frame["u"])
@@ -105,14 +119,24 @@ def test_columns_of_pandas_are_taken_and_made(tmp_path):
 def test_motion_in_the_plane_has_both_directions():
     time = np.linspace(0, 1, 50)
     with Contact(wear_coefficient=0.0) as contact:
-        done = drive(contact, time, 4e-6 * time, displacement_y=3e-6 * time, outputs=["tangential_force_y"])
-    assert done.more["tangential_force_y"] == pytest.approx(0.75 * done.tangential_force, abs=1e-4 * 60.0)
-    assert np.hypot(done.tangential_force[-1], done.more["tangential_force_y"][-1]) == pytest.approx(60.0, rel=1e-4)
+        done = drive(
+            contact, time, 4e-6 * time, displacement_y=3e-6 * time, outputs=["tangential_force_y"]
+        )
+    assert done.more["tangential_force_y"] == pytest.approx(
+        0.75 * done.tangential_force, abs=1e-4 * 60.0
+    )
+    assert np.hypot(
+        done.tangential_force[-1], done.more["tangential_force_y"][-1]
+    ) == pytest.approx(60.0, rel=1e-4)
 
 
 REFUSED = [
     (([0.0, 1.0], [0.0]), {}, "tangential_displacement has 1 samples and time has 2"),
-    (([0.0, 1.0, 1.0], [0.0, 1e-6, 0.0]), {}, r"time\[2\] = 1 s does not rise from time\[1\] = 1 s"),
+    (
+        ([0.0, 1.0, 1.0], [0.0, 1e-6, 0.0]),
+        {},
+        r"time\[2\] = 1 s does not rise from time\[1\] = 1 s",
+    ),
     (([0.0, 1.0], [0.0, np.nan]), {}, r"displacement\[1\] = nan is not finite: interpolate"),
     (([0.0, 1.0], [[0.0, 1.0]]), {}, r"displacement has the shape \(1, 2\)"),
     (([0.0, 1.0], [0.0, 1e-6], [1.0]), {}, "normal_force has 1 samples"),
@@ -128,7 +152,12 @@ def test_a_signal_that_cannot_be_followed_is_refused(signals, keywords, message)
 
 
 def test_what_needs_the_other_loading_says_so():
-    with Contact() as contact, pytest.raises(ParameterError, match=r"loading = 'transient', but 'cyclic' is needed: Contact"):
+    with (
+        Contact() as contact,
+        pytest.raises(
+            ParameterError, match=r"loading = 'transient', but 'cyclic' is needed: Contact"
+        ),
+    ):
         life(contact, 10)
     with Contact(loading="cyclic") as contact:
         with pytest.raises(ParameterError, match="'transient' is needed"):
@@ -152,7 +181,9 @@ def test_pictures_have_what_the_results_have():
         one = loop(contact, 2e-6)
     axes = one.plot()
     x, y = axes.lines[0].get_data()
-    assert x == pytest.approx(one.contact_displacement * 1e6) and y == pytest.approx(one.tangential_force)
+    assert x == pytest.approx(one.contact_displacement * 1e6) and y == pytest.approx(
+        one.tangential_force
+    )
     assert axes.get_xlabel() == "contact displacement (µm)"
     assert len(one.plot_history()) == 3
     with Contact(loading="cyclic") as contact:

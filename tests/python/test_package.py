@@ -34,7 +34,15 @@ OUTPUTS = {
     "slip_state",
 }
 ENUMERATIONS = {
-    "profile": ["parabola", "cone", "power_law", "blunted_sphere", "rounded_punch", "flat_punch", "table"],
+    "profile": [
+        "parabola",
+        "cone",
+        "power_law",
+        "blunted_sphere",
+        "rounded_punch",
+        "flat_punch",
+        "table",
+    ],
     "normal_control": ["force", "indentation"],
     "loading": ["transient", "cyclic"],
     "slip_state": ["separated", "stick", "partial_slip", "gross_slip"],
@@ -100,7 +108,9 @@ def test_runs_with_nothing_set(fmu_path):
 
 
 def test_simulate_with_an_input_signal(fmu_path):
-    """fmpy's own loop sets an input at the beginning of a step, so that the force is that of one step before."""
+    """fmpy's own loop sets an input at the beginning of a step, so that the force is that of one
+    step before.
+    """
     case = Tangential(Sphere(), 100.0)
     time = np.linspace(0, 1, 41)
     signal = np.array(
@@ -121,7 +131,7 @@ def test_simulate_with_an_input_signal(fmu_path):
 
 
 def test_step_sizes_that_do_not_sum_exactly(start_contact):
-    """Ten thousand steps of 0.1 ms accumulate rounding in the master's clock; the FMU has to live with that."""
+    """Ten thousand steps of 0.1 ms accumulate rounding errors in the master's clock."""
     contact = start_contact(wear_coefficient=0.0)
     for _ in range(10_000):
         contact.step(1e-4)

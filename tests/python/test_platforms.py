@@ -1,6 +1,7 @@
-"""Libraries of the FMU that are for other machines run under their emulators: loaded, stepped into gross slip, force and wear by formulas.
+"""Libraries for other machines run under their emulators: force and wear by formulas.
 
-They are in the FMU of `cargo fmu test --platforms linux64,win64,aarch64-linux`. What is missing on this machine is told by name.
+They are in the FMU of `cargo fmu test --platforms linux64,win64,aarch64-linux`. A skipped test
+names what is missing on this machine.
 """
 
 import os
@@ -10,13 +11,17 @@ import zipfile
 import pytest
 from conftest import ROOT
 
-BUILDER = [os.environ["FRETTING_FMU_BUILD"]] if "FRETTING_FMU_BUILD" in os.environ else ["cargo", "fmu"]
+BUILDER = (
+    [os.environ["FRETTING_FMU_BUILD"]] if "FRETTING_FMU_BUILD" in os.environ else ["cargo", "fmu"]
+)
 
 
 @pytest.fixture(scope="module")
 def tried(fmu_path):
     """platform: what became of its library."""
-    own = os.environ | {"CARGO_MANIFEST_DIR": str(ROOT / "fmu-build")}  # the program's checkout is this one
+    own = os.environ | {
+        "CARGO_MANIFEST_DIR": str(ROOT / "fmu-build")
+    }  # the program's checkout is this one
     command = [*BUILDER, "try", fmu_path.resolve()]
     done = subprocess.run(command, cwd=ROOT, env=own, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
@@ -26,9 +31,14 @@ def tried(fmu_path):
 @pytest.mark.parametrize("platform", ["win64", "aarch64-linux"])
 def test_a_library_for_another_machine_runs_under_its_emulator(fmu_path, tried, platform):
     with zipfile.ZipFile(fmu_path) as archive:
-        folders = {name.split("/")[1] for name in archive.namelist() if name.startswith("binaries/")}
+        folders = {
+            name.split("/")[1] for name in archive.namelist() if name.startswith("binaries/")
+        }
     if platform not in folders:
-        pytest.skip(f"the FMU has no library for {platform}: `cargo fmu test --platforms linux64,win64,aarch64-linux` makes one")
+        pytest.skip(
+            f"the FMU has no library for {platform}: `cargo fmu test --platforms "
+            "linux64,win64,aarch64-linux` makes one"
+        )
     if platform not in tried:
         pytest.skip(f"{platform} is this machine's own")
     if tried[platform].startswith("NOT RUN"):

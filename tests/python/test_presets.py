@@ -1,7 +1,11 @@
-"""The presets (SSV files) in the FMU, read by a tool that supports SSP, and set on the FMU."""
+"""The presets (SSV files) in the FMU, read by tools that support SSP, and set on the FMU."""
 
+import json
 import re
+import subprocess
+import sys
 import zipfile
+from pathlib import Path
 
 import pytest
 from conftest import ROOT
@@ -10,6 +14,7 @@ from fmpy.ssp.ssd import read_ssv
 
 FILES = sorted((ROOT / "presets").glob("*.ssv"))
 PAGE = (ROOT / "docs" / "presets.md").read_text(encoding="utf-8")
+MASTERS = Path(__file__).parent / "masters"
 
 
 @pytest.fixture(params=FILES, ids=lambda path: path.stem)
@@ -32,25 +37,74 @@ def test_fmpy_reads_a_preset_from_the_fmu(fmu_path, fmu, file):
         assert parameter.unit == variable.unit, parameter.name
 
 
+def values_of(file):
+    return {parameter.name: float(parameter.value) for parameter in read_ssv(str(file)).parameters}
+
+
+def test_pyssp_standard_reads_the_same_values_and_units(file):
+    ssv = pytest.importorskip(
+        "pyssp_standard.ssv",
+        reason="pyssp-standard is not installed: see tests/python/tools-requirements.txt",
+    )
+    with ssv.SSV(file) as preset:
+        assert preset.name == file.stem
+        preset.check_compliance(preset.schemas[preset.identifier], preset.namespaces)
+        attributes = {
+            parameter["name"]: parameter["type_value"].parameter for parameter in preset.parameters
+        }
+    assert {name: float(given["value"]) for name, given in attributes.items()} == values_of(file)
+    units = {parameter.name: parameter.unit for parameter in read_ssv(str(file)).parameters}
+    assert {name: given.get("unit") for name, given in attributes.items()} == units
+
+
+@pytest.mark.parametrize("master", ["libcosimpy", "ecospy"])
+def test_a_master_applies_a_preset_of_a_system(master, fmu_path, file, tmp_path):
+    """The system is the one that docs/presets.md shows, with each of the presets."""
+    description = re.search(r"```xml\n(.*?)```", PAGE, re.DOTALL)[1].replace("ti_6al_4v", file.stem)
+    system, answer = tmp_path / "joint.ssp", tmp_path / "answer.json"
+    with zipfile.ZipFile(system, "w") as archive:
+        archive.writestr("SystemStructure.ssd", description)
+        archive.write(fmu_path, "resources/FrettingContact.fmu")
+        archive.write(file, f"resources/{file.name}")
+    values = values_of(file)
+    script = MASTERS / f"{master}_ssp.py"
+    command = [sys.executable, script, system, file.stem, answer, *values, "contact_radius"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+    if "MISSING:" in done.stderr:
+        pytest.skip(done.stderr[done.stderr.index("MISSING:") :].strip())
+    assert done.returncode == 0, done.stdout + done.stderr
+    found = json.loads(answer.read_text())
+    assert found.pop("contact_radius") == pytest.approx(hertz_radius(values), rel=1e-9)
+    assert found == values
+
+
+def hertz_radius(values):
+    """m, for two bodies of one material, with the other start values of the FMU."""
+    modulus = values["youngs_modulus_1"] / (2 * (1 - values["poisson_ratio_1"] ** 2))
+    return (3 * 100.0 * 0.01 / (4 * modulus)) ** (1 / 3)
+
+
 def test_the_fmu_accepts_the_values(start_contact, file):
-    values = {parameter.name: float(parameter.value) for parameter in read_ssv(str(file)).parameters}
+    values = values_of(file)
     contact = start_contact(**values)
     assert {name: contact.get(name) for name in values} == values
     assert contact.get("contact_radius") > 0
 
 
 def test_a_preset_changes_the_simulation_as_hertz_says(fmu_path):
-    values = {p.name: float(p.value) for p in read_ssv(str(ROOT / "presets" / "ti_6al_4v.ssv")).parameters}
+    values = values_of(ROOT / "presets" / "ti_6al_4v.ssv")
     result = simulate_fmu(str(fmu_path), start_values=values, output=["contact_radius"])
-    modulus = values["youngs_modulus_1"] / (2 * (1 - values["poisson_ratio_1"] ** 2))
-    assert result["contact_radius"][0] == pytest.approx((3 * 100.0 * 0.01 / (4 * modulus)) ** (1 / 3), rel=1e-9)
+    assert result["contact_radius"][0] == pytest.approx(hertz_radius(values), rel=1e-9)
 
 
 def test_the_page_shows_the_values_of_the_files():
     header = next(line for line in PAGE.splitlines() if line.startswith("| | [steel"))
     columns = re.findall(r"\[(\w+)\]", header)
     assert sorted(columns) == [path.stem for path in FILES]
-    presets = {name: {p.name: p.value for p in read_ssv(str(ROOT / "presets" / f"{name}.ssv")).parameters} for name in columns}
+    presets = {
+        name: {p.name: p.value for p in read_ssv(str(ROOT / "presets" / f"{name}.ssv")).parameters}
+        for name in columns
+    }
     rows = [line.strip("| ").split(" | ") for line in PAGE.splitlines() if line.startswith("| `")]
     shown = set()
     for title, *cells in rows:

@@ -73,7 +73,9 @@ def test_scan_without_noise_of_a_worn_flat():
 
 @pytest.mark.parametrize("exponent", [1.0, 4.0])
 def test_images_of_a_table_converge(exponent):
-    """The table's image against κ xⁿ: second order in the distance of the points for r⁴, first order for a cone's kink in r²."""
+    """The table's image against κ xⁿ: second order in the distance of the points for r⁴, first
+    order for a cone's kink in r².
+    """
     errors = []
     for count in (50, 100, 200):
         r = np.linspace(0, 1, count + 1)
@@ -100,15 +102,15 @@ def test_given_centre_and_radius():
 
 
 def test_a_refused_table_becomes_one_that_is_accepted(start_contact, tmp_path):
-    """One side only, as the FMU refuses it for its noise; the command that the message names mends it."""
+    """A noisy half profile is refused; the command that the message names corrects it."""
     r = np.arange(0, 450e-6, 2e-6)
     f = WORN_FLAT.height(r) + 20e-9 * np.random.default_rng(4).standard_normal(len(r))
-    table, mended = tmp_path / "table.txt", tmp_path / "mended.txt"
+    table, corrected = tmp_path / "table.txt", tmp_path / "corrected.txt"
     np.savetxt(table, np.column_stack([r, f]))
     with pytest.raises(ContactError, match="not monotone.*cargo fmu profile"):
         start_contact(profile="table", profile_file=str(table))
-    assert main([str(table), "-o", str(mended)]) == 0
-    radius = start_contact(profile="table", profile_file=str(mended)).get("contact_radius")
+    assert main([str(table), "-o", str(corrected)]) == 0
+    radius = start_contact(profile="table", profile_file=str(corrected)).get("contact_radius")
     assert radius == pytest.approx(188.717e-6, rel=0.01)  # closed form, 100 N
 
 
@@ -148,11 +150,22 @@ def test_messages_quote_the_line(text, message):
 def test_command_line(start_contact, tmp_path):
     """A file in µm with a header in another encoding becomes a table, a picture and a report."""
     scan = WORN_FLAT.scan(20e-9, 5e-6, 1)
-    lines = [f"{x * 1e6:.2f};{z * 1e6:.4f}".replace(".", ",") for x, z in zip(scan.x[::-1], scan.z[::-1])]
+    lines = [
+        f"{x * 1e6:.2f};{z * 1e6:.4f}".replace(".", ",") for x, z in zip(scan.x[::-1], scan.z[::-1])
+    ]
     source = tmp_path / "scan.csv"
     source.write_bytes(("x [µm];z [µm]\r\n" + "\r\n".join(lines)).encode("latin-1"))
     output = tmp_path / "tip.txt"
-    command = [sys.executable, "-m", "fretting_contact.profile", str(source), "--unit", "um", "-o", str(output)]
+    command = [
+        sys.executable,
+        "-m",
+        "fretting_contact.profile",
+        str(source),
+        "--unit",
+        "um",
+        "-o",
+        str(output),
+    ]
     done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT / "python", timeout=120)
     assert done.returncode == 0, done.stderr
     for part in ("deg taken off", "centre: x = 4", "radius of curvature", "nm rms", str(output)):

@@ -1,4 +1,4 @@
-"""The Python of docs/python.md runs as it stands, and the doctests of the package do."""
+"""The Python of docs/python.md and docs/multibody.md runs as it stands; so do the doctests."""
 
 import doctest
 import importlib
@@ -12,8 +12,13 @@ import pytest
 from conftest import ROOT
 
 PAGE = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
-BLOCKS = re.findall(r"```python\n(.*?)```(?:\n\n```text\n(.*?)```)?", PAGE, re.DOTALL)
-MODULES = sorted(module.name for module in pkgutil.iter_modules(fretting_contact.__path__) if module.name != "__main__")
+LOOPS = (ROOT / "docs" / "multibody.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"```python\n(.*?)```(?:\n\n```text\n(.*?)```)?", PAGE + LOOPS, re.DOTALL)
+MODULES = sorted(
+    module.name
+    for module in pkgutil.iter_modules(fretting_contact.__path__)
+    if module.name != "__main__"
+)
 NEED_MORE = {"dask_cluster": "distributed", "sweep_folder": "pyarrow"}
 
 
@@ -24,10 +29,18 @@ def test_a_block_of_the_guide_runs_and_says_what_it_shows(tmp_path, number, monk
     script = tmp_path / "block.py"
     script.write_text(code, encoding="utf-8")
     command = [sys.executable, "-W", "error", str(script)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, cwd=tmp_path, encoding="utf-8")
+    done = subprocess.run(
+        command, capture_output=True, text=True, timeout=120, cwd=tmp_path, encoding="utf-8"
+    )
     assert done.returncode == 0, done.stderr
     if shown:
         assert done.stdout == shown
+
+
+def test_the_loop_for_chrono_is_python():
+    """It is compiled only: no package registry has Chrono."""
+    (code,) = re.findall(r"```py\n(.*?)```", LOOPS, re.DOTALL)
+    compile(code, "multibody.md", "exec")
 
 
 def test_the_ten_lines_are_ten():
@@ -36,7 +49,9 @@ def test_the_ten_lines_are_ten():
 
 
 def test_every_public_name_is_there_and_explained():
-    assert fretting_contact.__all__ == sorted(fretting_contact.__all__, key=lambda name: (name[0].islower(), name))
+    assert fretting_contact.__all__ == sorted(
+        fretting_contact.__all__, key=lambda name: (name[0].islower(), name)
+    )
     for name in fretting_contact.__all__:
         assert getattr(fretting_contact, name).__doc__, name
     with pytest.raises(AttributeError, match="no attribute 'looop'"):
@@ -44,7 +59,9 @@ def test_every_public_name_is_there_and_explained():
 
 
 def test_the_version_is_that_of_the_workspace():
-    (version,) = re.findall(r'^version = "(.+)"$', (ROOT / "Cargo.toml").read_text(encoding="utf-8"), re.MULTILINE)
+    (version,) = re.findall(
+        r'^version = "(.+)"$', (ROOT / "Cargo.toml").read_text(encoding="utf-8"), re.MULTILINE
+    )
     assert fretting_contact.__version__ == version
     assert f"fretting_contact-{version}-py3" in PAGE
 
@@ -58,5 +75,8 @@ def test_doctests(name, monkeypatch, fmu_path):
 
 
 def test_doctests_are_found():
-    found = [doctest.DocTestFinder().find(importlib.import_module(f"fretting_contact.{name}")) for name in ("contact", "motion")]
+    found = [
+        doctest.DocTestFinder().find(importlib.import_module(f"fretting_contact.{name}"))
+        for name in ("contact", "motion")
+    ]
     assert sum(bool(test.examples) for tests in found for test in tests) == 4

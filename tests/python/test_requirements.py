@@ -5,7 +5,11 @@ from collections import defaultdict
 
 from conftest import ROOT
 
-FILES = [path for folder in ("tests", "examples", "fmu-build") for path in (ROOT / folder).rglob("*requirements.txt")]
+FILES = [
+    path
+    for folder in ("tests", "examples", "fmu-build")
+    for path in (ROOT / folder).rglob("*requirements.txt")
+]
 
 
 def test_each_package_has_one_source_of_its_version():

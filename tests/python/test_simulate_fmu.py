@@ -1,4 +1,4 @@
-"""FMPy's one-line simulation, as a new user meets it: a run that cannot go on ends soon, and says why."""
+"""FMPy's one-line simulation: a run that cannot go on ends soon, and the message says why."""
 
 import subprocess
 import sys
@@ -11,12 +11,13 @@ RUN = """
 import numpy as np, sys
 from fmpy import simulate_fmu
 from fmpy.fmi1 import FMICallException
-names = ["time", "normal_force", "indentation", "tangential_displacement", "displacement_amplitude", "frequency",
-         "tangential_displacement_y"]
+names = ["time", "normal_force", "indentation", "tangential_displacement",
+         "displacement_amplitude", "frequency", "tangential_displacement_y"]
 rows = [(t, {force}, 0.0, {displacement}, 1e-6, 1.0, 0.0) for t in np.linspace(0, 1, 51)]
 signals = np.array(rows, dtype=[(name, float) for name in names]) if {moves} else None
 try:
-    simulate_fmu(sys.argv[1], stop_time=1.0, start_values={start}, input=signals, output_interval=0.02)
+    simulate_fmu(sys.argv[1], stop_time=1.0, start_values={start}, input=signals,
+                 output_interval=0.02)
 except FMICallException as error:
     print("ended with", error)
 """
@@ -24,13 +25,19 @@ except FMICallException as error:
 
 def simulate(fmu_path, start, displacement=None, force="100.0"):
     """What a run prints in a process of its own, and its time without the start of Python, s."""
-    code = RUN.format(start=start, force=force, displacement=displacement or 0.0, moves=displacement is not None)
+    code = RUN.format(
+        start=start, force=force, displacement=displacement or 0.0, moves=displacement is not None
+    )
     begin = time.perf_counter()
     subprocess.run([sys.executable, "-c", "import fmpy, numpy"], check=True)
     idle = time.perf_counter() - begin
     begin = time.perf_counter()
     done = subprocess.run(
-        [sys.executable, "-c", code, str(fmu_path)], capture_output=True, text=True, timeout=60, check=True
+        [sys.executable, "-c", code, str(fmu_path)],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=True,
     )
     return done.stdout + done.stderr, time.perf_counter() - begin - idle
 
@@ -42,7 +49,11 @@ SINE = "3e-6 * np.sin(6.2832 * t)"
     ("start", "force", "words"),
     [
         # a hardness of 800 Pa, meant as 8 GPa or 800 HV
-        ({"hardness": 800}, "100.0", ["wears more than the profile can follow", "hardness = 8e2 Pa"]),
+        (
+            {"hardness": 800},
+            "100.0",
+            ["wears more than the profile can follow", "hardness = 8e2 Pa"],
+        ),
         ({"wear_coefficient": 1e3}, "100.0", ["wears more than the profile can follow"]),
         # a force that grows beyond what can be computed with
         ({}, "100.0 if t < 0.5 else 1e61", ["1e60 at most"]),
@@ -54,7 +65,9 @@ def test_a_step_that_cannot_be_done_ends_the_run(fmu_path, start, force, words):
     assert "ended with fmi2DoStep failed with status 3 (error)" in printed, printed
     for word in ["the same step is asked for again", *words]:
         assert word in printed, printed
-    assert printed.count("cannot be done, and nothing has changed") == 2, "the discard, and its reason again"
+    assert printed.count("cannot be done, and nothing has changed") == 2, (
+        "the discard, and its reason again"
+    )
     assert seconds < 1.0
 
 

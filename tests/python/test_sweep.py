@@ -1,4 +1,4 @@
-"""Sweeps on Dask and on processes: all sets come out, with a worker killed on the way and after a stop; regimes are those of Mindlin."""
+"""Sweeps on Dask and on processes, also with a worker killed and after a stop."""
 
 import json
 import multiprocessing
@@ -15,7 +15,9 @@ from fretting_contact.parameter_sets import SetsError
 from fretting_contact.sweep_folder import SweepFolderError, parts
 from fretting_contact.sweep_task import CyclicLife, run_batch
 
-pytest.importorskip("pyarrow", reason="pyarrow is not installed: see examples/sweep/sweep-requirements.txt")
+pytest.importorskip(
+    "pyarrow", reason="pyarrow is not installed: see examples/sweep/sweep-requirements.txt"
+)
 SWEEP = ROOT / "examples" / "sweep"
 sys.path.insert(0, str(SWEEP))
 
@@ -28,7 +30,9 @@ COMMON = {"friction_coefficient": 0.6}
 
 @pytest.fixture(scope="module", params=["dask", "processes"])
 def swept(request, fmu_path, tmp_path_factory):
-    """A sweep of which one worker is killed while it runs: folder, results, keywords to repeat it, pid of the worker."""
+    """A sweep of which one worker is killed while it runs: folder, results, keywords to repeat it,
+    pid of the worker.
+    """
     out, killed = tmp_path_factory.mktemp("sweep"), []
     keywords = {"cycles": CYCLES, "out": out, "fmu": fmu_path, "batch": BATCH}
     if request.param == "processes":
@@ -42,11 +46,15 @@ def swept(request, fmu_path, tmp_path_factory):
         yield out, sweep(COMMON, sets(COUNT), **keywords, progress=kill_one), keywords, killed
         assert killed[0] not in [child.pid for child in multiprocessing.active_children()]
         return
-    distributed = pytest.importorskip("distributed", reason="Dask is not installed: see examples/sweep/sweep-requirements.txt")
+    distributed = pytest.importorskip(
+        "distributed", reason="Dask is not installed: see examples/sweep/sweep-requirements.txt"
+    )
     import dask
 
     with dask.config.set({"distributed.scheduler.allowed-failures": LOSSES}):
-        with distributed.Client(n_workers=2, threads_per_worker=1, dashboard_address=None) as client:
+        with distributed.Client(
+            n_workers=2, threads_per_worker=1, dashboard_address=None
+        ) as client:
 
             def kill_one(_):
                 if not killed:
@@ -63,10 +71,20 @@ def test_every_set_comes_out_once_with_a_worker_killed(fmu_path, swept):
     assert len(killed) == 1
     loads, amplitudes = sets(COUNT).columns.values()
     assert results.run == COUNT and results.missing == 0
-    assert results["normal_force"].tolist() == loads and results["displacement_amplitude"].tolist() == amplitudes
-    here = run_batch(fmu_path.read_bytes(), {**COMMON, "loading": "cyclic"}, sets(COUNT).rows(0, 5), CyclicLife(CYCLES))
+    assert (
+        results["normal_force"].tolist() == loads
+        and results["displacement_amplitude"].tolist() == amplitudes
+    )
+    here = run_batch(
+        fmu_path.read_bytes(),
+        {**COMMON, "loading": "cyclic"},
+        sets(COUNT).rows(0, 5),
+        CyclicLife(CYCLES),
+    )
     for name in ("wear_volume", "force_amplitude", "regime"):
-        assert results[name][:5].tolist() == [row[name] for row in here], name  # to the bit, whoever ran it
+        assert results[name][:5].tolist() == [row[name] for row in here], (
+            name
+        )  # to the bit, in any worker
 
 
 def test_started_again_it_runs_what_is_missing(swept):
@@ -82,14 +100,20 @@ def test_started_again_it_runs_what_is_missing(swept):
 
 def test_another_sweep_is_refused_in_the_same_folder(swept):
     _, _, keywords, _ = swept
-    with pytest.raises(SweepFolderError, match="differs in parameters, sets, number of sets, task: give another"):
+    with pytest.raises(
+        SweepFolderError, match="differs in parameters, sets, number of sets, task: give another"
+    ):
         sweep({"radius": 0.02}, sets(COUNT - 1), **keywords | {"cycles": 5.0})
 
 
 def test_regimes_are_those_of_the_closed_form(swept):
     _, results, *_ = swept
     slips = results["displacement_amplitude"] / full_slip(results["normal_force"])
-    expected = np.where(slips >= 1, "gross", np.where(np.sqrt(np.clip(1 - slips, 0, None)) > 0.95, "stick", "partial"))
+    expected = np.where(
+        slips >= 1,
+        "gross",
+        np.where(np.sqrt(np.clip(1 - slips, 0, None)) > 0.95, "stick", "partial"),
+    )
     assert results["regime"].tolist() == expected.tolist()
     assert set(results["regime"]) == {"stick", "partial", "gross"}
     assert np.all(results["wear_volume"] > 0)
@@ -106,10 +130,21 @@ def test_the_map_is_a_picture_and_counts(swept, tmp_path):
 
 def test_shares_of_a_job_array_are_the_whole(fmu_path, tmp_path):
     """As slurm.sh calls it: two jobs with half of the batches each, then one that gathers them."""
-    command = [sys.executable, str(SWEEP / "sweep.py"), "--fmu", str(fmu_path), "--out", str(tmp_path), "--sets", "50"]
+    command = [
+        sys.executable,
+        str(SWEEP / "sweep.py"),
+        "--fmu",
+        str(fmu_path),
+        "--out",
+        str(tmp_path),
+        "--sets",
+        "50",
+    ]
     command += ["--cycles", "100"]
     for number, size in enumerate((30, 20)):
-        done = subprocess.run([*command, "--share", str(number), "2"], capture_output=True, text=True, timeout=60)
+        done = subprocess.run(
+            [*command, "--share", str(number), "2"], capture_output=True, text=True, timeout=60
+        )
         assert done.stdout == f"{size} sets run\n", done.stderr
     done = subprocess.run(command, capture_output=True, text=True, timeout=60)
     assert "in the last:" in done.stdout and "of 50 sets" not in done.stderr, done.stderr
@@ -121,10 +156,23 @@ def test_shares_of_a_job_array_are_the_whole(fmu_path, tmp_path):
 
 @pytest.mark.parametrize("to_files", [False, True])
 def test_a_refused_set_has_its_message_and_the_others_come_out(fmu_path, tmp_path, to_files):
-    over = grid({"normal_force": [100.0, 0.0], "radius": ["10 mm", -0.01], "hardness": [8e9, 800.0]})
-    results = sweep({"profile": "parabola"}, over, cycles=10, fmu=fmu_path, processes=1, progress=False, batch=4, out=tmp_path if to_files else None)
+    over = grid(
+        {"normal_force": [100.0, 0.0], "radius": ["10 mm", -0.01], "hardness": [8e9, 800.0]}
+    )
+    results = sweep(
+        {"profile": "parabola"},
+        over,
+        cycles=10,
+        fmu=fmu_path,
+        processes=1,
+        progress=False,
+        batch=4,
+        out=tmp_path if to_files else None,
+    )
     if to_files:  # read back
-        results = sweep({"profile": "parabola"}, over, cycles=10, fmu=fmu_path, batch=4, out=tmp_path)
+        results = sweep(
+            {"profile": "parabola"}, over, cycles=10, fmu=fmu_path, batch=4, out=tmp_path
+        )
         assert results.run == 0
     assert len(results) == 8
     refused = results["error"] != ""
@@ -143,10 +191,19 @@ def test_a_share_that_is_none_is_refused(fmu_path, tmp_path, share):
         sweep({}, {"normal_force": [1.0]}, fmu=fmu_path, share=(0, 1))
 
 
-def test_a_script_without_a_main_guard_is_told_what_is_missing(tmp_path, fmu_path):
+def test_a_script_without_a_main_guard_gets_a_message_that_says_so(tmp_path, fmu_path):
     script = tmp_path / "script.py"
-    script.write_text("from fretting_contact import sweep\nsweep({}, {'normal_force': [50.0]}, cycles=10, processes=1)\n")
-    done = subprocess.run([sys.executable, str(script)], capture_output=True, text=True, timeout=60, env=os.environ | {"FRETTING_FMU": str(fmu_path)})
+    script.write_text(
+        "from fretting_contact import sweep\nsweep({}, {'normal_force': [50.0]}, "
+        "cycles=10, processes=1)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, str(script)],
+        capture_output=True,
+        text=True,
+        timeout=60,
+        env=os.environ | {"FRETTING_FMU": str(fmu_path)},
+    )
     assert done.returncode == 1
     assert 'call sweep() under `if __name__ == "__main__":`' in done.stderr.splitlines()[-1]
 
@@ -158,9 +215,13 @@ def stiffness(contact):
 
 
 def test_another_task_and_a_table_of_pandas(fmu_path):
-    pandas = pytest.importorskip("pandas", reason="pandas is not installed: see examples/sweep/sweep-requirements.txt")
+    pandas = pytest.importorskip(
+        "pandas", reason="pandas is not installed: see examples/sweep/sweep-requirements.txt"
+    )
     over = pandas.DataFrame({"normal_force": [50.0, 400.0]})
-    found = sweep({"wear_coefficient": 0.0}, over, task=stiffness, fmu=fmu_path, processes=1, progress=False).to_pandas()
+    found = sweep(
+        {"wear_coefficient": 0.0}, over, task=stiffness, fmu=fmu_path, processes=1, progress=False
+    ).to_pandas()
     assert list(found.columns) == ["normal_force", "stiffness", "error", "warning"]
     # 2G*a of what sticks: nearly all, and a goes with the third root of the load
     assert found["stiffness"][1] / found["stiffness"][0] == pytest.approx(2.0, rel=0.01)
@@ -169,13 +230,19 @@ def test_another_task_and_a_table_of_pandas(fmu_path):
 def test_a_map_has_a_mark_for_each_regime(swept):
     _, results, *_ = swept
     axes = results.plot("displacement_amplitude", "normal_force")
-    assert [text.get_text() for text in axes.get_legend().get_texts()] == ["stick", "partial", "gross"]
+    assert [text.get_text() for text in axes.get_legend().get_texts()] == [
+        "stick",
+        "partial",
+        "gross",
+    ]
     assert axes.get_xscale() == "log" and len(axes.figure.axes) == 2
 
 
 def test_sets_from_a_file(tmp_path):
     path = tmp_path / "sets.csv"
-    path.write_text("profile,radius,resolution\nparabola,10 mm,64\ncone,0.02,128\n", encoding="utf-8")
+    path.write_text(
+        "profile,radius,resolution\nparabola,10 mm,64\ncone,0.02,128\n", encoding="utf-8"
+    )
     assert read_sets(path).rows() == [
         {"profile": "parabola", "radius": "10 mm", "resolution": 64},
         {"profile": "cone", "radius": 0.02, "resolution": 128},
@@ -188,11 +255,17 @@ def test_sets_from_a_file(tmp_path):
 def test_spread_sets_fill_their_ranges_evenly():
     over = {"normal_force": (10.0, 1000.0, "log"), "radius": (1.0, 2.0), "exponent": (2.0, 4.0)}
     columns = spread(over, 1000).columns
-    shares = [np.log10(columns["normal_force"]) / 2 - 0.5, np.array(columns["radius"]) - 1, np.array(columns["exponent"]) / 2 - 1]
+    shares = [
+        np.log10(columns["normal_force"]) / 2 - 0.5,
+        np.array(columns["radius"]) - 1,
+        np.array(columns["exponent"]) / 2 - 1,
+    ]
     for share in shares:
         counts, _ = np.histogram(share, bins=10, range=(0, 1))
         assert counts.sum() == 1000 and np.all(np.abs(counts - 100) <= 10)
-    assert spread(over, 10).columns["radius"] == columns["radius"][:10]  # more sets are the same ones and further ones
+    assert (
+        spread(over, 10).columns["radius"] == columns["radius"][:10]
+    )  # more sets are the same ones and further ones
     with pytest.raises(SetsError, match="low < high"):
         spread({"radius": (2.0, 1.0)}, 3)
 

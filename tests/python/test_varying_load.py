@@ -5,7 +5,8 @@ import pytest
 from closed_forms import E_STAR, G_STAR, SLIDING, Sphere, Tangential
 from springs import SphereOnSprings
 
-# of μF: promised for histories of any kind. It also bounds what the caller's splitting of a line may change.
+# of μF: promised for histories of any kind. It also bounds what the caller's splitting of a line
+# may change.
 HISTORY_ERROR = 1e-3
 
 
@@ -24,12 +25,16 @@ def test_rising_load_leaves_the_force(contact):
 
 
 def test_falling_load_clips_the_springs(contact):
-    """The state under the lower load is the one that this displacement would have reached there at once."""
+    """The state under the lower load is the one that this displacement would have reached there at
+    once.
+    """
     contact.step(tangential_displacement=1e-6)
     for force in (60.0, 30.0, 15.0):
         contact.step(normal_force=force)
         exact = Tangential(Sphere(), force).loading(1e-6)[0]
-        assert contact.get("tangential_force") == pytest.approx(exact, abs=1e-4 * 0.6 * force + 1e-4 * 0.6 * 15)
+        assert contact.get("tangential_force") == pytest.approx(
+            exact, abs=1e-4 * 0.6 * force + 1e-4 * 0.6 * 15
+        )
 
 
 @pytest.mark.parametrize("share", [0.3, 0.8, 1.0])
@@ -43,9 +48,11 @@ def test_oblique_loading_without_slip(start_contact, share):
         contact.step(indentation=depth, tangential_displacement=slope * (depth - first))
     rise = contact.get("normal_reaction") - force_before
     tangential = contact.get("tangential_force")
-    # The ramp of spring stretch outside the first contact is carried by cells: second order in their width.
+    # The ramp of spring stretch outside the first contact is carried by cells: second order in
+    # their width.
     assert tangential == pytest.approx(slope * G_STAR / E_STAR * rise, abs=1e-4 * 0.6 * rise)
-    # At the limit (share = 1) each new spring is exactly on the verge; below it none may slip at all.
+    # At the limit (share = 1) each new spring is exactly on the verge; below it none may slip at
+    # all.
     assert contact.get("dissipated_energy") <= 1e-6 * tangential * slope * (last - first)
     if share < 1:
         assert contact.get("slip_state") == "stick"
@@ -78,7 +85,9 @@ def test_random_history_against_springs(start_contact, seed):
     for force, displacement in zip(forces, displacements):
         contact.step(normal_force=force, tangential_displacement=displacement)
         expected = plain.move(force, displacement)
-        assert contact.get("tangential_force") == pytest.approx(expected, abs=HISTORY_ERROR * 0.6 * largest)
+        assert contact.get("tangential_force") == pytest.approx(
+            expected, abs=HISTORY_ERROR * 0.6 * largest
+        )
 
 
 def test_six_decades_of_load_in_one_run(start_contact):
@@ -93,7 +102,8 @@ def test_six_decades_of_load_in_one_run(start_contact):
         low = contact.get("tangential_force")
         contact.step(tangential_displacement=amplitude)
         swing = (contact.get("tangential_force") - low) / 2
-        # Sticking springs may carry an old offset from earlier loads; the swing of a settled loop does not see it.
+        # Sticking springs may carry an old offset from earlier loads; the range of a closed loop
+        # does not depend on it.
         assert swing == pytest.approx(case.loading(amplitude)[0], abs=HISTORY_ERROR * case.limit)
         contact.step(tangential_displacement=0.0)
 
@@ -107,26 +117,41 @@ def test_contact_lost_and_found(start_contact):
         contact.step(normal_force=force, tangential_displacement=3e-6)
         assert contact.get("slip_state") == "separated"
         assert (
-            contact.get("tangential_force", "contact_radius", "stick_radius", "max_pressure", "normal_reaction")
+            contact.get(
+                "tangential_force",
+                "contact_radius",
+                "stick_radius",
+                "max_pressure",
+                "normal_reaction",
+            )
             == [0] * 5
         )
     after = contact.get("wear_volume", "wear_depth", "dissipated_energy")
-    assert all(now >= then for now, then in zip(after, worn))  # it slips while the load falls to zero
+    assert all(
+        now >= then for now, then in zip(after, worn)
+    )  # it slips while the load falls to zero
     contact.step(normal_force=0.0, tangential_displacement=-4e-6)
-    assert contact.get("wear_volume", "wear_depth", "dissipated_energy") == after  # nothing rubs in the air
+    assert (
+        contact.get("wear_volume", "wear_depth", "dissipated_energy") == after
+    )  # nothing rubs in the air
 
     contact.step(normal_force=100.0)  # straight down at fixed U: springs arrive unstressed
     assert contact.get("tangential_force") == 0.0
     assert contact.get("slip_state") == "stick"
     case = Tangential(Sphere(), 100.0)
     contact.step(tangential_displacement=-4e-6 + 1e-6)
-    # The stroke above wore the ball by a few thousandths of a nanometre: no change at this accuracy.
-    assert contact.get("tangential_force") == pytest.approx(case.loading(1e-6)[0], abs=1e-4 * case.limit)
+    # The stroke above wore the ball by a few thousandths of a nanometre: no change at this
+    # accuracy.
+    assert contact.get("tangential_force") == pytest.approx(
+        case.loading(1e-6)[0], abs=1e-4 * case.limit
+    )
 
 
 def test_indentation_control_lifts_off(start_contact):
     contact = start_contact(normal_control="indentation", indentation=2e-6, wear_coefficient=0.0)
-    assert contact.get("normal_reaction") == pytest.approx(4 / 3 * E_STAR * np.sqrt(0.01) * 2e-6**1.5, rel=1e-9)
+    assert contact.get("normal_reaction") == pytest.approx(
+        4 / 3 * E_STAR * np.sqrt(0.01) * 2e-6**1.5, rel=1e-9
+    )
     contact.step(indentation=-1e-6)
     assert contact.get("slip_state") == "separated"
     assert contact.get("normal_reaction") == 0.0

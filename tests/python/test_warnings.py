@@ -42,10 +42,19 @@ for messages in component._messages.values():
 
 
 def warnings(script, *arguments):
-    command = [sys.executable, "-c", RUNNER, str(DEMO), str(script), *(str(argument) for argument in arguments)]
+    command = [
+        sys.executable,
+        "-c",
+        RUNNER,
+        str(DEMO),
+        str(script),
+        *(str(argument) for argument in arguments),
+    ]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
-    return [line for line in (done.stdout + done.stderr).splitlines() if line.startswith("[WARNING]")]
+    return [
+        line for line in (done.stdout + done.stderr).splitlines() if line.startswith("[WARNING]")
+    ]
 
 
 def test_the_runner_finds_warnings(fmu_path, tmp_path):
@@ -60,7 +69,8 @@ def test_the_runner_finds_warnings(fmu_path, tmp_path):
     assert "hardness = 8e2 Pa" in line
     simulated = tmp_path / "simulated.py"
     simulated.write_text(
-        "import sys\nfrom fmpy import simulate_fmu\nsimulate_fmu(sys.argv[1], start_values={'hardness': 800})\n",
+        "import sys\nfrom fmpy import simulate_fmu\nsimulate_fmu(sys.argv[1], "
+        "start_values={'hardness': 800})\n",
         encoding="utf-8",
     )
     (line,) = warnings(simulated, fmu_path)

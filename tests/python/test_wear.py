@@ -29,13 +29,17 @@ def test_volume_is_friction_work(start_contact, shape, theta):
     contact.step(tangential_displacement=amplitude)
     start = contact.get("tangential_force", "wear_volume", "dissipated_energy")
     path = strokes(amplitude, 3, 200)
-    walk = contact.follow(["tangential_force", "wear_volume", "dissipated_energy"], tangential_displacement=path)
-    force = np.concatenate([[start[0]], walk["tangential_force"]])
+    result = contact.follow(
+        ["tangential_force", "wear_volume", "dissipated_energy"], tangential_displacement=path
+    )
+    force = np.concatenate([[start[0]], result["tangential_force"]])
     work = np.trapezoid(force, np.concatenate([[amplitude], path]))
-    volume = walk["wear_volume"][-1] - start[1]
-    assert walk["dissipated_energy"][-1] - start[2] == pytest.approx(volume / (2000 * PER_WORK), rel=1e-9)
-    # The trapezium rule errs by 1e-4 at 200 points a stroke, and the elastic energy at +U₀ changes a little
-    # from cycle to cycle as the contact wears: together below 1 %.
+    volume = result["wear_volume"][-1] - start[1]
+    assert result["dissipated_energy"][-1] - start[2] == pytest.approx(
+        volume / (2000 * PER_WORK), rel=1e-9
+    )
+    # The trapezium rule errs by 1e-4 at 200 points a stroke, and the elastic energy at +U₀ changes
+    # a little from cycle to cycle as the contact wears: together below 1 %.
     assert volume == pytest.approx(2000 * PER_WORK * work, rel=1e-2)
 
 
@@ -46,15 +50,17 @@ def test_volume_is_friction_work_without_visible_wear(start_contact):
     contact.step(tangential_displacement=amplitude)
     start = contact.get("tangential_force", "wear_volume")
     path = strokes(amplitude, 1, 400)
-    walk = contact.follow(["tangential_force", "wear_volume"], tangential_displacement=path)
-    force = np.concatenate([[start[0]], walk["tangential_force"]])
+    result = contact.follow(["tangential_force", "wear_volume"], tangential_displacement=path)
+    force = np.concatenate([[start[0]], result["tangential_force"]])
     work = np.trapezoid(force, np.concatenate([[amplitude], path]))
-    assert walk["wear_volume"][-1] - start[1] == pytest.approx(PER_WORK * work, rel=IDENTITY)
+    assert result["wear_volume"][-1] - start[1] == pytest.approx(PER_WORK * work, rel=IDENTITY)
 
 
 @pytest.mark.parametrize(("theta", "error"), [(0.6, 0.05), (3.0, 0.02)])
 def test_volume_is_the_integral_of_depth(start_contact, theta, error):
-    """64 probes see the worn ring as a polygon: 2 % of its volume, and 5 % where its inner edge is steep."""
+    """64 probes see the worn ring as a polygon: 2 % of its volume, and 5 % where its inner edge is
+    steep.
+    """
     amplitude = theta * Tangential(Sphere(), 100.0).full_slip
     contact = start_contact(**faster(5000))
     contact.follow(["wear_volume"], tangential_displacement=strokes(amplitude, 3, 20))
@@ -75,8 +81,9 @@ def test_wear_never_heals(start_contact):
         contact.step(normal_force=force, tangential_displacement=displacement)
         now = contact.get("wear_volume", "wear_depth", "dissipated_energy")
         assert now[0] >= last[0] and now[2] >= last[2]
-        # Between two profile updates the depth is an estimate, good to half of the tolerance times the indentation depth: here
-        # each line, two thousand times faster than steel, wears several hundredths of that depth.
+        # Between two profile updates the depth is an estimate, good to half of the tolerance times
+        # the indentation depth: here each line, two thousand times faster than steel, wears several
+        # hundredths of that depth.
         room = 5e-4 * 3.48e-6
         assert now[1] >= last[1] - room
         last = now
@@ -138,27 +145,35 @@ def test_central_wear_of_a_sliding_sphere(start_contact):
     for sliding, depth in ((1.0, 0.4893), (2.0, 0.7972)):
         path = sliding * case.contact_radius / (100 * PER_WORK * MU * E_STAR)
         contact.step(tangential_displacement=path)
-        # 1 %: the figures are good to their digits; the elastic lead-in adds 0.4 u_max of path without wear,
-        # which is less than 1e-3 of it here.
+        # 1 %: the figures are good to their digits; the elastic lead-in adds 0.4 u_max of path
+        # without wear, which is less than 1e-3 of it here.
         assert contact.get("worn_depth[1]") / case.depth == pytest.approx(depth, rel=0.01)
 
 
 def test_volume_scales_with_the_wear_coefficient(start_contact):
-    """Twice the coefficient, half the strokes' worth: at invisible wear the volume is proportional to k."""
+    """Twice the coefficient, half the strokes' worth: at invisible wear the volume is proportional
+    to k.
+    """
     volumes = []
     for factor in (1.0, 2.0):
         contact = start_contact(**faster(factor))
         contact.follow(["wear_volume"], tangential_displacement=strokes(2e-6, 1, 10))
         volumes.append(contact.get("wear_volume"))
-    assert volumes[1] == pytest.approx(2 * volumes[0], rel=1e-4)  # the profile changes by about 1e-5 of d
+    assert volumes[1] == pytest.approx(
+        2 * volumes[0], rel=1e-4
+    )  # the profile changes by about 1e-5 of d
 
 
 def test_steady_sliding_stays_sliding(start_contact):
-    """Under constant load T = μF_N and all springs slip, also in the steps in which the profile is brought up to date:
-    masters that use tangential_stiffness would otherwise see the joint seize for one step."""
+    """Under constant load T = μF_N and all springs slip, also in the steps in which the profile is
+    brought up to date: masters that use tangential_stiffness would otherwise see the joint seize
+    for one step.
+    """
     case = Tangential(Sphere(), 100.0)
     contact = start_contact(**faster(100))
     for displacement in np.linspace(1.1, 6.0, 300) * case.full_slip:
         contact.step(tangential_displacement=displacement)
-        assert contact.get("slip_state", "tangential_stiffness") == ["gross_slip", 0.0], displacement
+        assert contact.get("slip_state", "tangential_stiffness") == ["gross_slip", 0.0], (
+            displacement
+        )
         assert contact.get("tangential_force") == pytest.approx(case.limit, rel=IDENTITY)

@@ -1,6 +1,7 @@
-"""The wheel in an empty environment on a machine without Rust: it installs, and the guide's ten lines run.
+"""The wheel in an empty environment without Rust: it installs and the guide's example runs.
 
-`cargo fmu test` says by FRETTING_FMU_BUILD which program builds the wheel; without it the test is skipped.
+`cargo fmu test` says by FRETTING_FMU_BUILD which program builds the wheel; without it the test is
+skipped.
 """
 
 import os
@@ -22,8 +23,17 @@ def wheel(fmu_path, tmp_path_factory):
     if "FRETTING_FMU_BUILD" not in os.environ:
         pytest.skip("FRETTING_FMU_BUILD is not set: `cargo fmu test` sets it")
     folder = tmp_path_factory.mktemp("dist")
-    command = [os.environ["FRETTING_FMU_BUILD"], "wheel", "--fmu", fmu_path.resolve(), "--output", folder]
-    own = os.environ | {"CARGO_MANIFEST_DIR": str(ROOT / "fmu-build")}  # the program's checkout is this one
+    command = [
+        os.environ["FRETTING_FMU_BUILD"],
+        "wheel",
+        "--fmu",
+        fmu_path.resolve(),
+        "--output",
+        folder,
+    ]
+    own = os.environ | {
+        "CARGO_MANIFEST_DIR": str(ROOT / "fmu-build")
+    }  # the program's checkout is this one
     done = subprocess.run(command, env=own, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
     (path,) = folder.glob("*.whl")
@@ -34,26 +44,54 @@ def test_the_wheel_holds_the_fmu_and_all_modules(wheel, fmu_path):
     with zipfile.ZipFile(wheel) as archive:
         names = set(archive.namelist())
         assert archive.read("fretting_contact/FrettingContact.fmu") == fmu_path.read_bytes()
-    sources = {f"fretting_contact/{path.name}" for path in (ROOT / "python" / "fretting_contact").glob("*.py")}
+    sources = {
+        f"fretting_contact/{path.name}"
+        for path in (ROOT / "python" / "fretting_contact").glob("*.py")
+    }
     assert sources | {"fretting_contact/py.typed"} <= names
-    assert {Path(name).name for name in names if "/licenses/" in name} == {"LICENSE-MIT", "LICENSE-APACHE"}
+    assert {Path(name).name for name in names if "/licenses/" in name} == {
+        "LICENSE-MIT",
+        "LICENSE-APACHE",
+    }
 
 
 def test_it_installs_and_the_ten_lines_run_without_rust(wheel, tmp_path):
-    environment = {name: value for name, value in os.environ.items() if not name.startswith(("FRETTING", "PYTHON", "CARGO", "RUST"))}
-    environment["PATH"] = os.pathsep.join(part for part in os.environ["PATH"].split(os.pathsep) if "cargo" not in part)
+    environment = {
+        name: value
+        for name, value in os.environ.items()
+        if not name.startswith(("FRETTING", "PYTHON", "CARGO", "RUST"))
+    }
+    environment["PATH"] = os.pathsep.join(
+        part for part in os.environ["PATH"].split(os.pathsep) if "cargo" not in part
+    )
     environment["MPLBACKEND"] = "Agg"
 
     def run(*command):
         done = subprocess.run(
-            [str(part) for part in command], env=environment, cwd=tmp_path, capture_output=True, text=True, timeout=300, encoding="utf-8"
+            [str(part) for part in command],
+            env=environment,
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            timeout=300,
+            encoding="utf-8",
         )
         assert done.returncode == 0, done.stdout + done.stderr
         return done.stdout
 
     run(sys.executable, "-m", "venv", "empty")
-    python = tmp_path / "empty" / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")
-    run(python, "-m", "pip", "install", "--no-compile", "--disable-pip-version-check", f"{wheel}[plot]")
+    python = (
+        tmp_path / "empty" / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")
+    )
+    run(
+        python,
+        "-m",
+        "pip",
+        "install",
+        "--no-compile",
+        "--disable-pip-version-check",
+        f"{wheel}[plot]",
+    )
     (tmp_path / "ten.py").write_text(TEN_LINES, encoding="utf-8")
     assert run(python, "-X", "utf8", "ten.py") == SHOWN
     assert (tmp_path / "loop.png").read_bytes().startswith(b"\x89PNG")

@@ -41,9 +41,9 @@ const film = {
     const parts = [
       ["cycle", number(Math.round(cycles), 7)],
       ["worn volume", `${number(volume)} · 10⁻⁶ mm³`],
-      ["deepest", `${number(depth)} µm`],
+      ["wear depth", `${number(depth)} µm`],
       ["contact radius", `${number(contact)} µm`],
-      ["sticks inside", stick > 0 ? `${number(stick)} µm` : "nowhere"],
+      ["stick radius", `${number(stick)} µm`],
     ];
     element("state").replaceChildren(
       ...parts.map(([name, text]) => {
@@ -93,10 +93,18 @@ function offer(lives) {
   element("play").addEventListener("click", () => film.play(element("play").getAttribute("aria-pressed") !== "true"));
 }
 
+/// A life with its name under it.
+function drawLife(life, k) {
+  element(`life${k}-caption`).textContent = life.name;
+  return draw(`life${k}`, lifePicture(life));
+}
+
 offer(DATA.film);
 Promise.all([
   draw("loops", loopsPicture(DATA.loops)),
+  draw("varying", varyingPicture(DATA.varying)),
   film.choose(DATA.film[0]),
+  ...DATA.lives.map(drawLife),
   draw("map", mapPicture(DATA.map)),
   draw("swing", swingPicture(DATA.mass)),
   draw("joint", jointPicture(DATA.mass)),

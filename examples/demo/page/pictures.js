@@ -3,6 +3,8 @@
 
 const COLOURS = ["var(--sky)", "var(--blue)", "var(--green)", "var(--orange)", "var(--red)"];
 const NARROW = window.innerWidth < 700;
+/// Between the outermost point and the end of an axis, in pixels.
+const MARGIN = 8;
 
 const CONFIG = {
   background: null,
@@ -36,7 +38,14 @@ const CONFIG = {
   view: { stroke: null },
 };
 
-const quantity = (field, title, more = {}) => ({ field, type: "quantitative", title, axis: { tickCount: 6 }, ...more });
+const quantity = (field, title, more = {}) => ({
+  field,
+  type: "quantitative",
+  title,
+  axis: { tickCount: 6 },
+  scale: { nice: true, zero: false, padding: MARGIN },
+  ...more,
+});
 const shown = (field, title, format = ".4~g") => ({ field, type: "quantitative", title, format });
 const within = (...domain) => ({ scale: { domain, nice: false, zero: false } });
 const framed = (height, description, spec) => ({
@@ -63,7 +72,7 @@ function loopsPicture(loops) {
   return framed(
     380,
     "Friction loops, tangential force against displacement, for five amplitudes between a quarter and one and a half times the displacement " +
-      "at which all slides. Small amplitudes give narrow loops, the largest one is cut off at plus and minus 60 newtons. Circles of the closed form lie on the lines.",
+      "at which gross slip begins. Small amplitudes give narrow loops, the largest one is cut off at plus and minus 60 newtons. Circles of the closed form lie on the lines.",
     {
       layer: [
         {
@@ -91,9 +100,70 @@ function loopsPicture(loops) {
   );
 }
 
+function varyingPicture(rows) {
+  const picked = (yes, no) => ({ condition: { param: "phase", value: yes }, value: no });
+  return framed(
+    380,
+    "Friction loops of one amplitude, tangential force against displacement, under a load that varies in three phases with the motion. " +
+      "In phase and in anti-phase the loops are slanted against each other; a quarter cycle ahead the loop is rounded.",
+    {
+      data: { values: rows },
+      params: [{ name: "phase", select: { type: "point", fields: ["phase"] }, bind: "legend" }],
+      mark: { type: "line", strokeWidth: 2.2 },
+      encoding: {
+        x: quantity("u", "displacement (µm)"),
+        y: quantity("t", "tangential force (N)"),
+        order: { field: "n" },
+        opacity: picked(1, 0.12),
+        color: {
+          field: "phase",
+          type: "nominal",
+          title: "load",
+          scale: { domain: [...new Set(rows.map((row) => row.phase))], range: ["var(--blue)", "var(--orange)", "var(--green)"] },
+          legend: { symbolType: "stroke", symbolSize: 300 },
+        },
+        tooltip: [
+          shown("u", "displacement (µm)"),
+          shown("t", "tangential force (N)"),
+          shown("load", "normal force (N)"),
+          { field: "phase", title: "load" },
+        ],
+      },
+    },
+  );
+}
+
+function lifePicture(life) {
+  const stops = [...new Set(life.curves.map((row) => row.stop))];
+  return framed(250, `Worn profile at six numbers of cycles: height against radius. ${life.name}.`, {
+    data: { values: life.curves },
+    mark: { type: "line", strokeWidth: 2 },
+    encoding: {
+      x: quantity("r", "radius (µm)", { scale: { nice: true, zero: true } }),
+      y: quantity("h", "height (µm)", { scale: { nice: true, zero: true } }),
+      order: { field: "r" },
+      color: {
+        field: "stop",
+        type: "ordinal",
+        title: "Ñ",
+        scale: { domain: stops, scheme: { name: "viridis", extent: [0.2, 0.88] } },
+        sort: null,
+        legend: { symbolType: "stroke", symbolSize: 200, columns: NARROW ? 3 : 0 },
+      },
+      tooltip: [
+        { field: "stop", title: "Ñ" },
+        shown("r", "radius (µm)"),
+        shown("h", "height (µm)"),
+        shown("w", "worn depth (µm)"),
+        shown("p", "pressure (GPa)"),
+      ],
+    },
+  });
+}
+
 // The film's pictures have data sets "state" (a row) and "frame" (rows over r), which the slider fills.
 
-/// Where a frame stands.
+/// Scalars of a frame.
 const stateOf = ({ cycles, volume, stick }) => [{ cycles, volume, left: -stick, right: stick }];
 
 /// Rows over -r ... r of a frame.
@@ -175,7 +245,7 @@ function pressurePicture(life) {
 
 function volumePicture(life) {
   const axes = {
-    x: quantity("cycles", "thousand cycles", { axis: { tickCount: 4, labelExpr: "format(datum.value / 1000, ',~g')" } }),
+    x: quantity("cycles", "cycles (thousand)", { axis: { tickCount: 4, labelExpr: "format(datum.value / 1000, ',~g')" } }),
     y: quantity("volume", "worn volume (10⁻⁶ mm³)", { axis: { tickCount: 5 } }),
   };
   const values = life.frames.map(({ cycles, volume }) => ({ cycles, volume }));
@@ -224,7 +294,7 @@ function mapPicture(map) {
   });
   return framed(
     380,
-    "Fretting map: normal force against displacement amplitude, both logarithmic. Two parallel lines rise from left to right and part sticking, " +
+    "Fretting map: normal force against displacement amplitude, both logarithmic. Two parallel lines rise from left to right between stick, " +
       "partial slip and gross slip. The worn volume grows from left to right by five orders of magnitude, fastest on the way into gross slip.",
     {
       layer: [
@@ -254,7 +324,7 @@ function mapPicture(map) {
               shown("n", "load (N)"),
               shown("u", "amplitude (µm)"),
               shown("v", "worn volume (10⁻⁶ mm³)"),
-              shown("d", "deepest wear (µm)"),
+              shown("d", "wear depth (µm)"),
             ],
           },
         },
@@ -272,7 +342,7 @@ function mapPicture(map) {
               field: "line",
               type: "nominal",
               scale: {
-                domain: ["5 % of the radius slips", "all slips"],
+                domain: ["5 % of the radius slips", "gross slip"],
                 range: [
                   [5, 4],
                   [1, 0],

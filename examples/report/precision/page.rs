@@ -115,7 +115,7 @@ pub(crate) fn page(points: &[Point], comparisons: &[Comparison], word: &str) -> 
     }
     let _ = writeln!(
         text,
-        "\n![Error against time](error_against_time.svg)\n\nPublished: the procedure of the paper on up to 400 points per a₀, with its \
+        "\n![Error against time](error_against_time.png)\n\nPublished: the procedure of the paper on up to 400 points per a₀, with its \
          longest stable time step, median of three runs; its grid does not know gross slip. Plain spring row: the same springs without transforms, \
          hence without wear. {word}\n\n## With what are the results compared?\n\n| problem | error of | reference | its own error | of the \
          volume or work |\n| --- | --- | --- | --- | --- |"

@@ -1,4 +1,6 @@
-"""libcosim of the Open Simulation Platform: https://github.com/open-simulation-platform/libcosimpy"""
+"""libcosim of the Open Simulation Platform:
+https://github.com/open-simulation-platform/libcosimpy
+"""
 
 from task import Task, missing
 
@@ -13,7 +15,9 @@ except (ImportError, OSError) as problem:
 task = Task()
 execution = CosimExecution.from_step_size(step_size=int(task.step * 1e9))
 slave = execution.add_local_slave(CosimLocalSlave(fmu_path=task.fmu, instance_name="contact"))
-references = {variable.name.decode(): variable.reference for variable in execution.slave_variables(slave)}
+references = {
+    variable.name.decode(): variable.reference for variable in execution.slave_variables(slave)
+}
 for name, value in task.parameters.items():
     execution.real_initial_value(slave, references[name], value)
 observer, manipulator = CosimObserver.create_last_value(), CosimManipulator.create_override()

@@ -12,17 +12,18 @@ except ImportError as problem:
     missing(f"pathsim cannot be loaded here: {problem}")
 
 
-
 class RealOutputs(fmu.FMUWrapper):
     """The block asks for every output as a Real, which FMI does not allow for an Enumeration."""
 
     def __init__(self, *arguments, **options):
         super().__init__(*arguments, **options)
         reals = {v.name for v in self.model_description.modelVariables if v.type == "Real"}
-        self.output_refs = {name: reference for name, reference in self.output_refs.items() if name in reals}
+        self.output_refs = {
+            name: reference for name, reference in self.output_refs.items() if name in reals
+        }
 
     def do_step(self, *arguments, **named):
-        """Steps fall on events, of which the first is at t = 0: told here, as the block takes them."""
+        """Steps fall on events, the first at t = 0. The block takes them here."""
         result = super().do_step(*arguments, **named)
         if len(task.rows) < len(task.inputs):
             outputs = dict(zip(self.output_refs, self.get_outputs_as_array()))
@@ -45,7 +46,9 @@ def signal(position):
 
 
 sources = [Source(signal(position)) for position in range(len(task.names))]
-connections = [Connection(source[0], block[order.index(name)]) for source, name in zip(sources, task.names)]
+connections = [
+    Connection(source[0], block[order.index(name)]) for source, name in zip(sources, task.names)
+]
 # the other inputs keep their start values
 others = []
 for name in order:

@@ -1,4 +1,4 @@
-"""The `fmi` crate: https://github.com/jondo2010/rust-fmi. A program of its own, which `cargo fmu test` builds."""
+"""The `fmi` crate, https://github.com/jondo2010/rust-fmi, in a program of its own."""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""What a master has to do, read from stdin as JSON, and its answer, a file beside what it unpacks."""
+"""The task of a master, read from stdin as JSON, and its answer, a file."""
 
 import json
 import sys
@@ -12,7 +12,11 @@ class Task:
     def __init__(self):
         task = json.load(sys.stdin)
         self.fmu, self.folder, self.step = task["fmu"], task["folder"], task["step"]
-        self.inputs, self.outputs, self.parameters = task["inputs"], task["outputs"], task["parameters"]
+        self.inputs, self.outputs, self.parameters = (
+            task["inputs"],
+            task["outputs"],
+            task["parameters"],
+        )
         self.rows = []
 
     def row(self, values):
