@@ -26,7 +26,8 @@ pub struct Parameters {
     pub profile: Profile,
     /// Coefficient of friction μ, in [0, 1e9].
     pub friction_coefficient: f64,
-    /// Wear coefficient k of eq. (18), in [0, 1e30]; 0 computes no wear.
+    /// Wear coefficient k of eq. (18), in [0, 1e30]; 0 computes no wear, and is the only value for
+    /// [`Profile::Ellipse`].
     pub wear_coefficient: f64,
     /// Hardness σ₀ of the worn body, Pa, in [1e-30, 1e30].
     pub hardness: f64,
@@ -98,6 +99,15 @@ impl Parameters {
             ("tolerance", self.tolerance, range::TOLERANCE, "the relative tolerance lies in 1e-12 to 0.1"),
         ] {
             range::parameter(name, value, &range, requirement)?;
+        }
+        if matches!(self.profile, Profile::Ellipse { .. }) && self.wear_coefficient > 0.0 {
+            let requirement = "profile = ellipse has no worn shape: set wear_coefficient = 0; the worn volume is \
+                               dissipated_energy times the wear coefficient over the hardness";
+            return Err(Error::Parameter {
+                name: "wear_coefficient",
+                value: self.wear_coefficient,
+                requirement,
+            });
         }
         let held = self.rig_stiffness >= Self::LEAST_RIG_STIFFNESS;
         if !held {

@@ -4,12 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the bottom up. A module uses itself and modules before it.
-const LAYERS: [&str; 15] = [
+const LAYERS: [&str; 16] = [
     "quadrature",
     "counters",
     "error",
     "range",
     "material",
+    "ellipse",
     "transform",
     "profile",
     "parameters",

@@ -118,12 +118,14 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
     };
     let (none, slow, fast) = (ball(0.0), ball(coefficient(SLOW)), ball(coefficient(FAST)));
     let table = Parameters { profile: table()?, ..none.clone() };
+    let ellipse =
+        Parameters { profile: Profile::Ellipse { radius_x: 0.02, radius_y: 0.005 }, ..none.clone() };
     let stick = Drive::Cycles { amplitude: 1e-12, swing: 0.0 };
     let partial = Drive::Cycles { amplitude: 0.6, swing: 0.0 };
     let gross = Drive::Cycles { amplitude: 2.0, swing: 0.0 };
     let swings = Drive::Cycles { amplitude: 0.6, swing: 0.3 };
     let one = Drive::InOneCall { amplitude: 0.6 };
-    let list: [(&'static str, &Parameters, Drive, Reads, &'static [Work]); 26] = [
+    let list: [(&'static str, &Parameters, Drive, Reads, &'static [Work]); 27] = [
         ("nothing moves", &none, Drive::Still, Reads::Nothing, NOTHING),
         ("bodies apart", &none, Drive::Apart, Reads::Nothing, SAME_LOAD),
         ("full stick", &none, stick, Reads::Nothing, SAME_LOAD),
@@ -132,6 +134,7 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
         ("partial slip, pressure read", &none, partial, Reads::Pressure, &SAME_LOAD[..5]),
         ("partial slip, depth held", &held(0.0), partial, Reads::Nothing, SAME_LOAD),
         ("partial slip, table of 1e4 points", &table, partial, Reads::Nothing, SAME_LOAD),
+        ("partial slip, ellipse", &ellipse, partial, Reads::Nothing, SAME_LOAD),
         ("gross slip", &none, gross, Reads::Nothing, SAME_LOAD),
         ("load varies", &none, swings, Reads::Nothing, NO_WEAR),
         ("depth varies", &held(0.0), swings, Reads::Nothing, NO_WEAR),

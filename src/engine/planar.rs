@@ -174,7 +174,7 @@ impl FrettingContact {
     /// Takes the row of knots over into one of vectors, after what the line so far has worn has been taken off.
     fn enter_plane(&mut self) -> Result<(), Error> {
         self.absorb_backlog()?;
-        let y = self.displacement_y;
+        let [_, y] = self.axes.for_springs(self.place());
         let row = PlanarRow::of_line(&self.springs, &self.surface, y, self.samples());
         self.springs = Springs::default();
         let direction = [if self.direction < 0.0 { -1.0 } else { 1.0 }, 0.0];
@@ -195,8 +195,9 @@ impl FrettingContact {
             bound_slope: self.bound_slope,
             from: self.contact,
             to,
-            start: self.place(),
-            end: place,
+            stiffness_ratio: self.axes.stiffness_ratio,
+            start: self.axes.for_springs(self.place()),
+            end: self.axes.for_springs(place),
             samples: self.samples(),
         }
     }

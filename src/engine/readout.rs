@@ -37,14 +37,21 @@ impl FrettingContact {
         self.contact.depth
     }
 
-    /// Contact radius a, m.
+    /// Contact radius a, m. Of an ellipse with the semi-axes [`Self::contact_semi_axes`] it is
+    /// √(a b), the radius of the circle of the same area.
     pub fn contact_radius(&self) -> f64 {
-        self.contact.radius
+        self.axes.size * self.contact.radius
     }
 
     /// Stick radius c, m: inner edge of the outer annulus in which all springs are at their friction bound on one
-    /// side; 0 in gross slip, a in full stick.
+    /// side; 0 in gross slip, a in full stick. In an ellipse the stick region has the shape of the
+    /// contact, and this is the radius of the circle of its area.
     pub fn stick_radius(&self) -> f64 {
+        self.axes.size * self.stick_edge()
+    }
+
+    /// The stick radius of the equivalent sphere, m.
+    fn stick_edge(&self) -> f64 {
         if let Some(standing) = self.standing() {
             return standing.stick_radius();
         }
@@ -80,7 +87,7 @@ impl FrettingContact {
 
     /// Stick, partial slip, gross slip or separated.
     pub fn slip_state(&self) -> SlipState {
-        let stick = self.stick_radius();
+        let stick = self.stick_edge();
         if self.contact.is_open() {
             SlipState::Separated
         } else if stick <= 0.0 {
@@ -93,18 +100,23 @@ impl FrettingContact {
     }
 
     /// 64 radii from the axis to the outermost radius that has ever been in contact, m.
+    ///
+    /// In an ellipse a radius r stands for the points of the ellipse of the shape of the contact
+    /// whose area is π r²: the pressure is the same at all of them, and so is the traction.
     pub fn probe_radii(&self) -> [f64; PROBES] {
-        std::array::from_fn(|i| self.reach * i as f64 / (PROBES - 1) as f64)
+        let reach = self.axes.size * self.reach;
+        std::array::from_fn(|i| reach * i as f64 / (PROBES - 1) as f64)
     }
 
-    /// Height f of the unworn profile at radius r, m.
+    /// Height f of the unworn profile at radius r, m; for an ellipse that of its equivalent sphere.
     pub fn unworn_height_at(&self, r: f64) -> f64 {
-        self.surface.profile().height(r)
+        self.surface.profile().height(self.axes.inner(r))
     }
 
-    /// 1-D image g of the profile at x, m, as the contact sees it now.
+    /// 1-D image g of the profile at x, m, as the contact sees it now; for an ellipse that of its
+    /// equivalent sphere.
     pub fn image_at(&self, x: f64) -> f64 {
-        self.surface.image(x)
+        self.surface.image(self.axes.inner(x))
     }
 
     /// Worn depth w at radius r, m.
@@ -152,7 +164,7 @@ impl FrettingContact {
 
     /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn cone or flat.
     pub fn pressure_at(&self, r: f64) -> f64 {
-        self.pressure_in(&self.contact, r)
+        self.axes.stress(self.pressure_in(&self.contact, self.axes.inner(r)))
     }
 
     fn pressure_in(&self, contact: &Contact, r: f64) -> f64 {
@@ -170,7 +182,7 @@ impl FrettingContact {
         if let Some(traction) = self.traction_in_plane(r) {
             return traction[0];
         }
-        let a = self.contact.radius;
+        let (a, r) = (self.contact.radius, self.axes.inner(r));
         if r >= a {
             return 0.0;
         }
@@ -193,7 +205,7 @@ impl FrettingContact {
         {
             sum += (self.displacement - edge.origin) / transform::leg(a, r);
         }
-        self.constants.tangential_modulus / PI * sum
+        self.axes.stress(self.constants.tangential_modulus / PI * sum)
     }
 
     /// ∫ from r to a of g' dx/√(x² − r²) of the present image.
@@ -227,6 +239,7 @@ impl FrettingContact {
         let even = (0..n).map(|i| a * (i as f64 + 0.5) / n as f64);
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
         let radii = std::iter::once(0.0).chain(even).chain(nodes.iter().copied());
-        radii.map(|r| self.pressure_in(contact, r)).filter(|p| p.is_finite()).fold(0.0, f64::max)
+        let most = radii.map(|r| self.pressure_in(contact, r)).filter(|p| p.is_finite()).fold(0.0, f64::max);
+        self.axes.stress(most)
     }
 }

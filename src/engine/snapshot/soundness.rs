@@ -152,7 +152,7 @@ impl Snapshot {
         target: &FrettingContact,
     ) -> bool {
         let Contact { depth, radius, .. } = self.contact;
-        let place = [self.displacement, self.displacement_y];
+        let place = target.axes.for_springs([self.displacement, self.displacement_y]);
         let knots = planar.row.knots();
         let slack = CLOSE * (target.bound_slope * depth.abs() + place[0].abs() + place[1].abs());
         let within = |knot: &PlanarKnot| {
