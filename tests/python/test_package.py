@@ -34,7 +34,7 @@ OUTPUTS = {
     "slip_state",
 }
 ENUMERATIONS = {
-    "profile": ["parabola", "cone", "power_law", "blunted_sphere", "rounded_punch", "flat_punch", "table"],
+    "profile": ["parabola", "cone", "power_law", "blunted_sphere", "rounded_punch", "flat_punch", "table", "ellipse"],
     "normal_control": ["force", "indentation"],
     "loading": ["transient", "cyclic"],
     "slip_state": ["separated", "stick", "partial_slip", "gross_slip"],
