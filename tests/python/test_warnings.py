@@ -10,6 +10,7 @@ PYTHON = ROOT / "examples" / "python"
 EXAMPLES = [
     "blade_root.py",
     "calibrate.py",
+    "groove.py",
     "joint.py",
     "loop.py",
     "noisy_displacement.py",
