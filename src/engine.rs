@@ -3,6 +3,7 @@
 //! Data flows one way: load → normal contact (`surface`) → springs (`friction`) → work → wear
 //! (`wear`) → surface. Fields are made only when something reads them.
 
+mod axes;
 mod backlog;
 mod bounds;
 mod coating;
@@ -21,6 +22,8 @@ mod steady;
 mod stroke;
 mod undo;
 
+use axes::Axes;
+
 pub use crate::counters::Counters;
 pub use derivatives::Gradient;
 pub use snapshot::Snapshot;
@@ -28,6 +31,7 @@ pub use snapshot::Snapshot;
 use crate::error::Error;
 use crate::friction::{SlipPiece, Springs};
 use crate::parameters::{NormalControl, Parameters};
+use crate::profile::Profile;
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface, TransformCache};
 use crate::wear::{Constants, Sliding, UnitMesh, WearBacklog};
@@ -49,7 +53,7 @@ pub enum SlipState {
     GrossSlip,
 }
 
-/// A fretting contact of a body of revolution on a half-space.
+/// A fretting contact of a body of revolution on a half-space, or an elliptic one.
 ///
 /// Built from [`Parameters`], apart at first; then driven by [`Self::advance_to`] (transient) or
 /// [`Self::advance_cycles`] (cyclic) and read through accessors. SI units throughout. A call that returns an error has
@@ -75,6 +79,7 @@ pub struct FrettingContact {
     start_slope: f64,
     /// 1/k_rig, m/N; 0 where the contact is driven directly.
     compliance: f64,
+    axes: Axes,
     surface: Surface,
     contact: Contact,
     springs: Springs,
@@ -139,14 +144,24 @@ impl FrettingContact {
     /// [`Error::Parameter`] or [`Error::ProfileTable`] for parameters outside their range.
     pub fn new(parameters: Parameters) -> Result<Self, Error> {
         parameters.validate()?;
+        let materials = &parameters.materials;
+        // along x
+        let (body, axes, tangential_modulus) = match parameters.profile.ellipse()? {
+            None => (parameters.profile.clone(), Axes::CIRCLE, materials.tangential_modulus()),
+            Some(ellipse) => (
+                Profile::Parabola { radius: ellipse.equivalent_radius() },
+                Axes::new(&ellipse, materials),
+                ellipse.tangential_moduli(materials)[0],
+            ),
+        };
         let constants = Constants {
-            normal_modulus: parameters.materials.normal_modulus(),
-            tangential_modulus: parameters.materials.tangential_modulus(),
+            normal_modulus: materials.normal_modulus(),
+            tangential_modulus,
             friction_coefficient: parameters.friction_coefficient,
             wear_per_work: parameters.wear_per_work(),
             force_control: parameters.normal_control == NormalControl::Force,
         };
-        let surface = Surface::new(parameters.profile.clone());
+        let surface = Surface::new(body);
         let touch = surface.tip();
         let control = if constants.force_control { 0.0 } else { touch };
         let wear = (constants.wear_per_work > 0.0 && constants.friction_coefficient > 0.0)
@@ -157,6 +172,7 @@ impl FrettingContact {
             compliance: parameters.rig_compliance(),
             parameters: Arc::new(parameters),
             constants,
+            axes,
             surface,
             contact: Contact { control, depth: touch, radius: 0.0, load: 0.0 },
             springs: Springs::default(),

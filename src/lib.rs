@@ -27,11 +27,13 @@
 //! those of the former.
 //!
 //! # Limits of validity
-//! Bodies of revolution, half-spaces, small slopes; one contact disc; elastic similarity (other
+//! Bodies of revolution, or elliptic contacts without wear ([`ellipse`]); half-spaces, small
+//! slopes; one contact disc; elastic similarity (other
 //! pairs are computed as if they were similar, [`material::Pair::similarity_defect`] gives the
 //! deviation); no debris, no temperature, no rate effects.
 
 mod counters;
+pub mod ellipse;
 pub mod engine;
 pub mod error;
 #[cfg(feature = "fmi2")]
@@ -49,6 +51,7 @@ mod surface;
 pub mod transform;
 mod wear;
 
+pub use ellipse::HertzianEllipse;
 pub use engine::{Counters, FrettingContact, Gradient, SlipState, Snapshot};
 pub use error::Error;
 pub use material::{Elastic, Pair};

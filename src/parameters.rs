@@ -35,7 +35,8 @@ pub struct Parameters {
     /// constant.
     #[serde(default)]
     pub running_in_energy: f64,
-    /// Wear coefficient k of body 1, eq. (18), in [0, 1e30]; 0 where body 1 does not wear.
+    /// Wear coefficient k of body 1, eq. (18), in [0, 1e30]; 0 where body 1 does not wear,
+    /// as always under [`Profile::Ellipse`].
     pub wear_coefficient: f64,
     /// Hardness σ₀ of body 1, Pa, in [1e-30, 1e30].
     pub hardness: f64,
@@ -149,6 +150,7 @@ impl Parameters {
         ] {
             range::parameter(name, value, &range, requirement)?;
         }
+        self.validate_ellipse()?;
         self.validate_running_in()?;
         self.validate_body_2()?;
         for (name, value, requirement) in [
@@ -196,6 +198,22 @@ impl Parameters {
                 if value == 0.0 {
                     return Err(Error::Parameter { name, value, requirement });
                 }
+            }
+        }
+        Ok(())
+    }
+
+    fn validate_ellipse(&self) -> Result<(), Error> {
+        if !matches!(self.profile, Profile::Ellipse { .. }) {
+            return Ok(());
+        }
+        for (name, value) in
+            [("wear_coefficient", self.wear_coefficient), ("wear_coefficient_2", self.wear_coefficient_2)]
+        {
+            if value > 0.0 {
+                let requirement = "profile = ellipse has no worn shape: set wear coefficients of 0; the worn volume is \
+                                   dissipated_energy times the wear coefficient over the hardness";
+                return Err(Error::Parameter { name, value, requirement });
             }
         }
         Ok(())

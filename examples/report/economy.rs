@@ -128,12 +128,14 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
     };
     let coated = |one| with(one, |p| p.coating_thickness = 1.0);
     let fixed = |one| with(one, |p| p.probe_radius_max = 3e-4);
+    let mut ellipse = none.clone();
+    ellipse.parameters.profile = Profile::Ellipse { radius_x: 0.02, radius_y: 0.005 };
     let stick = Drive::Cycles { amplitude: 1e-12, swing: 0.0 };
     let partial = Drive::Cycles { amplitude: 0.6, swing: 0.0 };
     let gross = Drive::Cycles { amplitude: 2.0, swing: 0.0 };
     let swings = Drive::Cycles { amplitude: 0.6, swing: 0.3 };
     let one = Drive::InOneCall { amplitude: 0.6 };
-    let list: [(&'static str, &Problem, Drive, Reads, &'static [Work]); 33] = [
+    let list: [(&'static str, &Problem, Drive, Reads, &'static [Work]); 34] = [
         ("nothing moves", &none, Drive::Still, Reads::Nothing, NOTHING),
         ("bodies apart", &none, Drive::Apart, Reads::Nothing, SAME_LOAD),
         ("full stick", &none, stick, Reads::Nothing, SAME_LOAD),
@@ -142,6 +144,7 @@ pub(crate) fn scenes() -> Result<Vec<Scene>, Error> {
         ("partial slip, pressure read", &none, partial, Reads::Pressure, &SAME_LOAD[..5]),
         ("partial slip, depth held", &held_none, partial, Reads::Nothing, SAME_LOAD),
         ("partial slip, table of 1e4 points", &table, partial, Reads::Nothing, SAME_LOAD),
+        ("partial slip, ellipse", &ellipse, partial, Reads::Nothing, SAME_LOAD),
         ("gross slip", &none, gross, Reads::Nothing, SAME_LOAD),
         ("load varies", &none, swings, Reads::Nothing, NO_WEAR),
         ("depth varies", &held_none, swings, Reads::Nothing, NO_WEAR),

@@ -126,12 +126,18 @@ impl FrettingContact {
         if radius >= self.surface.profile().outer_radius() {
             return Gradient::default();
         }
-        self.gradient(1.0 / self.surface.image_slope(radius), 0.0)
+        self.gradient(self.axes.size / self.surface.image_slope(radius), 0.0)
+    }
+
+    /// Of the two [`Self::contact_semi_axes`].
+    pub fn contact_semi_axes_gradient(&self) -> [Gradient; 2] {
+        let factors = self.axes.per_contact_radius();
+        factors.map(|factor| self.contact_radius_gradient().times(factor))
     }
 
     /// Of [`Self::normal_stiffness`].
     pub fn normal_stiffness_gradient(&self) -> Gradient {
-        self.contact_radius_gradient().times(self.force_scale())
+        self.contact_radius_gradient().times(self.force_scale() / self.axes.size)
     }
 
     /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`] k or, behind a rig,
@@ -169,7 +175,7 @@ impl FrettingContact {
         let origin_slope = if rise > 0.0 { (outer.origin - inner.origin) / rise } else { 0.0 };
         let per_bound = 1.0
             / (self.surface.image_slope(stick * (1.0 - INSIDE)) * (self.bound_slope - side * origin_slope));
-        self.gradient(self.bound_slope * per_bound, -side * per_bound)
+        self.gradient(self.bound_slope * per_bound, -side * per_bound).times(self.axes.size)
     }
 
     /// Of [`Self::tangential_stiffness`].
@@ -177,7 +183,7 @@ impl FrettingContact {
         if let Some(gradient) = self.stiffness_gradient_in_plane() {
             return gradient;
         }
-        self.stick_radius_gradient().times(2.0 * self.constants.tangential_modulus)
+        self.stick_radius_gradient().times(2.0 * self.constants.tangential_modulus / self.axes.size)
     }
 
     /// Of [`Self::dissipated_energy`].

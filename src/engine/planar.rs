@@ -185,7 +185,7 @@ impl FrettingContact {
         if self.direction == 0.0 {
             self.begin_stroke();
         }
-        let y = self.displacement_y;
+        let [_, y] = self.axes.for_springs(self.place());
         let row = PlanarRow::of_line(&self.springs, &self.surface, y, self.samples());
         self.springs = Springs::default();
         let direction = [if self.direction < 0.0 { -1.0 } else { 1.0 }, 0.0];
@@ -207,8 +207,9 @@ impl FrettingContact {
             start_slope: self.start_slope,
             from: self.contact,
             to,
-            start: self.place(),
-            end: place,
+            stiffness_ratio: self.axes.stiffness_ratio,
+            start: self.axes.for_springs(self.place()),
+            end: self.axes.for_springs(place),
             samples: self.samples(),
         }
     }

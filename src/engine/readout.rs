@@ -37,14 +37,21 @@ impl FrettingContact {
         self.contact.depth
     }
 
-    /// Contact radius a, m.
+    /// Contact radius a, m. Of an ellipse with the semi-axes [`Self::contact_semi_axes`] it is
+    /// √(a b), the radius of the circle of the same area.
     pub fn contact_radius(&self) -> f64 {
-        self.contact.radius
+        self.axes.size * self.contact.radius
     }
 
     /// Stick radius c, m: inner edge of the outer annulus in which all springs are at their friction bound on one
-    /// side; 0 in gross slip, a in full stick.
+    /// side; 0 in gross slip, a in full stick. In an ellipse the stick region has the shape of the
+    /// contact, and this is the radius of the circle of its area.
     pub fn stick_radius(&self) -> f64 {
+        self.axes.size * self.stick_edge()
+    }
+
+    /// The stick radius of the equivalent sphere, m.
+    fn stick_edge(&self) -> f64 {
         if let Some(standing) = self.standing() {
             return standing.stick_radius();
         }
@@ -88,7 +95,7 @@ impl FrettingContact {
 
     /// Stick, partial slip, gross slip or separated.
     pub fn slip_state(&self) -> SlipState {
-        let stick = self.stick_radius();
+        let stick = self.stick_edge();
         if self.contact.is_open() {
             SlipState::Separated
         } else if stick <= 0.0 {
@@ -102,23 +109,26 @@ impl FrettingContact {
 
     /// 64 radii from the axis to [`crate::Parameters::probe_radius_max`], m; where that is 0, to the
     /// outermost radius that has ever been in contact. None lies beyond the end of the body.
+    ///
+    /// In an ellipse a radius r stands for the points of the ellipse of the shape of the contact
+    /// whose area is π r²: the pressure is the same at all of them, and so is the traction.
     pub fn probe_radii(&self) -> [f64; PROBES] {
         let fixed = self.parameters.probe_radius_max.min(self.surface.profile().outer_radius());
-        Self::radii_up_to(if fixed > 0.0 { fixed } else { self.reach })
+        Self::radii_up_to(if fixed > 0.0 { fixed } else { self.axes.size * self.reach })
     }
 
     /// 64 radii over all that has ever been in contact, m.
     pub(super) fn reached_radii(&self) -> [f64; PROBES] {
-        Self::radii_up_to(self.reach)
+        Self::radii_up_to(self.axes.size * self.reach)
     }
 
     fn radii_up_to(outer: f64) -> [f64; PROBES] {
         std::array::from_fn(|i| outer * i as f64 / (PROBES - 1) as f64)
     }
 
-    /// Height f of the unworn profile at radius r, m.
+    /// Height f of the unworn profile at radius r, m; for an ellipse that of its equivalent sphere.
     pub fn unworn_height_at(&self, r: f64) -> f64 {
-        self.surface.profile().height(r)
+        self.surface.profile().height(self.axes.inner(r))
     }
 
     /// Height f of the worn profile at radius r, m: the unworn profile and the worn depth of both
@@ -135,9 +145,10 @@ impl FrettingContact {
         known.then(|| self.worn_depth_at(r) / self.constants.wear_per_work)
     }
 
-    /// 1-D image g of the profile at x, m, as the contact sees it now.
+    /// 1-D image g of the profile at x, m, as the contact sees it now; for an ellipse that of its
+    /// equivalent sphere.
     pub fn image_at(&self, x: f64) -> f64 {
-        self.surface.image(x)
+        self.surface.image(self.axes.inner(x))
     }
 
     /// Worn depth w at radius r, the sum of both bodies, m.
@@ -185,7 +196,7 @@ impl FrettingContact {
 
     /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn cone or flat.
     pub fn pressure_at(&self, r: f64) -> f64 {
-        self.pressure_in(&self.contact, r)
+        self.axes.stress(self.pressure_in(&self.contact, self.axes.inner(r)))
     }
 
     fn pressure_in(&self, contact: &Contact, r: f64) -> f64 {
@@ -203,7 +214,7 @@ impl FrettingContact {
         if let Some(traction) = self.traction_in_plane(r) {
             return traction[0];
         }
-        let a = self.contact.radius;
+        let (a, r) = (self.contact.radius, self.axes.inner(r));
         if r >= a {
             return 0.0;
         }
@@ -226,7 +237,7 @@ impl FrettingContact {
         {
             sum += (self.displacement - edge.origin) / transform::leg(a, r);
         }
-        self.constants.tangential_modulus / PI * sum
+        self.axes.stress(self.constants.tangential_modulus / PI * sum)
     }
 
     /// ∫ from r to a of g' dx/√(x² − r²) of the present image.
@@ -260,6 +271,7 @@ impl FrettingContact {
         let even = (0..n).map(|i| a * (i as f64 + 0.5) / n as f64);
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
         let radii = std::iter::once(0.0).chain(even).chain(nodes.iter().copied());
-        radii.map(|r| self.pressure_in(contact, r)).filter(|p| p.is_finite()).fold(0.0, f64::max)
+        let most = radii.map(|r| self.pressure_in(contact, r)).filter(|p| p.is_finite()).fold(0.0, f64::max);
+        self.axes.stress(most)
     }
 }

@@ -9,7 +9,7 @@
 
 use super::FrettingContact;
 use crate::friction::Vector;
-use crate::quadrature::GAUSS;
+use crate::quadrature::GAUSS_3;
 use crate::surface::Surface;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
@@ -80,7 +80,7 @@ impl Stroke {
 impl FrettingContact {
     /// A stroke begins where the body stands.
     pub(super) fn begin_stroke(&mut self) {
-        let (place, depth) = ([self.displacement, self.displacement_y], self.contact.depth);
+        let (place, depth) = (self.axes.for_springs(self.place()), self.contact.depth);
         let start = self.stroke.next();
         (start.place, start.depth) = (place, depth);
         match &self.planar {
@@ -93,7 +93,7 @@ impl FrettingContact {
 
     /// Steady cycles are told by their first quarter, from relaxed springs at displacement 0.
     pub(super) fn begin_quarter(&mut self) {
-        let (place, depth) = ([0.0, self.displacement_y], self.contact.depth);
+        let (place, depth) = (self.axes.for_springs([0.0, self.displacement_y]), self.contact.depth);
         let start = self.stroke.next();
         (start.place, start.depth) = (place, depth);
     }
@@ -107,10 +107,11 @@ impl FrettingContact {
     /// now. Springs that came into contact during the stroke are taken to have touched along a
     /// straight line of depth and displacement.
     pub fn slip_amplitude_at(&self, r: f64) -> f64 {
+        let r = self.axes.inner(r);
         if self.contact.is_open() || r > self.contact.radius {
             return 0.0;
         }
-        let place_y = self.displacement_y;
+        let [_, place_y] = self.axes.for_springs(self.place());
         let now: Vec<(f64, Vector)> = match &self.planar {
             Some(planar) => planar.row.knots().iter().map(|k| (k.place.x, k.origin)).collect(),
             None => self.springs.knots().iter().map(|k| (k.place.x, [k.origin, place_y])).collect(),
@@ -134,19 +135,19 @@ impl FrettingContact {
             for k in 0..panels as u32 {
                 let half = 0.5 * (pair[1] - pair[0]) / panels;
                 let middle = pair[0] + f64::from(2 * k + 1) * half;
-                for (node, weight) in GAUSS {
+                for (node, weight) in GAUSS_3 {
                     let slip = slip(r * (middle + half * node).sin());
                     sum = [0, 1].map(|i| sum[i] + weight * half * slip[i]);
                 }
             }
         }
-        FRAC_2_PI * sum[0].hypot(sum[1])
+        FRAC_2_PI * sum[0].hypot(sum[1] / self.axes.stiffness_ratio)
     }
 
     /// Origin of a spring that was not in contact when the stroke began, or of a relaxed one.
     fn touched_at(&self, image: f64) -> Vector {
         let start = &self.stroke.start;
-        let (place, rise) = ([self.displacement, self.displacement_y], self.contact.depth - start.depth);
+        let (place, rise) = (self.axes.for_springs(self.place()), self.contact.depth - start.depth);
         let share = if rise > 0.0 { ((image - start.depth) / rise).clamp(0.0, 1.0) } else { 0.0 };
         [0, 1].map(|i| start.place[i] + share * (place[i] - start.place[i]))
     }

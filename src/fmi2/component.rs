@@ -178,6 +178,7 @@ impl Component {
             Profile::Table(table) => table.subtracted_height(),
             _ => 0.0,
         };
+        let [along_x, along_y] = contact.tangential_moduli();
         self.state = State::StepComplete;
         if subtracted != 0.0 {
             self.event(&format!(
@@ -185,9 +186,8 @@ impl Component {
             ));
         }
         self.event(&format!(
-            "initialized with E* = {:e} Pa and G* = {:e} Pa",
+            "initialized with E* = {:e} Pa and G* = {along_x:e} Pa along x, {along_y:e} Pa along y",
             materials.normal_modulus(),
-            materials.tangential_modulus()
         ));
         let defect = materials.similarity_defect();
         if defect > SIMILAR {

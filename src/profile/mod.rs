@@ -21,11 +21,13 @@ mod text;
 pub use table::ProfileTable;
 pub use text::LengthUnit;
 
+use crate::ellipse::HertzianEllipse;
 use crate::error::Error;
 use crate::quadrature;
 use crate::range;
 use crate::transform::leg;
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// Shape of the unworn body 1, a body of revolution, as height above its tip.
@@ -70,6 +72,15 @@ pub enum Profile {
     },
     /// Tabulated heights.
     Table(ProfileTable),
+    /// No body of revolution: f = x²/(2 R_x) + y²/(2 R_y), whose contact is an ellipse. What the
+    /// methods below give is that of the equivalent sphere, see [`crate::ellipse`]. Without wear.
+    Ellipse {
+        /// Relative radius of curvature R_x of both bodies in the plane xz, m: 1/R = 1/R₁ + 1/R₂.
+        radius_x: f64,
+        /// That in the plane yz, R_y, m. The longer axis of the contact lies along the larger
+        /// radius.
+        radius_y: f64,
+    },
 }
 
 /// κₙ = √π Γ(n/2 + 1)/Γ((n + 1)/2), the factor between A rⁿ and its image.
@@ -109,6 +120,27 @@ impl Profile {
             }
             Self::FlatPunch { flat_radius } => length("flat_radius", flat_radius),
             Self::Table(_) => Ok(()),
+            Self::Ellipse { .. } => self.ellipse().map(|_| ()),
+        }
+    }
+
+    /// The ellipse of bodies that are no bodies of revolution.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] for radii outside their range.
+    pub fn ellipse(&self) -> Result<Option<HertzianEllipse>, Error> {
+        match *self {
+            Self::Ellipse { radius_x, radius_y } => HertzianEllipse::new(radius_x, radius_y).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    /// The equivalent sphere of an [`Self::Ellipse`]; any other shape itself.
+    fn of_revolution(&self) -> Cow<'_, Self> {
+        match self.ellipse() {
+            Ok(None) => Cow::Borrowed(self),
+            Ok(Some(ellipse)) => Cow::Owned(Self::Parabola { radius: ellipse.equivalent_radius() }),
+            Err(_) => Cow::Owned(Self::Parabola { radius: f64::NAN }),
         }
     }
 
@@ -150,6 +182,7 @@ impl Profile {
                 }
             }
             Self::Table(table) => table.height(r),
+            Self::Ellipse { .. } => self.of_revolution().height(r),
         }
     }
 
@@ -171,6 +204,7 @@ impl Profile {
                 }
             }
             Self::Table(table) => table.image(x),
+            Self::Ellipse { .. } => self.of_revolution().image(x),
         }
     }
 
@@ -192,6 +226,7 @@ impl Profile {
             Self::RoundedPunch { radius, flat_radius } => rounded::image_slope(x, *radius, *flat_radius),
             Self::FlatPunch { .. } => 0.0,
             Self::Table(table) => table.image_slope(x),
+            Self::Ellipse { .. } => self.of_revolution().image_slope(x),
         }
     }
 
@@ -207,6 +242,7 @@ impl Profile {
             Self::RoundedPunch { radius, flat_radius } => rounded::load_integral(x, *radius, *flat_radius),
             Self::FlatPunch { .. } => 0.0,
             Self::Table(table) => table.load_integral(x),
+            Self::Ellipse { .. } => self.of_revolution().load_integral(x),
         }
     }
 
@@ -225,6 +261,7 @@ impl Profile {
             Self::RoundedPunch { radius, flat_radius } => rounded::square_integral(x, *radius, *flat_radius),
             Self::FlatPunch { .. } => 0.0,
             Self::Table(table) => table.square_integral(x),
+            Self::Ellipse { .. } => self.of_revolution().square_integral(x),
         }
     }
 
@@ -272,6 +309,7 @@ impl Profile {
             }
             Self::FlatPunch { .. } => 0.0,
             Self::Table(table) => table.pressure_integral(r, a),
+            Self::Ellipse { .. } => self.of_revolution().pressure_integral(r, a),
         }
     }
 

@@ -20,12 +20,16 @@
 //! | [`shape`] | profiles and images | Sneddon 1965; Popov and Heß, *Method of Dimensionality Reduction* |
 //! | [`normal`] | d, a, F_N, p for each profile | Hertz 1882; Sneddon 1965 |
 //! | [`tangential`] | T(U), stick radius, traction, slip, loop work | Cattaneo 1938; Mindlin 1949; Jäger 1995; Ciavarella 1998 |
+//! | [`ellipse`] | the contact ellipse and its two tangential moduli | Hertz 1882; Cattaneo 1938; Johnson 1985 |
 //! | [`wear`] | final state at constant depth, gross slip, seed cycles | Popov 2014; Dimaki et al. 2014 |
 //! | [`wear_tables`] | histories without a closed form, as data | Dimaki et al. 2014 for the scenes |
 //! | [`springs`] | the image as a row of springs, stepped | Dimaki et al. 2014, eq. (13) |
+//! | [`anisotropic_springs`] | springs that are stiffer along one axis, in the plane | Coulomb's law |
 //! | [`wearing_springs`] | the same row with wear, explicitly stepped | Dimaki et al. 2014, eqs. (12)–(18) |
 //! | [`quadrature`], [`root`] | what the formulas need where no antiderivative exists | Takahasi and Mori 1974 |
 
+pub mod anisotropic_springs;
+pub mod ellipse;
 pub mod normal;
 pub mod quadrature;
 pub mod root;
@@ -36,6 +40,8 @@ pub mod wear;
 pub mod wear_tables;
 pub mod wearing_springs;
 
+pub use anisotropic_springs::AnisotropicRow;
+pub use ellipse::EllipticContact;
 pub use normal::NormalContact;
 pub use shape::Shape;
 pub use springs::PlainSpringRow;

@@ -4,13 +4,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the bottom up. A module uses itself and modules before it.
-const LAYERS: [&str; 16] = [
+const LAYERS: [&str; 17] = [
     "quadrature",
     "roots",
     "counters",
     "error",
     "range",
     "material",
+    "ellipse",
     "transform",
     "profile",
     "parameters",

@@ -44,7 +44,7 @@ pub(crate) fn shape(profile: &Profile) -> Shape {
         Profile::BluntedSphere { radius, flat_radius } => Shape::BluntedSphere { radius, flat_radius },
         Profile::RoundedPunch { radius, flat_radius } => Shape::RoundedPunch { radius, flat_radius },
         Profile::FlatPunch { flat_radius } => Shape::FlatPunch { flat_radius },
-        Profile::Table(_) => panic!("a table has no closed form"),
+        Profile::Table(_) | Profile::Ellipse { .. } => panic!("{profile:?} has no shape of revolution"),
     }
 }
 

@@ -4,6 +4,7 @@
 mod coating;
 mod common;
 mod derivatives;
+mod ellipse;
 mod end_of_the_table;
 mod fields;
 mod invariants;

@@ -69,6 +69,7 @@ fn profiles(size: f64) -> impl Iterator<Item = Profile> {
         Profile::Cone { slope: size.min(1.57) },
         Profile::PowerLaw { exponent: 0.1, coefficient: size },
         Profile::PowerLaw { exponent: 100.0, coefficient: if size < 1.0 { 1e-300 } else { 1e300 } },
+        Profile::Ellipse { radius_x: size, radius_y: if size < 1.0 { 1e5 * size } else { 1e-5 * size } },
     ])
 }
 

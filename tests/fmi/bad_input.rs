@@ -73,7 +73,7 @@ fn numbers_that_are_no_item_or_out_of_range() {
     let fmu = Fmu::new();
     for (name, value, requirement) in [
         ("profile", 0, "1 = parabola"),
-        ("profile", 8, "7 = table"),
+        ("profile", 9, "8 = ellipse"),
         ("normal_control", 3, "2 = indentation"),
         ("loading", -1, "2 = cyclic"),
         ("resolution", 7, "give 8 to 8192"),

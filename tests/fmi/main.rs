@@ -11,6 +11,7 @@ mod counting;
 mod coupling;
 mod derivatives;
 mod early_end;
+mod ellipse;
 mod end_of_the_table;
 mod host;
 mod instantiate;

@@ -101,6 +101,43 @@ def test_coated_connector(fmu_path):
     assert fmu_path.with_name("coated_connector.png").stat().st_size > 10_000
 
 
+def test_groove(fmu_path, tmp_path):
+    """A ball in a groove against Hertz' formulas, with the integrals by the midpoint rule."""
+    picture = tmp_path / "groove.png"
+    text = run(sys.executable, EXAMPLES / "python" / "groove.py", fmu_path, picture)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+    across, along, force, friction = 1 / (1 / 4e-3 - 1 / 4.16e-3), 1 / (1 / 4e-3 + 1 / 20e-3), 100.0, 0.15
+    normal, shear, poisson = 210e9 / (2 * 0.91), 210e9 / 2.6, 0.3
+    phi = (np.arange(20000) + 0.5) * np.pi / 40000
+
+    def integrals(k):
+        weight = np.pi / 40000 / np.sqrt(np.cos(phi) ** 2 + (k * np.sin(phi)) ** 2)
+        return np.sum(weight), np.sum(weight * np.sin(phi) ** 2)
+
+    low, high = 1e-3, 1.0
+    for _ in range(60):
+        k = (low + high) / 2
+        whole, part = integrals(k)
+        low, high = (k, high) if (whole - part) / (k * k * part) > across / along else (low, k)
+    major = (3 * force * part * across / (np.pi * normal)) ** (1 / 3)
+    pressure = 3 * force / (2 * np.pi * k * major**2)
+    depth = pressure / normal * k * major * whole
+    assert numbers(text, "semi-axes")[0] == pytest.approx([major, k * major], rel=1e-4)
+    assert first(text, "largest pressure") == pytest.approx(pressure, rel=1e-4)
+    for title, share in (("across the groove", 1 - part / whole), ("along the groove", part / whole)):
+        modulus = shear / (1 - poisson * share)
+        full = friction * depth * normal / modulus
+        for amplitude, reached, work, *_, volume, _ in numbers(text, title):
+            theta = min(amplitude / full, 1.0)
+            assert reached == pytest.approx(friction * force * (1 - (1 - theta) ** 1.5), rel=1e-3)
+            loop = 4 * theta + 4 * theta * (1 - theta) ** 1.5 - 3.2 * (1 - (1 - theta) ** 2.5)
+            expected = friction * force * full * loop
+            if amplitude > full:
+                expected = 4 * friction * force * (amplitude - 0.8 * full)
+            assert work == pytest.approx(expected, rel=1e-3)
+            assert volume == pytest.approx(1e5 * 4e-14 * expected, rel=1e-3)
+
+
 def test_oscillator(fmu_path):
     pytest.importorskip("pathsim_fmi", reason="PathSim and its FMI toolbox are not installed")
     text = run_python("oscillator.py", fmu_path)

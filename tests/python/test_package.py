@@ -42,6 +42,7 @@ ENUMERATIONS = {
         "rounded_punch",
         "flat_punch",
         "table",
+        "ellipse",
     ],
     "normal_control": ["force", "indentation"],
     "loading": ["transient", "cyclic"],

@@ -11,6 +11,7 @@ EXAMPLES = [
     "blade_root.py",
     "calibrate.py",
     "coated_connector.py",
+    "groove.py",
     "joint.py",
     "loop.py",
     "noisy_displacement.py",

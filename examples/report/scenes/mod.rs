@@ -1,5 +1,6 @@
 //! Stiff and extreme scenes.
 
+mod ellipse;
 mod limits;
 mod loads;
 mod materials;
@@ -55,6 +56,7 @@ pub(crate) fn all() -> Vec<Scene> {
     steps::fineness(&mut add);
     plane::plane(&mut add);
     rig::rig(&mut add);
+    ellipse::ellipse(&mut add);
     scenes
 }
 

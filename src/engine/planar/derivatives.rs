@@ -17,12 +17,17 @@ impl FrettingContact {
         self.behind_the_rig_in_plane(gradient).times(1.0)
     }
 
+    /// ∂T_y/∂U_y while nothing slips along y, N/m.
+    fn sticking_stiffness_y(&self) -> f64 {
+        2.0 * self.constants.tangential_modulus * self.axes.stiffness_ratio * self.contact.radius
+    }
+
     /// Of [`Self::tangential_force_y`].
     pub fn tangential_force_y_gradient(&self) -> Gradient {
         if let Some(gradient) = self.force_gradient_in_plane(1) {
             return gradient;
         }
-        let stiffness = 2.0 * self.constants.tangential_modulus * self.contact.radius;
+        let stiffness = self.sticking_stiffness_y();
         Gradient { displacement_y: stiffness / (1.0 + self.compliance * stiffness), ..Gradient::default() }
     }
 
@@ -31,7 +36,7 @@ impl FrettingContact {
         if self.planar.is_some() {
             return self.gradient_in_plane(0.0, [0.0, 1.0]);
         }
-        let stiffness = 2.0 * self.constants.tangential_modulus * self.contact.radius;
+        let stiffness = self.sticking_stiffness_y();
         Gradient { displacement_y: 1.0 / (1.0 + self.compliance * stiffness), ..Gradient::default() }
     }
 
@@ -52,14 +57,15 @@ impl FrettingContact {
     }
 
     /// Of the radius at which the springs that stick reach their bound: with r = b − |u| and its slope r' there,
-    /// dc = (**n**·dU − m dd)/r'.
+    /// dc = (K **n**·dU − m dd)/r'.
     pub(in crate::engine) fn stick_gradient_in_plane(&self) -> Option<Gradient> {
         let standing = self.standing()?;
         let Some((fall, pull)) = standing.front_slope(self.direction_in_plane()) else {
             return Some(Gradient::default());
         };
         let per_room = 1.0 / (fall * self.surface.image_slope(standing.stick_radius() * (1.0 - 1e-9)));
-        Some(self.gradient_in_plane(-self.bound_slope * per_room, pull.map(|n| n * per_room)))
+        let gradient = self.gradient_in_plane(-self.bound_slope * per_room, pull.map(|n| n * per_room));
+        Some(gradient.times(self.axes.size))
     }
 
     /// By differences ahead, along each direction the way that the motion goes.
@@ -81,7 +87,8 @@ impl FrettingContact {
                 surface: &self.surface,
                 contact: &to,
                 bound_slope: self.bound_slope,
-                displacement: end,
+                stiffness_ratio: self.axes.stiffness_ratio,
+                displacement: self.axes.for_springs(end),
             };
             let [x, y] = ahead;
             let [[xx, xy], [yx, yy]] = standing.tangent(ahead).stiffness;

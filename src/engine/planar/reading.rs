@@ -26,7 +26,7 @@ impl FrettingContact {
     /// Both components of the force, N, where the body has moved along y.
     pub(in crate::engine) fn force_in_plane(&self) -> Option<Vector> {
         let planar = self.planar.as_ref()?;
-        let integral = planar.row.deflection_integral(self.place());
+        let integral = planar.row.deflection_integral(self.axes.for_springs(self.place()));
         let force = integral.map(|u| 2.0 * self.constants.tangential_modulus * u);
         let limit = self.constants.friction_coefficient * self.normal_reaction();
         let size = force[0].hypot(force[1]);
@@ -41,7 +41,8 @@ impl FrettingContact {
             surface: &self.surface,
             contact: &self.contact,
             bound_slope: self.bound_slope,
-            displacement: self.place(),
+            stiffness_ratio: self.axes.stiffness_ratio,
+            displacement: self.axes.for_springs(self.place()),
         })
     }
 
@@ -67,7 +68,7 @@ impl FrettingContact {
     /// Tangential traction at radius r, Pa: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²) by components.
     pub(in crate::engine) fn traction_in_plane(&self, r: f64) -> Option<Vector> {
         let knots = self.planar.as_ref()?.row.knots();
-        let a = self.contact.radius;
+        let (a, r) = (self.contact.radius, self.axes.inner(r));
         if r >= a {
             return Some([0.0; 2]);
         }
@@ -88,18 +89,21 @@ impl FrettingContact {
         if let Some(edge) = knots.last()
             && a >= self.surface.profile().outer_radius()
         {
-            let place = self.place();
+            let place = self.axes.for_springs(self.place());
             for k in 0..2 {
                 sum[k] += (place[k] - edge.origin[k]) / transform::leg(a, r);
             }
         }
-        Some(sum.map(|part| self.constants.tangential_modulus / PI * part))
+        Some(sum.map(|part| self.axes.stress(self.constants.tangential_modulus / PI * part)))
     }
 
     /// Elastic energy of the springs, J.
     pub(in crate::engine) fn stored_energy(&self) -> f64 {
         let integral = match &self.planar {
-            Some(planar) => planar.row.energy_integral(self.place()),
+            Some(planar) => {
+                let place = self.axes.for_springs(self.place());
+                planar.row.energy_integral(place, self.axes.stiffness_ratio)
+            }
             None => self.springs.energy_integral(self.displacement),
         };
         self.constants.tangential_modulus * integral

@@ -1,4 +1,5 @@
-//! A spring in series with a contact that moves in both tangential directions, as stiff along y as along x.
+//! A spring in series with a contact that moves in both tangential directions. The spring is as
+//! stiff along y as along x.
 //!
 //! Body and drive carry the same force, k_rig (**D** − **U**) = **T**(**U**), where **T** is that at the end of a straight way of the body.
 //! `balance` finds **U** over trial walks by Broyden's method from the contact's own stiffness.
@@ -190,14 +191,16 @@ impl FrettingContact {
         let path = self.planar_path(*to, place);
         let (row, _) = self.walked_in_plane(&path, take(spare), None);
         let modulus = self.compliance * 2.0 * self.constants.tangential_modulus;
-        let force = row.deflection_integral(place);
+        let springs_at = self.axes.for_springs(place);
+        let force = row.deflection_integral(springs_at);
         let ahead = difference(drive, self.drive_place());
         let standing = Standing {
             row: &row,
             surface: &self.surface,
             contact: to,
             bound_slope: self.bound_slope,
-            displacement: place,
+            stiffness_ratio: self.axes.stiffness_ratio,
+            displacement: springs_at,
         };
         let stiffness = standing.tangent(ahead).stiffness;
         let off = [0, 1].map(|k| drive[k] - place[k] - modulus * force[k]);

@@ -158,7 +158,7 @@ impl Snapshot {
         target: &FrettingContact,
     ) -> bool {
         let Contact { depth, radius, .. } = self.contact;
-        let place = [self.displacement, self.displacement_y];
+        let place = target.axes.for_springs([self.displacement, self.displacement_y]);
         let knots = planar.row.knots();
         let slope = target.bound_slope_after(self.work);
         let slack = CLOSE * (slope * depth.abs() + place[0].abs() + place[1].abs());

@@ -22,6 +22,8 @@ const NORMAL: &[&str] = &[
     "flat_radius",
     "profile_file",
     "profile_unit",
+    "radius_x",
+    "radius_y",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -42,6 +44,8 @@ const FRICTION: &[&str] = &[
     "flat_radius",
     "profile_file",
     "profile_unit",
+    "radius_x",
+    "radius_y",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -118,6 +122,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
         ),
         &probes(),
         &running_in(),
+        &ellipse(),
     ];
     let mut table = [parts[0][0]; COUNT];
     let (mut part, mut row) = (0, 0);
@@ -146,7 +151,8 @@ const COUNT: usize = inputs().len()
     + second_body().len()
     + coating().len()
     + probes().len()
-    + running_in().len();
+    + running_in().len()
+    + ellipse().len();
 
 const fn inputs() -> [Variable; 5] {
     [
@@ -192,8 +198,9 @@ const fn outputs() -> [Variable; 12] {
             .about("Normal force that the contact carries"),
         output("indentation_depth", "m", 1e-6, Range::FINITE, NORMAL, indentation)
             .about("Indentation depth of the unworn tip"),
-        output("contact_radius", "m", 1e-4, Range::NOT_NEGATIVE, NORMAL, radius)
-            .about("Radius of the contact"),
+        output("contact_radius", "m", 1e-4, Range::NOT_NEGATIVE, NORMAL, radius).about(
+            "Radius of the contact; of an ellipse sqrt(semi-axis x * semi-axis y), the circle of its area",
+        ),
         output("stick_radius", "m", 1e-4, Range::NOT_NEGATIVE, FRICTION, stick)
             .about("Radius of the sticking part: 0 in gross slip, contact_radius in full stick"),
         output("max_pressure", "Pa", 1e9, Range::NOT_NEGATIVE, NORMAL, pressure)
@@ -393,6 +400,27 @@ const fn probes() -> [Variable; 1] {
         "Outermost radius_probe, so that fields of two times have the same radii; at most the end of the body; 0: the \
          probes follow the contact",
     )]
+}
+
+/// A contact that is no circle.
+const fn ellipse() -> [Variable; 4] {
+    type C = FrettingContact;
+    let length = Range::of(&range::LENGTH);
+    let along_x = follows(|c| C::contact_semi_axes(c)[0], |c| C::contact_semi_axes_gradient(c)[0]);
+    let along_y = follows(|c| C::contact_semi_axes(c)[1], |c| C::contact_semi_axes_gradient(c)[1]);
+    [
+        real("radius_x", "m", length, |s| &mut s.radius_x).shown_in("mm").about(
+            "Relative radius of curvature in the plane xz of profile = ellipse, 1/radius_x = 1/R1 + 1/R2; the longer semi-axis lies along \
+             the larger radius",
+        ),
+        real("radius_y", "m", length, |s| &mut s.radius_y)
+            .shown_in("mm")
+            .about("As radius_x, in the plane yz; the two differ by a factor of 1e6 at most"),
+        output("contact_semi_axis_x", "m", 1e-4, Range::NOT_NEGATIVE, NORMAL, along_x)
+            .about("Semi-axis of the contact along tangential_displacement; contact_radius unless profile = ellipse"),
+        output("contact_semi_axis_y", "m", 1e-4, Range::NOT_NEGATIVE, NORMAL, along_y)
+            .about("Semi-axis of the contact along tangential_displacement_y; contact_radius unless profile = ellipse"),
+    ]
 }
 
 /// The other tangential direction.

@@ -191,7 +191,10 @@ impl PlanarRow {
         }
         let spacing = resting.samples.respaced(self.spacing, new.radius).unwrap_or(self.spacing);
         let Resting { surface, bound_slope, displacement, .. } = *resting;
-        let before = Standing { row: self, surface, contact: old, bound_slope, displacement };
+        // wear, after which this is called, knows bodies of revolution only
+        let stiffness_ratio = 1.0;
+        let before =
+            Standing { row: self, surface, contact: old, bound_slope, stiffness_ratio, displacement };
         let slides = |j: usize| self.knots.get(j).is_none_or(|knot| before.at_bound(knot));
         let mut row = self.laid((surface, true), spacing, new.radius);
         let old_edge = self.knots.last().map_or(0.0, |knot| knot.place.x);

@@ -20,14 +20,16 @@ impl PlanarRow {
         sum
     }
 
-    /// ∫ |u|² dx from the axis to the edge, m³: the elastic energy of the row over G*.
-    pub(crate) fn energy_integral(&self, displacement: Vector) -> f64 {
+    /// ∫ (u_x² + u_y²/ρ) dx from the axis to the edge, m³, with the stiffness ratio ρ: the elastic
+    /// energy of the row over G*_x.
+    pub(crate) fn energy_integral(&self, displacement: Vector, stiffness_ratio: f64) -> f64 {
         let mut sum = 0.0;
         for pair in self.knots.windows(2) {
             let interval = Interval::between(&pair[0].place, &pair[1].place);
             for k in 0..2 {
                 let u = (displacement[k] - pair[0].origin[k], displacement[k] - pair[1].origin[k]);
-                sum += interval.product(u, u);
+                let part = interval.product(u, u);
+                sum += if k == 1 { part / stiffness_ratio } else { part };
             }
         }
         sum
@@ -42,10 +44,17 @@ pub(crate) struct Standing<'a> {
     pub(crate) contact: &'a Contact,
     /// m = μE*/G*.
     pub(crate) bound_slope: f64,
+    /// G*_y/G*_x, by which `displacement` is multiplied along y.
+    pub(crate) stiffness_ratio: f64,
     pub(crate) displacement: Vector,
 }
 
 impl Standing<'_> {
+    /// K **n**: what a displacement adds to |u|, and κ = **n**·K **n**, with K = diag(1, ρ).
+    fn pull(&self, [x, y]: Vector) -> (Vector, f64) {
+        ([x, self.stiffness_ratio * y], 1.0 + (self.stiffness_ratio - 1.0) * y * y)
+    }
+
     fn bound(&self, knot: &PlanarKnot) -> f64 {
         self.bound_slope * (self.contact.depth - knot.place.image).max(0.0)
     }
@@ -95,7 +104,8 @@ impl Standing<'_> {
         self.front(last).x
     }
 
-    /// At the stick radius: fall of b − |u| per image inside it, and **n** = u/|u|; `None` where no front moves, as in gross slip and where
+    /// At the stick radius: fall of b − |u| per image inside it, and ∂|u|/∂**U** = K **n**, **n** =
+    /// u/|u|; `None` where no front moves, as in gross slip and where
     /// the present direction does not pull.
     pub(crate) fn front_slope(&self, ahead: Vector) -> Option<(f64, Vector)> {
         let knots = &self.row.knots;
@@ -107,8 +117,8 @@ impl Standing<'_> {
         let fall = (room(before) - room(here)) / rise;
         let u = self.deflection(here);
         let size = norm(u);
-        (fall > 0.0 && fall.is_finite() && size > 0.0 && dot(u, ahead) > 0.0)
-            .then(|| (-fall, [u[0] / size, u[1] / size]))
+        let pulls = size > 0.0 && dot(self.pull(u).0, ahead) > 0.0;
+        (fall > 0.0 && fall.is_finite() && pulls).then(|| (-fall, self.pull([u[0] / size, u[1] / size]).0))
     }
 
     /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e dx/√(r² − x²) from 0 to r;
@@ -118,11 +128,12 @@ impl Standing<'_> {
         let of_spring = |knot: &PlanarKnot| {
             let u = self.deflection(knot);
             let size = norm(u);
-            if !(self.at_bound(knot) && size > 0.0 && dot(u, ahead) > 0.0) {
+            if !(self.at_bound(knot) && size > 0.0 && dot(self.pull(u).0, ahead) > 0.0) {
                 return [[0.0; 2]; 3];
             }
             let n = [u[0] / size, u[1] / size];
-            [scaled(n, n[0]), scaled(n, n[1]), scaled(n, -self.bound_slope)]
+            let (pull, square) = self.pull(n);
+            [pull[0] / square, pull[1] / square, -self.bound_slope / square].map(|rate| scaled(n, rate))
         };
         if r == 0.0 {
             return self.row.knots.first().map_or(slip, of_spring);
@@ -146,18 +157,23 @@ impl Standing<'_> {
         let part = |knot: &PlanarKnot| {
             let u = self.deflection(knot);
             let size = norm(u);
-            let slips = self.at_bound(knot) && size > 0.0 && dot(u, ahead) > 0.0;
+            let slips = self.at_bound(knot) && size > 0.0 && dot(self.pull(u).0, ahead) > 0.0;
             slips.then(|| {
-                let (n, bound, m) = ([u[0] / size, u[1] / size], self.bound(knot), self.bound_slope);
+                let n = [u[0] / size, u[1] / size];
+                let (pull, square) = self.pull(n);
+                // K − K**n** K**n**/κ, without the difference
+                let share = self.stiffness_ratio / square;
+                let (bound, m) = (self.bound(knot) / square, self.bound_slope / square);
+                let stiffness = [[n[1] * n[1], -n[0] * n[1]], [-n[0] * n[1], n[0] * n[0]]];
                 Tangent {
-                    stiffness: [[n[1] * n[1], -n[0] * n[1]], [-n[0] * n[1], n[0] * n[0]]],
-                    by_depth: [m * n[0], m * n[1]],
-                    work: [bound * n[0], bound * n[1]],
-                    work_by_depth: -m * bound,
+                    stiffness: stiffness.map(|row| row.map(|part| share * part)),
+                    by_depth: [m * pull[0], m * pull[1]],
+                    work: [bound * pull[0], bound * pull[1]],
+                    work_by_depth: -m * self.bound(knot),
                 }
             })
         };
-        let stuck = Tangent { stiffness: [[1.0, 0.0], [0.0, 1.0]], ..Tangent::default() };
+        let stuck = Tangent { stiffness: [[1.0, 0.0], [0.0, self.stiffness_ratio]], ..Tangent::default() };
         let mut sum = Tangent::default();
         let knots = &self.row.knots;
         let mut inner = knots.first().and_then(part);

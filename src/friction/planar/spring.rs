@@ -14,6 +14,8 @@
 //! closed at constant b, and for u along **t** at any. Where b changes and u turns at once, b is a power of (e^y − cos²(θ₀/2)), which ends
 //! like a logarithm: by Gauss's rule in ∛y from there it is good to 2e-5 of b where b changes by 5 %.
 
+mod anisotropic;
+
 use crate::quadrature::GAUSS_5;
 
 /// A vector in the plane of the contact, m.
@@ -60,11 +62,13 @@ pub(super) struct Moved {
 }
 
 /// A spring deflected by `start` whose body moves by `motion` while its bound goes evenly between the two given. An excess within
-/// the `rounding` is none.
+/// the `rounding` is none. Where the `stiffness_ratio` is not 1, lengths along y are multiplied by
+/// it, except for the slip ([`anisotropic`]).
 pub(super) fn move_spring(
     start: Vector,
     motion: Vector,
     (first_bound, bound): (f64, f64),
+    stiffness_ratio: f64,
     rounding: f64,
 ) -> Moved {
     let trial = sum(start, motion);
@@ -80,6 +84,15 @@ pub(super) fn move_spring(
     let first_bound = first_bound.max(norm(start));
     let share = onset(start, motion, (first_bound, bound));
     let onset_bound = first_bound + share * (bound - first_bound);
+    if stiffness_ratio != 1.0 {
+        let at_onset = along(sum(start, scaled(motion, share)), onset_bound);
+        return anisotropic::slide(
+            at_onset,
+            scaled(motion, 1.0 - share),
+            (onset_bound, bound),
+            stiffness_ratio,
+        );
+    }
     let path = (1.0 - share) * norm(motion);
     let ahead = along(motion, 1.0);
     let at_onset = along(sum(start, scaled(motion, share)), 1.0);

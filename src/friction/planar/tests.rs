@@ -54,6 +54,7 @@ impl Scene {
             control: self.control,
             bound_slope: M,
             start_slope: M,
+            stiffness_ratio: 1.0,
             from: self.contact,
             to,
             start: self.place,
@@ -71,7 +72,7 @@ impl Scene {
 
     fn standing(&self) -> Standing<'_> {
         let Self { row, surface, contact, place, .. } = self;
-        Standing { row, surface, contact, bound_slope: M, displacement: *place }
+        Standing { row, surface, contact, bound_slope: M, stiffness_ratio: 1.0, displacement: *place }
     }
 
     /// ∫ b dx, the limit of |∫ u dx|.

@@ -18,6 +18,8 @@ pub(crate) struct PlanarPath<'a> {
     pub(crate) bound_slope: f64,
     /// m at the start.
     pub(crate) start_slope: f64,
+    /// G*_y/G*_x, by which `start` and `end` are multiplied along y.
+    pub(crate) stiffness_ratio: f64,
     pub(crate) from: Contact,
     pub(crate) to: Contact,
     pub(crate) start: Vector,
@@ -92,7 +94,8 @@ impl PlanarRow {
                 path.motion()
             };
             let start = if touches { [0.0; 2] } else { difference(path.start, before) };
-            let moved = move_spring(start, motion, (first.max(0.0), bound.max(0.0)), rounding);
+            let moved =
+                move_spring(start, motion, (first.max(0.0), bound.max(0.0)), path.stiffness_ratio, rounding);
             // a slip may be lost to rounding beside a bound that falls far
             let held = moved.slip <= 0.0 && moved.deflection == sum(start, motion);
             if !held || norm(moved.deflection) == 0.0 {

@@ -39,7 +39,7 @@ fn lines() -> Vec<(Vector, Vector, (f64, f64))> {
 #[test]
 fn a_line_is_the_limit_of_many_explicit_steps() {
     for (start, motion, bounds) in lines() {
-        let exact = move_spring(start, motion, bounds, 0.0);
+        let exact = move_spring(start, motion, bounds, 1.0, 0.0);
         let error = |steps| {
             let (u, slip, work) = explicit(start, motion, bounds, steps);
             let found = exact.slip * exact.mean_bound;
@@ -58,10 +58,10 @@ fn at_a_constant_bound_a_line_may_be_split_at_will() {
         if bounds.0 != bounds.1 {
             continue;
         }
-        let whole = move_spring(start, motion, bounds, 0.0);
+        let whole = move_spring(start, motion, bounds, 1.0, 0.0);
         for share in [0.01, 0.37, 0.9] {
-            let first = move_spring(start, scaled(motion, share), bounds, 0.0);
-            let second = move_spring(first.deflection, scaled(motion, 1.0 - share), bounds, 0.0);
+            let first = move_spring(start, scaled(motion, share), bounds, 1.0, 0.0);
+            let second = move_spring(first.deflection, scaled(motion, 1.0 - share), bounds, 1.0, 0.0);
             let error = norm(difference(second.deflection, whole.deflection));
             let slip = first.slip + second.slip - whole.slip;
             assert!(error < 1e-14 && slip.abs() < 1e-14, "{start:?} {motion:?} {share}: {error:e} {slip:e}");
@@ -80,11 +80,11 @@ fn the_work_of_the_drive_is_stored_or_taken_by_friction() {
         let (mut u, mut driven) = (start, 0.0);
         for _ in 0..steps {
             let part = scaled(motion, 1.0 / steps as f64);
-            let next = move_spring(u, part, bounds, 0.0).deflection;
+            let next = move_spring(u, part, bounds, 1.0, 0.0).deflection;
             driven += 0.5 * dot(sum(u, next), part);
             u = next;
         }
-        let line = move_spring(start, motion, bounds, 0.0);
+        let line = move_spring(start, motion, bounds, 1.0, 0.0);
         let stored = 0.5 * (dot(line.deflection, line.deflection) - dot(start, start));
         assert!((driven - stored - line.slip * line.mean_bound).abs() < 1e-7, "{start:?} {motion:?}");
     }
@@ -93,13 +93,13 @@ fn the_work_of_the_drive_is_stored_or_taken_by_friction() {
 /// θ falls by tan(θ/2) = tan(θ₀/2) exp(−s/b).
 #[test]
 fn a_slipping_spring_turns_by_the_closed_form() {
-    let moved = move_spring([0.0, 2.0], [3.0, 0.0], (2.0, 2.0), 0.0);
+    let moved = move_spring([0.0, 2.0], [3.0, 0.0], (2.0, 2.0), 1.0, 0.0);
     let angle = moved.deflection[1].atan2(moved.deflection[0]);
     assert!(((angle / 2.0).tan() - (-1.5f64).exp()).abs() < 1e-15);
     // from the side ∫cos θ ds = b ln cosh(s/b)
     assert!((moved.slip - 2.0 * 1.5f64.cosh().ln()).abs() < 1e-15);
     // and with a bound that rises by c per path: tan(θ/2) = (b₁/b₀)^(−1/c)
-    let rising = move_spring(polar(1.0, FRAC_PI_3), [1.0, 0.0], (1.0, 1.3), 0.0);
+    let rising = move_spring(polar(1.0, FRAC_PI_3), [1.0, 0.0], (1.0, 1.3), 1.0, 0.0);
     let angle = rising.deflection[1].atan2(rising.deflection[0]);
     assert!(((angle / 2.0).tan() - (FRAC_PI_3 / 2.0).tan() * 1.3f64.powf(-1.0 / 0.3)).abs() < 1e-15);
 }
@@ -114,7 +114,7 @@ fn along_its_own_line_a_spring_is_the_scalar_one_whatever_the_bound_does() {
             (1.0, -4.0, (1.0, 1.1)),
             (0.0, 1.0, (0.0, 0.4)),
         ] {
-            let moved = move_spring(polar(start, angle), polar(way, angle), bounds, 0.0);
+            let moved = move_spring(polar(start, angle), polar(way, angle), bounds, 1.0, 0.0);
             let trial: f64 = start + way;
             let expected = trial.clamp(-bounds.1, bounds.1);
             let slip = (trial - expected).abs();
@@ -137,12 +137,12 @@ fn a_line_with_a_bound_that_changes_may_be_split_to_a_stated_error() {
         .flat_map(|(a, l)| [-0.05, 0.05].map(|c| (a, l, c)))
     {
         let start = polar(1.0, angle);
-        let whole = move_spring(start, [length, 0.0], (1.0, 1.0 + change), 0.0);
+        let whole = move_spring(start, [length, 0.0], (1.0, 1.0 + change), 1.0, 0.0);
         let (mut u, mut slip, mut work) = (start, 0.0, 0.0);
         let steps = 3000;
         for k in 0..steps {
             let at = |k: i32| 1.0 + change * f64::from(k) / f64::from(steps);
-            let part = move_spring(u, [length / f64::from(steps), 0.0], (at(k), at(k + 1)), 0.0);
+            let part = move_spring(u, [length / f64::from(steps), 0.0], (at(k), at(k + 1)), 1.0, 0.0);
             slip += part.slip;
             work += part.slip * part.mean_bound;
             u = part.deflection;
@@ -163,7 +163,7 @@ fn extreme_lines_end_in_numbers() {
             for length in sizes {
                 for start in [[0.0, 0.0], [bound, 0.0], [0.0, -bound], [-bound, 0.0]] {
                     for motion in [[length, 0.0], [0.6 * length, -0.8 * length], [-length, 0.0]] {
-                        let moved = move_spring(start, motion, (bound, last), 0.0);
+                        let moved = move_spring(start, motion, (bound, last), 1.0, 0.0);
                         let sound = norm(moved.deflection) <= last.max(0.0) * (1.0 + 1e-12)
                             && moved.slip >= 0.0
                             && moved.slip.is_finite();
@@ -174,5 +174,5 @@ fn extreme_lines_end_in_numbers() {
         }
     }
     // what is no number shows
-    assert!(move_spring([f64::NAN, 0.0], [1.0, 0.0], (1.0, 1.0), 0.0).slip.is_nan());
+    assert!(move_spring([f64::NAN, 0.0], [1.0, 0.0], (1.0, 1.0), 1.0, 0.0).slip.is_nan());
 }
