@@ -211,7 +211,7 @@ impl Parameters {
             [("wear_coefficient", self.wear_coefficient), ("wear_coefficient_2", self.wear_coefficient_2)]
         {
             if value > 0.0 {
-                let requirement = "profile = ellipse has no worn shape: set wear coefficients of 0; the worn volume is \
+                let requirement = "profile = ellipse has no worn shape: set wear_coefficient = 0 and wear_coefficient_2 = 0; the worn volume is \
                                    dissipated_energy times the wear coefficient over the hardness";
                 return Err(Error::Parameter { name, value, requirement });
             }

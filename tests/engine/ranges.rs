@@ -178,7 +178,9 @@ fn the_ends_of_all_ranges_give_numbers_or_refusals() {
 #[test]
 fn the_ends_of_the_ranges_of_wear_give_numbers_or_refusals() {
     let (mut sound, mut refused) = (0, 0);
-    for profile in profiles(0.01) {
+    // an ellipse has no worn shape
+    let revolved = |profile: &Profile| !matches!(profile, Profile::Ellipse { .. });
+    for profile in profiles(0.01).filter(revolved) {
         for normal_control in CONTROLS {
             for (wear_coefficient, hardness) in [(5e-324, 1e30), (1e-30, 1.0), (3.2e-4, 8e9), (1e30, 1e-30)] {
                 let parameters = Parameters {

@@ -36,7 +36,15 @@ fn started(loading: i32, control: i32, wear: f64) -> Fmu {
 }
 
 fn started_behind(rig_stiffness: f64, loading: i32, control: i32, wear: f64) -> Fmu {
+    started_with(&[], rig_stiffness, loading, control, wear)
+}
+
+/// The same with more parameters.
+fn started_with(more: &[(&str, f64)], rig_stiffness: f64, loading: i32, control: i32, wear: f64) -> Fmu {
     Fmu::started(|fmu| {
+        for (name, value) in more {
+            assert_eq!(fmu.set_real(name, *value), OK);
+        }
         assert_eq!(fmu.set_real("rig_stiffness", rig_stiffness), OK);
         assert_eq!(fmu.set_integer("loading", loading), OK);
         assert_eq!(fmu.set_integer("normal_control", control), OK);
@@ -211,7 +219,8 @@ fn every_declared_dependency_is_one() {
     });
     for ((rig, (share, aside)), &loading, &control) in scenes {
         let run = |changed: Option<&str>| {
-            let fmu = started_behind(rig, loading, control, 0.1);
+            let both = [("wear_coefficient_2", 0.02), ("hardness_2", 8e9), ("coating_thickness", 2e-7)];
+            let fmu = started_with(&both, rig, loading, control, 0.1);
             for (k, displacement) in [3e-6, -3e-6, 2e-6, -3e-6].into_iter().enumerate() {
                 let mut set = vec![
                     ("normal_force", 100.0),
@@ -240,6 +249,10 @@ fn every_declared_dependency_is_one() {
         }
     }
     missing.retain(|pair| !independent(pair));
+    // strokes set only in which step, of four, the coating wears through
+    missing.retain(|(input, output)| {
+        *output != "worn_through_time" || !input.starts_with("tangential_displacement")
+    });
     assert_eq!(missing, []);
 }
 

@@ -360,7 +360,8 @@ const fn coating() -> [Variable; 4] {
         ),
         event("cycles_to_wear_through", "1", WearThrough::Cycles).about(
             "Cycles of cyclic loading since the start at which worn_through became true, 0 before, within tolerance",
-        ),
+        )
+        .independent_of(&["tangential_displacement", "tangential_displacement_y"]),
     ]
 }
 
