@@ -219,8 +219,14 @@ fn every_declared_dependency_is_one() {
     });
     for ((rig, (share, aside)), &loading, &control) in scenes {
         let run = |changed: Option<&str>| {
-            let both = [("wear_coefficient_2", 0.02), ("hardness_2", 8e9), ("coating_thickness", 2e-7)];
-            let fmu = started_with(&both, rig, loading, control, 0.1);
+            let set = [
+                ("wear_coefficient_2", 0.02),
+                ("hardness_2", 8e9),
+                ("coating_thickness", 2e-7),
+                ("friction_coefficient_final", 0.61),
+                ("running_in_energy", 1.0),
+            ];
+            let fmu = started_with(&set, rig, loading, control, 0.1);
             for (k, displacement) in [3e-6, -3e-6, 2e-6, -3e-6].into_iter().enumerate() {
                 let mut set = vec![
                     ("normal_force", 100.0),
