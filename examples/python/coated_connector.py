@@ -2,10 +2,11 @@
 
     python coated_connector.py [FrettingContact.fmu]
 
-A gold-plated rivet of 2 mm radius on a plated flat, moved by vibration or by heat. Both platings wear, and the joint
-fails when the sum of both depths has reached the thickness of one plating. Below the amplitude of full slip the middle
-of the contact sticks and only an annulus wears: that ends before the coating has gone where the amplitude is small.
-Archard's estimate, which takes the mean pressure and the whole amplitude for slip, is printed and drawn beside. The
+A gold-plated rivet of 2 mm radius on a plated flat, moved by vibration or by heat. Both
+platings wear, and the joint fails when the sum of both depths has reached the thickness of one
+plating. Below the amplitude of full slip the middle of the contact sticks and only an annulus
+wears: that ends before the coating has gone where the amplitude is small. Archard's estimate,
+which takes the mean pressure and the whole amplitude for slip, is printed and drawn beside. The
 picture coated_connector.png is written beside the FMU, or to the working directory.
 """
 
@@ -57,7 +58,7 @@ def life(force, amplitude):
 
 
 def worn_profile(force, amplitude, cycles):
-    """Profile before and after so many cycles, at the same radii, and the volumes that both bodies have lost."""
+    """Profile before and after some cycles, at the same radii, and the volumes of both bodies."""
     with connector(force, amplitude) as contact:
         radius, before = contact["radius_probe"], contact["profile_height"]
         contact.step(cycles)

@@ -1,11 +1,12 @@
-"""A greased steel pair that runs in: friction rises as the grease is squeezed out, and the loops change.
+"""A greased steel pair that runs in: friction rises while the grease is squeezed out.
 
     python running_in.py [FrettingContact.fmu]
 
-A ball of 10 mm radius under 100 N oscillates by 2 um. The grease lets it slide at first, with a coefficient of friction of 0.15. While
-friction work squeezes the grease out, friction rises to 0.7: gross slip becomes partial slip, the work per cycle falls, and so does the
-wear. Beside it the same pair at constant friction, greased and dry. The picture running_in.png is written beside the FMU, or to the
-working directory.
+A ball of 10 mm radius under 100 N oscillates by 2 um. The grease lets it slide at first, with a
+coefficient of friction of 0.15. While friction work squeezes the grease out, friction rises to
+0.7: gross slip becomes partial slip, the work per cycle falls, and so does the wear. Beside it
+the same pair at constant friction, greased and dry. The picture running_in.png is written
+beside the FMU, or to the working directory.
 """
 
 import sys

@@ -128,7 +128,7 @@ def test_both_bodies_a_coating_and_fixed_probes():
         assert contact["worn_depth"] == pytest.approx(
             density * (0.02 / 8e9 + 0.02 / 4e9), rel=1e-12
         )
-        # at the edge the slip is next to that of the body, and inside the stick radius there is none
+        # inside the stick radius there is no slip, at the edge it is next to that of the body
         slip = contact["slip_amplitude"]
         inside = radius < 0.999 * contact["stick_radius"]
         assert np.all(slip[inside] == 0.0) and 0.0 < slip.max() < 1.5e-6

@@ -92,7 +92,7 @@ def test_coated_connector(fmu_path):
     for force in (0.5, 2.0):
         _, amplitude, life, estimate = rows[rows[:, 0] == force].T
         assert np.all(np.diff(life[np.isfinite(life)]) < 0), "more motion, shorter life"
-        # in gross slip wear enlarges the contact, which the estimate leaves out; in partial slip less slips besides
+        # the estimate leaves out that wear enlarges the contact, and that a part of it sticks
         assert np.all(life > estimate) and life[-1] < 3 * estimate[-1]
         assert life[0] > 1.3 * life[-1] / estimate[-1] * estimate[0]
     volumes = re.findall(r"lose (\S+) and (\S+) m3", text)
@@ -106,7 +106,12 @@ def test_groove(fmu_path, tmp_path):
     picture = tmp_path / "groove.png"
     text = run(sys.executable, EXAMPLES / "python" / "groove.py", fmu_path, picture)
     assert picture.read_bytes().startswith(b"\x89PNG")
-    across, along, force, friction = 1 / (1 / 4e-3 - 1 / 4.16e-3), 1 / (1 / 4e-3 + 1 / 20e-3), 100.0, 0.15
+    across, along, force, friction = (
+        1 / (1 / 4e-3 - 1 / 4.16e-3),
+        1 / (1 / 4e-3 + 1 / 20e-3),
+        100.0,
+        0.15,
+    )
     normal, shear, poisson = 210e9 / (2 * 0.91), 210e9 / 2.6, 0.3
     phi = (np.arange(20000) + 0.5) * np.pi / 40000
 
@@ -124,7 +129,10 @@ def test_groove(fmu_path, tmp_path):
     depth = pressure / normal * k * major * whole
     assert numbers(text, "semi-axes")[0] == pytest.approx([major, k * major], rel=1e-4)
     assert first(text, "largest pressure") == pytest.approx(pressure, rel=1e-4)
-    for title, share in (("across the groove", 1 - part / whole), ("along the groove", part / whole)):
+    for title, share in (
+        ("across the groove", 1 - part / whole),
+        ("along the groove", part / whole),
+    ):
         modulus = shear / (1 - poisson * share)
         full = friction * depth * normal / modulus
         for amplitude, reached, work, *_, volume, _ in numbers(text, title):
