@@ -350,7 +350,7 @@ mod tests {
                 checked += 1;
             }
         }
-        assert_eq!(checked, 20 * 18);
+        assert_eq!(checked, 22 * 18);
     }
 
     #[test]
