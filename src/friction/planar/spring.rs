@@ -25,8 +25,11 @@ pub(crate) fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1]
 }
 
+/// Length of a vector; [`f64::hypot`], which takes three times as long, where squares would not be
+/// numbers.
 pub(crate) fn norm(a: Vector) -> f64 {
-    a[0].hypot(a[1])
+    let square = dot(a, a);
+    if (1e-280..1e280).contains(&square) { square.sqrt() } else { a[0].hypot(a[1]) }
 }
 
 pub(crate) fn scaled(a: Vector, factor: f64) -> Vector {
