@@ -9,6 +9,7 @@ mod cyclic;
 mod derivatives;
 mod history;
 mod line;
+mod member;
 mod planar;
 mod readout;
 mod retune;
@@ -20,6 +21,7 @@ mod undo;
 
 pub use crate::counters::Counters;
 pub use derivatives::Gradient;
+pub(crate) use member::{Mark, WorkMemory, unworn_load};
 pub use snapshot::Snapshot;
 
 use crate::error::Error;
@@ -131,6 +133,12 @@ impl FrettingContact {
     /// [`Error::Parameter`] or [`Error::ProfileTable`] for parameters outside their range.
     pub fn new(parameters: Parameters) -> Result<Self, Error> {
         parameters.validate()?;
+        let surface = Surface::new(parameters.profile.clone());
+        Ok(Self::on_surface(Arc::new(parameters), surface))
+    }
+
+    /// A contact whose bodies are apart.
+    fn on_surface(parameters: Arc<Parameters>, surface: Surface) -> Self {
         let constants = Constants {
             normal_modulus: parameters.materials.normal_modulus(),
             tangential_modulus: parameters.materials.tangential_modulus(),
@@ -138,15 +146,14 @@ impl FrettingContact {
             wear_per_work: parameters.wear_per_work(),
             force_control: parameters.normal_control == NormalControl::Force,
         };
-        let surface = Surface::new(parameters.profile.clone());
         let touch = surface.tip();
         let control = if constants.force_control { 0.0 } else { touch };
         let wear = (constants.wear_per_work > 0.0 && constants.friction_coefficient > 0.0)
             .then(|| Box::new(WearState::default()));
-        Ok(Self {
+        Self {
             bound_slope: constants.bound_slope(),
             compliance: parameters.rig_compliance(),
-            parameters: Arc::new(parameters),
+            parameters,
             constants,
             surface,
             contact: Contact { control, depth: touch, radius: 0.0, load: 0.0 },
@@ -163,7 +170,7 @@ impl FrettingContact {
             wear,
             counters: Counters::default(),
             view: OnceCell::new(),
-        })
+        }
     }
 
     /// What the contact was built from.

@@ -61,7 +61,12 @@ impl Contact {
 
 impl Surface {
     pub(crate) fn new(profile: Profile) -> Self {
-        Self { profile: Arc::new(profile), worn: None }
+        Self::shared(Arc::new(profile))
+    }
+
+    /// A body whose unworn profile others have, too.
+    pub(crate) fn shared(profile: Arc<Profile>) -> Self {
+        Self { profile, worn: None }
     }
 
     pub(crate) fn profile(&self) -> &Profile {

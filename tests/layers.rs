@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the bottom up. A module uses itself and modules before it.
-const LAYERS: [&str; 15] = [
+const LAYERS: [&str; 16] = [
     "quadrature",
     "counters",
     "error",
@@ -17,6 +17,7 @@ const LAYERS: [&str; 15] = [
     "friction",
     "wear",
     "engine",
+    "interface",
     "reference",
     "problems",
     "fmi2",
