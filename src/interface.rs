@@ -86,6 +86,8 @@ pub struct Interface {
     control: f64,
     /// Cycles of the last block of cyclic loading.
     block: f64,
+    /// The approach (m) under a force (N) that a step is about to ask for, on the profiles as they are.
+    ahead: Option<(f64, f64)>,
 }
 
 impl Interface {
@@ -114,7 +116,7 @@ impl Interface {
             NormalControl::Indentation => approach,
         };
         let pose = Pose { approach, displacement: [0.0; 2], rotation: 0.0 };
-        Ok(Self { parameters, members, pose, control, block: 0.0 })
+        Ok(Self { parameters, members, pose, control, block: 0.0, ahead: None })
     }
 
     /// What the interface was built from: the parameters of every contact.
@@ -171,6 +173,7 @@ impl Interface {
     /// Runs a change of all contacts; where it fails, the state is as before.
     fn transaction(&mut self, change: impl FnOnce(&mut Self) -> Result<(), Error>) -> Result<(), Error> {
         let (pose, control, block) = (self.pose, self.control, self.block);
+        self.ahead = None;
         self.members.mark();
         change(self).inspect_err(|_| {
             self.members.return_to_marks();

@@ -367,3 +367,21 @@ fn a_saved_state_goes_on_to_the_same_bits() {
     shifted.iter_mut().for_each(|summit| summit.offset += 1e-7);
     assert!(interface(BALL, &shifted).restore(&joint.snapshot()).is_err());
 }
+
+/// Contacts that do not touch do no work and hold no state.
+#[test]
+fn contacts_out_of_reach_cost_nothing() {
+    let mut summits = vec![Summit::at_offset(1e-3); 1000];
+    summits[500].offset = 0.0;
+    summits[600].offset = 1e-7;
+    let mut joint = interface(BALL, &summits);
+    joint.start_at(2.0 * FORCE, [0.0; 2], 0.0).unwrap();
+    let before = joint.counters();
+    for k in 1..=100 {
+        joint.advance_to(2.0 * FORCE, [1e-8 * f64::from(k), 0.0], 0.0).unwrap();
+    }
+    let counters = joint.counters();
+    assert_eq!(counters.spring_walks - before.spring_walks, 200);
+    assert_eq!(counters.contact_solutions, before.contact_solutions);
+    assert_eq!((0..1000).filter(|index| joint.contact(*index).is_some()).count(), 2);
+}

@@ -58,6 +58,7 @@
 //!   log only.
 #![allow(unsafe_code)]
 
+mod body;
 mod clock;
 mod component;
 mod derivatives;

@@ -132,13 +132,19 @@ impl Interface {
     }
 
     /// Parts of a line between two forces (N) in which the approach is straight.
-    fn parts(&self, from: f64, to: f64, end: &Pose) -> Result<u64, Error> {
+    fn parts(&mut self, from: f64, to: f64, end: &Pose) -> Result<u64, Error> {
         let moves = end.displacement != self.pose.displacement || end.rotation != self.pose.rotation;
         if !moves || from == to || (from <= 0.0 && to <= 0.0) {
             return Ok(1);
         }
         let before = self.normal_stiffness();
-        let after = if to > 0.0 { self.approach_under(to, self.guess(to))?.stiffness } else { 0.0 };
+        let after = if to > 0.0 {
+            let found = self.approach_under(to, self.guess(to))?;
+            self.ahead = Some((to, found.value));
+            found.stiffness
+        } else {
+            0.0
+        };
         let change = (after - before).abs() / after.max(before);
         let parts = change / (STIFFNESS_SHARE * self.parameters.tolerance.sqrt());
         // a share that is no number has one part, too
@@ -221,7 +227,11 @@ impl Interface {
     /// Takes all contacts straight to where they carry a force (N), and lets the approach follow their
     /// wear. Returns the share of the force that was lost before it followed.
     fn press_to(&mut self, force: f64, mut end: Pose) -> Result<f64, Error> {
-        end.approach = if self.carries(force) { self.pose.approach } else { self.approach_or_touch(force)? };
+        end.approach = match self.ahead.take() {
+            _ if self.carries(force) => self.pose.approach,
+            Some((ahead, approach)) if ahead == force => approach,
+            _ => self.approach_or_touch(force)?,
+        };
         self.go_to(end, force <= 0.0)?;
         self.follow(force)
     }

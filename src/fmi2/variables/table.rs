@@ -1,10 +1,11 @@
 //! The rows. The table is made by the compiler: a library that is loaded and unloaded many times
 //! leaves nothing behind.
 
-use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable};
+use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable, Whole};
 use crate::engine::{FrettingContact, Gradient, SlipState};
 use crate::fmi2::enumerations::{Enumeration, LENGTH_UNIT, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
+use crate::interface::{Interface, Summit};
 use crate::parameters::Parameters;
 use crate::range;
 use std::ffi::CString;
@@ -22,6 +23,7 @@ const NORMAL: &[&str] = &[
     "flat_radius",
     "profile_file",
     "profile_unit",
+    "contacts_file",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -42,6 +44,7 @@ const FRICTION: &[&str] = &[
     "flat_radius",
     "profile_file",
     "profile_unit",
+    "contacts_file",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -96,6 +99,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
         &second_direction(),
         &profile_unit(),
         &slip_state_value(),
+        &interface(),
     ];
     let mut table = [parts[0][0]; COUNT];
     let (mut part, mut row) = (0, 0);
@@ -120,7 +124,8 @@ const COUNT: usize = inputs().len()
     + rig().len()
     + second_direction().len()
     + profile_unit().len()
-    + slip_state_value().len();
+    + slip_state_value().len()
+    + interface().len();
 
 const fn inputs() -> [Variable; 5] {
     [
@@ -141,18 +146,22 @@ const fn inputs() -> [Variable; 5] {
 const fn outputs() -> [Variable; 12] {
     type C = FrettingContact;
     let (volume, depth, work) = (
-        grows(C::wear_volume, C::wear_volume_gradient, C::wear_volume_per_cycle),
+        summed(grows(C::wear_volume, C::wear_volume_gradient, C::wear_volume_per_cycle)),
         Output { never_falls: true, ..grows(C::wear_depth, C::wear_depth_gradient, C::wear_depth_per_cycle) },
-        grows(C::dissipated_energy, C::dissipated_energy_gradient, C::work_per_cycle),
+        summed(grows(C::dissipated_energy, C::dissipated_energy_gradient, C::work_per_cycle)),
     );
-    let force = follows(C::tangential_force, C::tangential_force_gradient);
-    let reaction = follows(C::normal_reaction, C::normal_reaction_gradient);
-    let indentation = follows(C::indentation_depth, C::indentation_depth_gradient);
+    let force = summed(follows(C::tangential_force, C::tangential_force_gradient));
+    let reaction = summed(follows(C::normal_reaction, C::normal_reaction_gradient));
+    let indentation = own(
+        follows(C::indentation_depth, C::indentation_depth_gradient),
+        Interface::indentation_depth,
+        Interface::indentation_depth_gradient,
+    );
     let radius = follows(C::contact_radius, C::contact_radius_gradient);
     let stick = follows(C::stick_radius, C::stick_radius_gradient);
     let pressure = follows(C::max_pressure, C::max_pressure_gradient);
-    let tangential = follows(C::tangential_stiffness, C::tangential_stiffness_gradient);
-    let normal = follows(C::normal_stiffness, C::normal_stiffness_gradient);
+    let tangential = summed(follows(C::tangential_stiffness, C::tangential_stiffness_gradient));
+    let normal = summed(follows(C::normal_stiffness, C::normal_stiffness_gradient));
     [
         output("tangential_force", "N", 10.0, Range::FINITE, &[], force)
             .about("Tangential force that body 1 exerts on body 2; in cyclic loading its amplitude"),
@@ -183,7 +192,24 @@ const fn outputs() -> [Variable; 12] {
 
 /// An output that follows the inputs.
 const fn follows(read: fn(&FrettingContact) -> f64, gradient: fn(&FrettingContact) -> Gradient) -> Output {
-    Output { read, gradient, per_cycle: None, starts_anywhere: None, never_falls: false }
+    Output {
+        whole: Whole::Deepest,
+        read,
+        gradient,
+        per_cycle: None,
+        starts_anywhere: None,
+        never_falls: false,
+    }
+}
+
+/// An output that is the sum over the contacts of an interface.
+const fn summed(output: Output) -> Output {
+    Output { whole: Whole::Sum, ..output }
+}
+
+/// An output that an interface has itself.
+const fn own(output: Output, read: fn(&Interface) -> f64, gradient: fn(&Interface) -> Gradient) -> Output {
+    Output { whole: Whole::Own { read, gradient }, ..output }
 }
 
 /// An output that also grows with the cycles of cyclic loading.
@@ -253,12 +279,15 @@ const fn parameters() -> [Variable; 18] {
 const fn rig() -> [Variable; 2] {
     let least = Bound::Included(Parameters::LEAST_RIG_STIFFNESS);
     let stiffness = Range { low: least, high: Bound::Included(f64::INFINITY) };
+    const ALONG_X: Gradient =
+        Gradient { normal: 0.0, displacement: 1.0, displacement_y: 0.0, rotation: 0.0 };
     let own = Output {
-        read: FrettingContact::displacement,
-        gradient: FrettingContact::displacement_gradient,
-        per_cycle: None,
         starts_anywhere: Some(Direction::X),
-        never_falls: false,
+        ..own(
+            follows(FrettingContact::displacement, FrettingContact::displacement_gradient),
+            Interface::displacement,
+            |_| ALONG_X,
+        )
     };
     [
         real("rig_stiffness", "N/m", stiffness, |s| &mut s.rig_stiffness).about(
@@ -286,19 +315,17 @@ const fn slip_state_value() -> [Variable; 1] {
 
 /// The other tangential direction.
 const fn second_direction() -> [Variable; 3] {
-    let force = Output {
-        read: FrettingContact::tangential_force_y,
-        gradient: FrettingContact::tangential_force_y_gradient,
-        per_cycle: None,
-        starts_anywhere: None,
-        never_falls: false,
-    };
+    const ALONG_Y: Gradient =
+        Gradient { normal: 0.0, displacement: 0.0, displacement_y: 1.0, rotation: 0.0 };
+    let force =
+        summed(follows(FrettingContact::tangential_force_y, FrettingContact::tangential_force_y_gradient));
     let own = Output {
-        read: FrettingContact::displacement_y,
-        gradient: FrettingContact::displacement_y_gradient,
-        per_cycle: None,
         starts_anywhere: Some(Direction::Y),
-        never_falls: false,
+        ..own(
+            follows(FrettingContact::displacement_y, FrettingContact::displacement_y_gradient),
+            Interface::displacement_y,
+            |_| ALONG_Y,
+        )
     };
     [
         input("tangential_displacement_y", "m", 1e-6, Range::FINITE, |i| &mut i.tangential_displacement_y).about(
@@ -312,6 +339,42 @@ const fn second_direction() -> [Variable; 3] {
             .about("As contact_displacement, along tangential_displacement_y; where it stands in cyclic loading")
             .independent_of(&["displacement_amplitude", "frequency"]),
     ]
+}
+
+/// Several contacts of one rigid body.
+const fn interface() -> [Variable; 5] {
+    const NONE: Gradient = Gradient { normal: 0.0, displacement: 0.0, displacement_y: 0.0, rotation: 0.0 };
+    let moment = own(follows(|_| 0.0, |_| NONE), Interface::moment, Interface::moment_gradient);
+    let touches = |contact: &FrettingContact| i32::from(contact.contact_radius() > 0.0);
+    [
+        text("contacts_file", |s| &mut s.contacts_file).about(
+            "File with one contact in each line: offset, or offset, x and y, in profile_unit, and a factor of the radius; empty: one contact. \
+             A relative name is looked for in the FMU's resources, then in the working directory",
+        ),
+        input("rotation", "rad", 1e-6, Range::FINITE, |i| &mut i.rotation).about(
+            "Angle of body 1 about the normal through the origin of contacts_file, used when loading = transient",
+        ),
+        output("moment", "N.m", 1e-3, Range::FINITE, &[], moment)
+            .about("Moment of the tangential forces of body 1 about the normal through the origin of contacts_file; 0 for one contact")
+            .independent_of(&["displacement_amplitude", "frequency"]),
+        count("contact_count_in_touch", 0, touches, |interface| interface.contacts_in_touch() as i32)
+            .about("Number of contacts that touch"),
+        count("deepest_contact", 1, |_| 1, |interface| interface.deepest_contact() as i32 + 1).about(
+            "Line of contacts_file with the contact that is worn deepest: wear_depth, contact_radius, stick_radius, max_pressure and the \
+             fields are its own",
+        ),
+    ]
+}
+
+/// An Integer output about the contacts of an interface.
+const fn count(
+    name: &'static str,
+    min: i32,
+    one: fn(&FrettingContact) -> i32,
+    many: fn(&Interface) -> i32,
+) -> Variable {
+    let data_type = DataType::Integer { min, max: Summit::MOST as i32 };
+    Variable { initial_dependencies: NORMAL, ..variable(name, data_type, Access::Count { one, many }) }
 }
 
 /// A field at one of the probe radii.
