@@ -88,6 +88,27 @@ pub struct Interface {
     block: f64,
     /// The approach (m) under a force (N) that a step is about to ask for, on the profiles as they are.
     ahead: Option<(f64, f64)>,
+    /// The way back where a step fails.
+    undo: Undo,
+}
+
+/// Marks of all contacts at an earlier time, and the steps since: copying every contact in each step
+/// would cost as much as the step.
+#[derive(Debug, Clone, Default)]
+struct Undo {
+    /// Pose, control and block of the marks; none where there are no marks.
+    start: Option<(Pose, f64, f64)>,
+    /// Where the body was taken since.
+    steps: Vec<Step>,
+}
+
+/// What a transient step asks for.
+#[derive(Debug, Clone, Copy)]
+struct Step {
+    /// N or m.
+    normal: f64,
+    displacement: [f64; 2],
+    rotation: f64,
 }
 
 impl Interface {
@@ -116,7 +137,7 @@ impl Interface {
             NormalControl::Indentation => approach,
         };
         let pose = Pose { approach, displacement: [0.0; 2], rotation: 0.0 };
-        Ok(Self { parameters, members, pose, control, block: 0.0, ahead: None })
+        Ok(Self { parameters, members, pose, control, block: 0.0, ahead: None, undo: Undo::default() })
     }
 
     /// What the interface was built from: the parameters of every contact.
@@ -170,14 +191,42 @@ impl Interface {
         self.parameters.wear_per_work() > 0.0 && self.parameters.friction_coefficient > 0.0
     }
 
+    /// Marks the present state, to return to.
+    fn mark(&mut self) {
+        self.members.mark();
+        self.undo.start = Some((self.pose, self.control, self.block));
+        self.undo.steps.clear();
+    }
+
+    /// Returns to the last state before the present step: to the marks, and over the steps since, which
+    /// go to the same bits again.
+    ///
+    /// # Errors
+    /// None: the steps have been done before.
+    fn roll_back(&mut self) -> Result<(), Error> {
+        let steps = std::mem::take(&mut self.undo.steps);
+        self.members.return_to_marks();
+        if let Some(start) = self.undo.start {
+            (self.pose, self.control, self.block) = start;
+        }
+        for step in &steps {
+            self.mark();
+            self.walk(step)?;
+        }
+        self.mark();
+        Ok(())
+    }
+
     /// Runs a change of all contacts; where it fails, the state is as before.
     fn transaction(&mut self, change: impl FnOnce(&mut Self) -> Result<(), Error>) -> Result<(), Error> {
-        let (pose, control, block) = (self.pose, self.control, self.block);
         self.ahead = None;
-        self.members.mark();
-        change(self).inspect_err(|_| {
-            self.members.return_to_marks();
-            (self.pose, self.control, self.block) = (pose, control, block);
-        })
+        self.mark();
+        let result = change(self);
+        if result.is_err() {
+            self.roll_back()?;
+        }
+        // what has changed is no step that could be done again
+        self.undo.start = None;
+        result
     }
 }

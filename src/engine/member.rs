@@ -49,13 +49,6 @@ struct WearMark {
     clipped: f64,
 }
 
-impl Mark {
-    /// Updates of the worn profile up to it.
-    pub(crate) fn profile_updates(&self) -> u64 {
-        self.counters.profile_updates
-    }
-}
-
 /// Normal force (N) and contact radius (m) of an unworn profile at an indentation depth, m.
 ///
 /// # Errors

@@ -1,7 +1,7 @@
 //! Transient histories: straight lines in (force or approach, displacement, rotation).
 
 use super::members::Marks;
-use super::{Interface, Pose};
+use super::{Interface, Pose, Step};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::range;
@@ -20,6 +20,9 @@ const LOST_SHARE: f64 = 4.0;
 
 /// Most parts into which wear divides a part of a step.
 const MOST_DIVISION: f64 = 4096.0;
+
+/// Steps after which all contacts are marked again. Marking each time took a third of a step with wear.
+const STEPS_PER_MARK: usize = 32;
 
 /// Share of the force that counts as rounding: a force that is held keeps its approach to the bit.
 const ROUNDING: f64 = 1e-12;
@@ -65,15 +68,33 @@ impl Interface {
         if same {
             return Ok(());
         }
-        let to = Pose { approach: normal, displacement, rotation };
-        self.transaction(|this| {
-            match this.parameters.normal_control {
-                NormalControl::Indentation => this.go_to(to, false)?,
-                NormalControl::Force => this.walk_line(to)?,
+        let step = Step { normal, displacement, rotation };
+        if self.undo.start.is_none() || self.undo.steps.len() >= STEPS_PER_MARK {
+            self.mark();
+        }
+        match self.walk(&step) {
+            Ok(()) => {
+                self.undo.steps.push(step);
+                Ok(())
             }
-            this.control = normal;
-            Ok(())
-        })
+            Err(problem) => {
+                self.roll_back()?;
+                Err(problem)
+            }
+        }
+    }
+
+    /// Walks a step.
+    pub(super) fn walk(&mut self, step: &Step) -> Result<(), Error> {
+        let Step { normal, displacement, rotation } = *step;
+        let to = Pose { approach: normal, displacement, rotation };
+        self.ahead = None;
+        match self.parameters.normal_control {
+            NormalControl::Indentation => self.go_to(to, false)?,
+            NormalControl::Force => self.walk_line(to)?,
+        }
+        self.control = normal;
+        Ok(())
     }
 
     /// Lifts the body off, takes it to a displacement (m) and a rotation (rad), and presses it down
@@ -162,11 +183,11 @@ impl Interface {
         let (mut marks, mut length) = (Marks::new(), 1.0);
         if first {
             // the marks of the step serve
-            if let Outcome::Done { .. } = self.try_part(force, end, None)? {
+            let updates = self.members.updates();
+            if let Outcome::Done { .. } = self.try_part(force, end, &updates)? {
                 return Ok(());
             }
-            self.members.return_to_marks();
-            self.pose = from;
+            self.roll_back()?;
             length = 0.5;
         }
         let (mut done, shortest) = (0.0, 1.0 / MOST_DIVISION);
@@ -175,7 +196,8 @@ impl Interface {
             let pose = self.pose;
             self.members.mark_in(&mut marks);
             let load = mix(from_force, force, share);
-            match self.try_part(load, from.towards(&end, share), Some(&marks))? {
+            let updates = self.members.updates();
+            match self.try_part(load, from.towards(&end, share), &updates)? {
                 Outcome::Done { easy } => {
                     done = share;
                     if easy {
@@ -204,8 +226,8 @@ impl Interface {
         LOST_SHARE * self.parameters.tolerance
     }
 
-    /// Walks a part of a line, from the given marks or those of the step.
-    fn try_part(&mut self, force: f64, end: Pose, marks: Option<&Marks>) -> Result<Outcome, Error> {
+    /// Walks a part of a line. `updates` are those of the contacts before it.
+    fn try_part(&mut self, force: f64, end: Pose, updates: &[u64]) -> Result<Outcome, Error> {
         let lost = match self.press_to(force, end) {
             Ok(lost) => lost,
             // a shorter part may wear what this one cannot follow
@@ -218,7 +240,7 @@ impl Interface {
         };
         let limit = self.most_lost();
         // a single update wears what has been gathered at the held force
-        if lost > limit && self.members.most_updates_since(marks) > 1 {
+        if lost > limit && self.members.most_updates_since(updates) > 1 {
             return Ok(Outcome::TooLong { lost });
         }
         Ok(Outcome::Done { easy: lost < 0.5 * limit })

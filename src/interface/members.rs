@@ -190,14 +190,16 @@ impl Members {
         }
     }
 
-    /// Most updates of the profile of one contact since other marks, or those of the step.
-    pub(super) fn most_updates_since(&self, marks: Option<&Marks>) -> u64 {
-        let marks = marks.unwrap_or(&self.marks);
-        let updates = self.slots.iter().zip(marks).map(|(slot, mark)| {
-            let now = slot.as_ref().map_or(0, |contact| contact.counters().profile_updates);
-            now - mark.as_ref().map_or(0, |mark| mark.profile_updates())
-        });
-        updates.max().unwrap_or(0)
+    /// Updates of the profile of each contact so far.
+    pub(super) fn updates(&self) -> Vec<u64> {
+        let updates = |slot: &Slot| slot.as_ref().map_or(0, |contact| contact.counters().profile_updates);
+        self.slots.iter().map(updates).collect()
+    }
+
+    /// Most updates of one contact since then.
+    pub(super) fn most_updates_since(&self, before: &[u64]) -> u64 {
+        let since = self.updates().into_iter().zip(before).map(|(now, before)| now - before);
+        since.max().unwrap_or(0)
     }
 
     /// Takes every contact from one pose to another by a straight line in depth and displacement.

@@ -1,6 +1,6 @@
 //! Saved states of an interface.
 
-use super::{Interface, Pose};
+use super::{Interface, Pose, Undo};
 use crate::engine::Snapshot;
 use crate::error::Error;
 use crate::parameters::NormalControl;
@@ -64,6 +64,7 @@ impl Interface {
     ///
     /// # Errors
     /// [`Error::Snapshot`] where it is not.
+    #[cfg(feature = "fmi2")]
     pub(crate) fn reinstate(&mut self, snapshot: &InterfaceSnapshot) -> Result<(), Error> {
         self.put_back(snapshot, false)
     }
@@ -99,6 +100,7 @@ impl Interface {
             self.members.put(index, Some(contact));
         }
         (self.pose, self.control, self.block) = (pose, snapshot.control, snapshot.block);
+        self.undo = Undo::default();
         Ok(())
     }
 }
