@@ -173,7 +173,8 @@ impl Interface {
         FrettingContact::new(self.parameters.clone())?.retune(friction_coefficient, wear_coefficient)?;
         let pose = self.pose;
         self.transaction(|this| {
-            this.members.turn(&pose, &pose, |contact, _| contact.retune(friction_coefficient, wear_coefficient))?;
+            this.members
+                .turn(&pose, &pose, |contact, _| contact.retune(friction_coefficient, wear_coefficient))?;
             this.settle()
         })?;
         self.members.share(Parameters { normal_control: NormalControl::Indentation, ..new.clone() });

@@ -63,7 +63,9 @@ fn outputs_are_those_of_the_interface() {
         ("tangential_stiffness", Interface::tangential_stiffness),
         ("contact_displacement", Interface::displacement),
         ("contact_radius", |joint| joint.read_deepest(|contact| contact.contact_radius())),
-        ("worn_depth[32]", |joint| joint.read_deepest(|contact| contact.worn_depth_at(contact.probe_radii()[31]))),
+        ("worn_depth[32]", |joint| {
+            joint.read_deepest(|contact| contact.worn_depth_at(contact.probe_radii()[31]))
+        }),
     ];
     for (name, read) in outputs {
         assert_eq!(fmu.real(name).to_bits(), read(&joint).to_bits(), "{name}");

@@ -96,7 +96,8 @@ fn gaussian_summits_follow_greenwood_and_williamson() {
         let approach = highest - h * sigma;
         held.advance_to(approach, [0.0; 2], 0.0).unwrap();
         let count = COUNT as f64;
-        let force = count * 4.0 / 3.0 * E_STAR * 0.01f64.sqrt() * sigma.powf(1.5) * greenwood_williamson(h, 1.5);
+        let force =
+            count * 4.0 / 3.0 * E_STAR * 0.01f64.sqrt() * sigma.powf(1.5) * greenwood_williamson(h, 1.5);
         println!("h = {h}: force off by {:.1e}", held.normal_reaction() / force - 1.0);
         close_to(held.normal_reaction(), force, 1e-3, "force");
         close_to(held.contacts_in_touch() as f64, count * normal(h).1, 3e-3, "number of contacts");
@@ -143,7 +144,9 @@ fn the_division_of_a_step_does_not_matter_to_the_tolerance() {
     let end = |steps: u32, tolerance: f64| {
         let parameters = Parameters { tolerance, ..without_wear(BALL) };
         let mut joint = Interface::new(parameters, &summits).unwrap();
-        for (from, to) in [((0.0, 0.0), (900.0, 2e-6)), ((900.0, 2e-6), (300.0, -1e-6)), ((300.0, -1e-6), (1500.0, 0.0))] {
+        for (from, to) in
+            [((0.0, 0.0), (900.0, 2e-6)), ((900.0, 2e-6), (300.0, -1e-6)), ((300.0, -1e-6), (1500.0, 0.0))]
+        {
             for k in 1..=steps {
                 let share = f64::from(k) / f64::from(steps);
                 let (force, u) = (from.0 + share * (to.0 - from.0), from.1 + share * (to.1 - from.1));
@@ -203,8 +206,7 @@ fn a_ring_that_turns_bears_the_moment_of_its_contacts() {
     };
     let summits: Vec<_> = (0..count).map(place).collect();
     // in the plane the springs are sampled
-    let mut joint =
-        Interface::new(Parameters { resolution: 2048, ..without_wear(BALL) }, &summits).unwrap();
+    let mut joint = Interface::new(Parameters { resolution: 2048, ..without_wear(BALL) }, &summits).unwrap();
     joint.start_at(force, [0.0; 2], 0.0).unwrap();
     let radius = (0.75 * FORCE * 0.01 / E_STAR).cbrt();
     let stiffness = f64::from(count) * 2.0 * G_STAR * radius;
@@ -265,8 +267,7 @@ fn gradients_are_those_of_differences() {
     let place = |k: usize, summit: Summit| Summit { x: 1e-3 * k as f64, y: 2e-3 - 5e-4 * k as f64, ..summit };
     let summits: Vec<_> = rough(8, 2e-6).into_iter().enumerate().map(|(k, s)| place(k, s)).collect();
     // in the plane the springs are sampled
-    let mut joint =
-        Interface::new(Parameters { resolution: 2048, ..without_wear(BALL) }, &summits).unwrap();
+    let mut joint = Interface::new(Parameters { resolution: 2048, ..without_wear(BALL) }, &summits).unwrap();
     joint.start_at(400.0, [0.0; 2], 0.0).unwrap();
     joint.advance_to(400.0, [0.7e-6, 0.4e-6], 1e-4).unwrap();
     type Read = (&'static str, fn(&Interface) -> f64, fn(&Interface) -> Gradient);
@@ -318,9 +319,11 @@ fn a_step_that_fails_leaves_the_interface_unchanged() {
     assert!(matches!(problem, Error::InContact { contact: 2, .. }), "{problem}");
     assert!(problem.to_string().contains("beyond the last point of the profile table"), "{problem}");
     assert_eq!(joint.snapshot(), before);
-    for (force, u, turn, name) in
-        [(f64::NAN, 0.0, 0.0, "normal_force"), (1.0, 1e70, 0.0, "tangential_displacement"), (1.0, 0.0, f64::INFINITY, "rotation")]
-    {
+    for (force, u, turn, name) in [
+        (f64::NAN, 0.0, 0.0, "normal_force"),
+        (1.0, 1e70, 0.0, "tangential_displacement"),
+        (1.0, 0.0, f64::INFINITY, "rotation"),
+    ] {
         let problem = joint.advance_to(force, [u, 0.0], turn).unwrap_err();
         assert!(problem.to_string().contains(name), "{problem}");
         assert_eq!(joint.snapshot(), before);
@@ -329,7 +332,9 @@ fn a_step_that_fails_leaves_the_interface_unchanged() {
 
 #[test]
 fn scenes_that_are_none_are_refused() {
-    let refused = |parameters: Parameters, summits: &[Summit]| Interface::new(parameters, summits).unwrap_err().to_string();
+    let refused = |parameters: Parameters, summits: &[Summit]| {
+        Interface::new(parameters, summits).unwrap_err().to_string()
+    };
     let driven = Parameters { rig_stiffness: 1e7, ..without_wear(BALL) };
     assert!(refused(driven, &[Summit::at_offset(0.0)]).contains("rig_stiffness = 10000000.0"));
     assert!(refused(without_wear(BALL), &[]).contains("no contact"));
@@ -343,7 +348,8 @@ fn scenes_that_are_none_are_refused() {
 /// A saved interface goes on to the same bits, through text as well.
 #[test]
 fn a_saved_state_goes_on_to_the_same_bits() {
-    let summits: Vec<_> = rough(30, 4e-6).into_iter().enumerate().map(|(k, s)| Summit { x: 1e-4 * k as f64, ..s }).collect();
+    let summits: Vec<_> =
+        rough(30, 4e-6).into_iter().enumerate().map(|(k, s)| Summit { x: 1e-4 * k as f64, ..s }).collect();
     let mut joint = interface(BALL, &summits);
     let step = |joint: &mut Interface, k: u32| {
         let phase = 0.3 * f64::from(k);

@@ -139,7 +139,9 @@ fn cycles_refuse_what_they_cannot_do() {
     let mut joint = Interface::new(worn(3.2e-4), &rough(3, 1e-6)).unwrap();
     joint.start_at(300.0, [0.0; 2], 1e-5).unwrap();
     let before = joint.snapshot();
-    for (amplitude, cycles, name) in [(1e-6, 1.0, "rotation"), (-1e-6, 1.0, "displacement_amplitude"), (1e-6, f64::NAN, "cycles")] {
+    for (amplitude, cycles, name) in
+        [(1e-6, 1.0, "rotation"), (-1e-6, 1.0, "displacement_amplitude"), (1e-6, f64::NAN, "cycles")]
+    {
         if name != "rotation" {
             joint.start_at(300.0, [0.0; 2], 0.0).unwrap();
         }
@@ -168,10 +170,14 @@ fn a_step_that_wears_too_much_changes_nothing() {
 fn a_saved_state_with_wear_goes_on_to_the_same_bits() {
     let summits = rough(15, 3e-6);
     let mut joint = Interface::new(worn(3.2e-2), &summits).unwrap();
-    let step = |joint: &mut Interface, k: u32| joint.advance_to(600.0 * motion(k).0, [motion(k).1, 0.0], 0.0).unwrap();
+    let step = |joint: &mut Interface, k: u32| {
+        joint.advance_to(600.0 * motion(k).0, [motion(k).1, 0.0], 0.0).unwrap()
+    };
     (0..300).for_each(|k| step(&mut joint, k));
     let mut other = Interface::new(worn(3.2e-2), &summits).unwrap();
-    other.restore(&serde_json::from_str(&serde_json::to_string(&joint.snapshot()).unwrap()).unwrap()).unwrap();
+    other
+        .restore(&serde_json::from_str(&serde_json::to_string(&joint.snapshot()).unwrap()).unwrap())
+        .unwrap();
     (300..600).for_each(|k| {
         step(&mut joint, k);
         step(&mut other, k);

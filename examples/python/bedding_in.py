@@ -22,8 +22,8 @@ PICTURE = Path(sys.argv[2] if len(sys.argv) > 2 else Path(tempfile.gettempdir())
 SUMMITS, SIGMA = 1000, 0.5e-6  # number; standard deviation of the heights, m
 CYCLES = np.array([0, 1, 10, 100, 1_000, 10_000, 100_000])
 SURFACE = {
-    "radius": "100 um",
-    "normal_force": 20.0,
+    "radius": "300 um",
+    "normal_force": 15.0,
     "displacement_amplitude": "0.5 um",
     "loading": "cyclic",
     "resolution": 16,

@@ -73,8 +73,7 @@ impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
     fn gradient(&self, by_depth: f64, by_displacement: f64) -> Gradient {
         let by_normal = by_depth * self.depth_per_normal();
-        let gradient =
-            Gradient { normal: by_normal, displacement: by_displacement, ..Gradient::default() };
+        let gradient = Gradient { normal: by_normal, displacement: by_displacement, ..Gradient::default() };
         let gradient = if self.compliance > 0.0 { self.behind_the_rig(gradient) } else { gradient };
         gradient.times(if self.contact.is_open() { 0.0 } else { 1.0 })
     }

@@ -97,7 +97,10 @@ impl FrettingContact {
         if depth == self.contact.control {
             return Ok((self.normal_reaction(), self.contact.radius));
         }
-        load_of(&self.surface, &self.parameters, depth)
+        match self.surface.load_in_cell(depth) {
+            Some((load, radius)) => Ok((self.force_scale() * load, radius)),
+            None => load_of(&self.surface, &self.parameters, depth),
+        }
     }
 
     /// Depth of the wear at the last update of the profile, m: [`Self::wear_depth`] without what

@@ -1,7 +1,7 @@
 //! What an instance computes: one contact, or an interface of many where `contacts_file` names one.
 //!
-//! A sum over the contacts is an output of the whole; what has a radius, and the fields, are those of
-//! the contact that is worn deepest.
+//! A sum over the contacts is an output of the whole; what has a radius, and the fields, are those
+//! of the contact that is worn deepest.
 
 use super::variables::{Output, Whole};
 use crate::counters::Counters;
@@ -122,7 +122,12 @@ impl Body {
     }
 
     /// What a cycle adds to an output.
-    pub(super) fn per_cycle(&self, per_cycle: fn(&FrettingContact, f64) -> f64, output: &Output, amplitude: f64) -> f64 {
+    pub(super) fn per_cycle(
+        &self,
+        per_cycle: fn(&FrettingContact, f64) -> f64,
+        output: &Output,
+        amplitude: f64,
+    ) -> f64 {
         match (self, output.whole) {
             (Self::Many(interface), Whole::Sum) => interface.sum(|contact| per_cycle(contact, amplitude)),
             _ => self.read(|contact| per_cycle(contact, amplitude)),
@@ -176,12 +181,20 @@ impl SavedBody {
         match self {
             Self::One(parameters, snapshot) => {
                 let mut contact = FrettingContact::new(parameters.clone())?;
-                if checked { contact.restore(snapshot)? } else { contact.reinstate(snapshot)? }
+                if checked {
+                    contact.restore(snapshot)?
+                } else {
+                    contact.reinstate(snapshot)?
+                }
                 Ok(Body::One(contact))
             }
             Self::Many(parameters, summits, snapshot) => {
                 let mut interface = Interface::new(parameters.clone(), summits)?;
-                if checked { interface.restore(snapshot)? } else { interface.reinstate(snapshot)? }
+                if checked {
+                    interface.restore(snapshot)?
+                } else {
+                    interface.reinstate(snapshot)?
+                }
                 Ok(Body::Many(Box::new(interface)))
             }
         }

@@ -209,9 +209,8 @@ impl Component {
         find: fn(&mut Warnings, &FrettingContact, &Settings, &Inputs) -> Vec<String>,
     ) {
         let (Some(contact), staged) = self.model.parts() else { return };
-        let find = |contact: &FrettingContact| {
-            find(&mut self.warnings, contact, &staged.settings, &staged.inputs)
-        };
+        let find =
+            |contact: &FrettingContact| find(&mut self.warnings, contact, &staged.settings, &staged.inputs);
         for message in contact.read(find) {
             self.logger.log(Status::Warning, &message);
         }

@@ -44,9 +44,7 @@ impl Change {
             };
         }
         let still = self.displacement == 0.0 && self.displacement_y == 0.0 && self.rotation == 0.0;
-        if self.normal == 0.0 && still
-            || self.loading == Loading::Cyclic && output.per_cycle.is_some()
-        {
+        if self.normal == 0.0 && still || self.loading == Loading::Cyclic && output.per_cycle.is_some() {
             return 0.0;
         }
         let gradient = contact.gradient(output);

@@ -135,11 +135,7 @@ impl Model {
     }
 
     /// The contact as it would begin now with other settings.
-    pub(super) fn beginning_with(
-        &self,
-        settings: &Settings,
-        resources: &Resources,
-    ) -> Checked<Body> {
+    pub(super) fn beginning_with(&self, settings: &Settings, resources: &Resources) -> Checked<Body> {
         press(build(settings, resources)?, settings, &self.staged.inputs)
     }
 
@@ -232,7 +228,8 @@ impl SavedModel {
     }
 
     fn build(&self) -> Checked<Option<Body>> {
-        let revive = |saved: &SavedBody| saved.revive(false).map_err(|problem| engine("saved state", problem));
+        let revive =
+            |saved: &SavedBody| saved.revive(false).map_err(|problem| engine("saved state", problem));
         Ok(self.contact.as_ref().map(revive).transpose()?)
     }
 

@@ -3,8 +3,8 @@
 use super::enumerations::{Items, Loading, ProfileKind};
 use super::refusal::Checked;
 use super::resources::Resources;
-use crate::material::{Elastic, Pair};
 use crate::interface::Summit;
+use crate::material::{Elastic, Pair};
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::{LengthUnit, Profile};
 use serde::{Deserialize, Serialize};

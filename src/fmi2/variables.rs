@@ -179,7 +179,10 @@ pub(super) enum Access {
     Output(Output),
     Slip(fn(&FrettingContact) -> SlipState),
     /// A number of contacts, or which it is, of the one contact and of an interface.
-    Count { one: fn(&FrettingContact) -> i32, many: fn(&Interface) -> i32 },
+    Count {
+        one: fn(&FrettingContact) -> i32,
+        many: fn(&Interface) -> i32,
+    },
     /// The number of the state as a Real, for importers that read only these.
     SlipNumber(fn(&FrettingContact) -> SlipState),
     /// The value of a field at one of the probe radii.

@@ -173,7 +173,7 @@ impl Interface {
     }
 
     /// Walks a part of a line to a force, N; where that wears so much that the approach would have to
-    /// follow amid it, in shorter parts. `first`: the step began here.
+    /// follow within it, in shorter parts. `first`: the step began here.
     fn walk_part(&mut self, (from_force, force): (f64, f64), end: Pose, first: bool) -> Result<(), Error> {
         let from = self.pose;
         let moves = end.displacement != from.displacement || end.rotation != from.rotation;

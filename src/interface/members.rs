@@ -245,9 +245,8 @@ impl Members {
             if slot.is_none() && to.approach <= summit.offset {
                 return Ok(());
             }
-            let contact = slot.get_or_insert_with(|| {
-                Box::new(untouched(&shared, &profiles[index], summit, from))
-            });
+            let contact =
+                slot.get_or_insert_with(|| Box::new(untouched(&shared, &profiles[index], summit, from)));
             contact.exchange_memory(memory);
             let result = change(contact, summit);
             contact.exchange_memory(memory);

@@ -51,7 +51,7 @@ impl Interface {
         }
         let numbers = snapshot.contacts.iter().map(|contact| contact.0 as usize);
         let rises = numbers.clone().zip(numbers.clone().skip(1)).all(|(a, b)| a < b);
-        if !rises || numbers.last().is_some_and(|last| last >= self.summits().len()) {
+        if !rises || snapshot.contacts.last().is_some_and(|last| last.0 as usize >= self.summits().len()) {
             return refuse("its contacts are not those of the interface");
         }
         let mut same = self.clone();

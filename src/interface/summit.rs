@@ -38,7 +38,7 @@ impl Summit {
     }
 
     /// Reads a table with one contact in each line: its offset, or offset, x and y, or these and the
-    /// radius factor, in the given unit but for the factor. Separators, decimal commas, comments and
+    /// radius factor, in the given unit except for the factor. Separators, decimal commas, comments and
     /// a header are as in [`crate::ProfileTable::parse_in`].
     ///
     /// ```
@@ -65,9 +65,8 @@ impl Summit {
                 continue;
             }
             let place = || format!("line {}, \"{}\"", index + 1, shorten(line.trim(), 60));
-            let summit = Self::of_fields(&fields, unit).and_then(|summit| {
-                summit.problem().map_or(Ok(summit), Err)
-            });
+            let summit =
+                Self::of_fields(&fields, unit).and_then(|summit| summit.problem().map_or(Ok(summit), Err));
             summits.push(summit.map_err(|problem| Error::ContactsTable { place: place(), problem })?);
         }
         Self::check_number(summits.len())?;
@@ -105,8 +104,9 @@ impl Summit {
             }
         }
         let factor = self.radius_factor;
-        (!range::LENGTH.contains(&factor))
-            .then(|| format!("radius factor = {factor:?}: it lies in 1e-30 to 1e30; 1 is the profile as given"))
+        (!range::LENGTH.contains(&factor)).then(|| {
+            format!("radius factor = {factor:?}: it lies in 1e-30 to 1e30; 1 is the profile as given")
+        })
     }
 
     /// Refuses a number of contacts.

@@ -279,8 +279,7 @@ const fn parameters() -> [Variable; 18] {
 const fn rig() -> [Variable; 2] {
     let least = Bound::Included(Parameters::LEAST_RIG_STIFFNESS);
     let stiffness = Range { low: least, high: Bound::Included(f64::INFINITY) };
-    const ALONG_X: Gradient =
-        Gradient { normal: 0.0, displacement: 1.0, displacement_y: 0.0, rotation: 0.0 };
+    const ALONG_X: Gradient = Gradient { normal: 0.0, displacement: 1.0, displacement_y: 0.0, rotation: 0.0 };
     let own = Output {
         starts_anywhere: Some(Direction::X),
         ..own(
@@ -315,8 +314,7 @@ const fn slip_state_value() -> [Variable; 1] {
 
 /// The other tangential direction.
 const fn second_direction() -> [Variable; 3] {
-    const ALONG_Y: Gradient =
-        Gradient { normal: 0.0, displacement: 0.0, displacement_y: 1.0, rotation: 0.0 };
+    const ALONG_Y: Gradient = Gradient { normal: 0.0, displacement: 0.0, displacement_y: 1.0, rotation: 0.0 };
     let force =
         summed(follows(FrettingContact::tangential_force_y, FrettingContact::tangential_force_y_gradient));
     let own = Output {
