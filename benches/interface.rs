@@ -5,7 +5,6 @@
 //! Bytes are what the allocator was asked for; times are those of the processor on Linux.
 
 #[path = "../tests/host/counting.rs"]
-#[allow(dead_code, reason = "shared with the tests")]
 mod counting;
 
 use counting::{Counting, live_bytes};

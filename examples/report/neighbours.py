@@ -10,7 +10,7 @@ import numpy as np
 import tamaas
 
 E_STAR, RADIUS, FORCE = 210e9 / (2 * (1 - 0.3**2)), 0.01, 100.0
-POINTS = 768
+POINTS = 384
 # contact radius and approach of one ball by itself
 A = (3 * FORCE * RADIUS / (4 * E_STAR)) ** (1 / 3)
 DEPTH = A**2 / RADIUS
