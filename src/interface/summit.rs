@@ -143,7 +143,7 @@ mod tests {
             ("0\nhigh\n", ["line 2, \"high\"", "`high` is not a number: it is offset, give it in um"]),
             ("0 0 0 wide\n", ["line 1, \"0 0 0 wide\"", "it is the radius factor, give a number"]),
             ("0 1\n", ["line 1, \"0 1\"", "2 column(s), but 1, 3 or 4"]),
-            ("0\n1e40\n", ["line 2, \"1e40\"", "offset = 1e34 m: it has to be finite"]),
+            ("0\n1e40\n", ["line 2, \"1e40\"", "m: it has to be finite, 1e30 m at most"]),
             ("0 nan 0\n", ["line 1, \"0 nan 0\"", "x = NaN m"]),
             ("0 0 0 -1\n", ["line 1, \"0 0 0 -1\"", "radius factor = -1.0: it lies in"]),
             ("# none\n", ["the whole table", "it has no contact"]),

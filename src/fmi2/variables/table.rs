@@ -294,7 +294,8 @@ const fn rig() -> [Variable; 2] {
         ),
         output("contact_displacement", "m", 1e-6, Range::FINITE, &["tangential_displacement", "loading"], own).about(
             "Tangential displacement of body 1 in the contact, without the stretch of the rig; in cyclic loading its amplitude",
-        ),
+        )
+        .independent_of(&["rotation"]),
     ]
 }
 
@@ -335,7 +336,7 @@ const fn second_direction() -> [Variable; 3] {
         .independent_of(&["displacement_amplitude", "frequency"]),
         output("contact_displacement_y", "m", 1e-6, Range::FINITE, &["tangential_displacement_y", "loading"], own)
             .about("As contact_displacement, along tangential_displacement_y; where it stands in cyclic loading")
-            .independent_of(&["displacement_amplitude", "frequency"]),
+            .independent_of(&["displacement_amplitude", "frequency", "rotation"]),
     ]
 }
 
@@ -353,8 +354,7 @@ const fn interface() -> [Variable; 5] {
             "Angle of body 1 about the normal through the origin of contacts_file, used when loading = transient",
         ),
         output("moment", "N.m", 1e-3, Range::FINITE, &[], moment)
-            .about("Moment of the tangential forces of body 1 about the normal through the origin of contacts_file; 0 for one contact")
-            .independent_of(&["displacement_amplitude", "frequency"]),
+            .about("Moment of the tangential forces of body 1 about the normal through the origin of contacts_file; 0 for one contact"),
         count("contact_count_in_touch", 0, touches, |interface| interface.contacts_in_touch() as i32)
             .about("Number of contacts that touch"),
         count("deepest_contact", 1, |_| 1, |interface| interface.deepest_contact() as i32 + 1).about(
