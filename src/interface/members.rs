@@ -144,13 +144,6 @@ impl Members {
             load.map_err(|problem| Error::InContact { contact: index + 1, problem: Box::new(problem) })
         };
         loads.clear();
-        #[cfg(feature = "threads")]
-        if self.in_threads && order.len() > CHUNK {
-            use rayon::prelude::*;
-            // the first refusal in order, whichever thread comes to its own first
-            let all: Vec<_> = order.par_iter().with_min_len(CHUNK).map(load).collect();
-            return all.into_iter().try_for_each(|load| load.map(|load| loads.push(load)));
-        }
         order.iter().try_for_each(|index| load(index).map(|load| loads.push(load)))
     }
 
