@@ -257,8 +257,8 @@ impl Members {
             use rayon::prelude::*;
             let change_all = |(chunk, slots): (usize, &mut [Slot])| {
                 let mut memory = WorkMemory::default();
-                let slots = slots.iter_mut().enumerate();
-                slots.map(|(k, slot)| change(chunk * CHUNK + k, slot, &mut memory)).collect()
+                let mut slots = slots.iter_mut().enumerate();
+                slots.try_for_each(|(k, slot)| change(chunk * CHUNK + k, slot, &mut memory))
             };
             let results: Vec<Result<(), Error>> =
                 self.slots.par_chunks_mut(CHUNK).enumerate().map(change_all).collect();
