@@ -33,6 +33,25 @@ pub struct Counters {
     pub coating_trials: u64,
 }
 
+impl Counters {
+    /// The sum of these and others.
+    pub(crate) fn plus(self, other: &Self) -> Self {
+        Self {
+            steps: self.steps + other.steps,
+            spring_walks: self.spring_walks + other.spring_walks,
+            contact_solutions: self.contact_solutions + other.contact_solutions,
+            descent_transforms: self.descent_transforms + other.descent_transforms,
+            pressure_transforms: self.pressure_transforms + other.pressure_transforms,
+            transform_tables: self.transform_tables + other.transform_tables,
+            factorisations: self.factorisations + other.factorisations,
+            solver_iterations: self.solver_iterations + other.solver_iterations,
+            profile_updates: self.profile_updates + other.profile_updates,
+            rejected_steps: self.rejected_steps + other.rejected_steps,
+            coating_trials: self.coating_trials + other.coating_trials,
+        }
+    }
+}
+
 impl fmt::Display for Counters {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(

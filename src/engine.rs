@@ -11,6 +11,7 @@ mod cyclic;
 mod derivatives;
 mod history;
 mod line;
+mod member;
 mod planar;
 mod readout;
 mod retune;
@@ -26,6 +27,7 @@ use axes::Axes;
 
 pub use crate::counters::Counters;
 pub use derivatives::Gradient;
+pub(crate) use member::{Mark, WorkMemory, unworn_load};
 pub use snapshot::Snapshot;
 
 use crate::error::Error;
@@ -154,23 +156,31 @@ impl FrettingContact {
                 ellipse.tangential_moduli(materials)[0],
             ),
         };
+        Ok(Self::on_surface(Arc::new(parameters), Surface::new(body), (axes, tangential_modulus)))
+    }
+
+    /// A contact whose bodies are apart, with its axes and the tangential modulus along x, Pa.
+    fn on_surface(
+        parameters: Arc<Parameters>,
+        surface: Surface,
+        (axes, tangential_modulus): (Axes, f64),
+    ) -> Self {
         let constants = Constants {
-            normal_modulus: materials.normal_modulus(),
+            normal_modulus: parameters.materials.normal_modulus(),
             tangential_modulus,
             friction_coefficient: parameters.friction_coefficient,
             wear_per_work: parameters.wear_per_work(),
             force_control: parameters.normal_control == NormalControl::Force,
         };
-        let surface = Surface::new(body);
         let touch = surface.tip();
         let control = if constants.force_control { 0.0 } else { touch };
         let wear = (constants.wear_per_work > 0.0 && constants.friction_coefficient > 0.0)
             .then(|| Box::new(WearState::default()));
-        Ok(Self {
+        Self {
             bound_slope: constants.bound_slope(),
             start_slope: constants.bound_slope(),
             compliance: parameters.rig_compliance(),
-            parameters: Arc::new(parameters),
+            parameters,
             constants,
             axes,
             surface,
@@ -190,7 +200,7 @@ impl FrettingContact {
             coating: coating::Coating::default(),
             counters: Counters::default(),
             view: OnceCell::new(),
-        })
+        }
     }
 
     /// What the contact was built from.

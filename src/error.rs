@@ -34,6 +34,44 @@ pub enum Error {
         /// What is wrong there and what to do about it.
         problem: String,
     },
+    /// A table of contacts that is not one.
+    #[error("contacts table, {place}: {problem}")]
+    ContactsTable {
+        /// Where in the table, e.g. `line 12` or `contact 3`.
+        place: String,
+        /// What is wrong there and what to do about it.
+        problem: String,
+    },
+    /// One of several contacts refuses a step.
+    #[error("contact {contact} of the interface: {problem}")]
+    InContact {
+        /// Its number in the table, from 1.
+        contact: usize,
+        /// What it refuses.
+        problem: Box<Error>,
+    },
+    /// Many contacts that no approach lets carry a force within the numbers that are computed with.
+    #[error(
+        "normal_force = {force:e} N is carried by no approach of the {contacts} contacts: check the load, the radii and the moduli"
+    )]
+    NoApproach {
+        /// N.
+        force: f64,
+        /// Their number.
+        contacts: usize,
+    },
+    /// Motion that a rigid body on several contacts cannot follow in one call.
+    #[error(
+        "the interface wears too fast: {share:.3} of the normal force is lost in one part of the step ({what}), and smaller          parts than 1/{parts} of it are not tried: take smaller steps, or check wear_coefficient and hardness"
+    )]
+    InterfaceOutrun {
+        /// Share of the normal force that the wear of the last part took.
+        share: f64,
+        /// What was asked for.
+        what: String,
+        /// Into how many parts the step was divided.
+        parts: u64,
+    },
     /// The contact would reach a radius where the one-dimensional image of the profile falls, so that the
     /// contact region would not be one disc.
     #[error(

@@ -39,6 +39,7 @@ pub mod error;
 #[cfg(feature = "fmi2")]
 pub mod fmi2;
 mod friction;
+pub mod interface;
 pub mod material;
 pub mod parameters;
 pub mod problems;
@@ -54,6 +55,7 @@ mod wear;
 pub use ellipse::HertzianEllipse;
 pub use engine::{Counters, FrettingContact, Gradient, SlipState, Snapshot};
 pub use error::Error;
+pub use interface::{Interface, InterfaceSnapshot, Summit};
 pub use material::{Elastic, Pair};
 pub use parameters::{NormalControl, Parameters};
 pub use profile::{LengthUnit, Profile, ProfileTable};

@@ -62,7 +62,12 @@ impl Contact {
 
 impl Surface {
     pub(crate) fn new(profile: Profile) -> Self {
-        Self { profile: Arc::new(profile), worn: None }
+        Self::shared(Arc::new(profile))
+    }
+
+    /// A body whose unworn profile others have, too.
+    pub(crate) fn shared(profile: Arc<Profile>) -> Self {
+        Self { profile, worn: None }
     }
 
     pub(crate) fn profile(&self) -> &Profile {
@@ -178,6 +183,22 @@ impl Surface {
         let Contact { depth, radius, load, .. } = contact;
         range::contact(radius, depth, load, load * force_scale)?;
         Ok(contact)
+    }
+
+    /// Load (m²) and contact radius (m) of a worn body at a depth, m, where a cell between its nodes
+    /// holds the edge: what [`Self::contact`] gives but for rounding, for a search. `None` where only
+    /// that knows.
+    pub(crate) fn load_in_cell(&self, depth: f64) -> Option<(f64, f64)> {
+        let nodes = self.worn().filter(|nodes| nodes.mesh().is_none())?;
+        if matches!(&*self.profile, Profile::Table(_)) || depth <= self.tip() {
+            return None;
+        }
+        let (low, high) = nodes.outermost_cell_below(depth)?;
+        let radius = nodes.radius_of_image(&self.profile, depth, low, high)?;
+        let (image, load) = nodes.worn_part(radius);
+        let overlap = depth - self.profile.image(radius) - image;
+        let load = self.profile.load_integral(radius) + load + radius * overlap;
+        (load > 0.0 && radius >= range::LEAST_RADIUS).then_some((load, radius))
     }
 
     /// Whether a contact reaches to where the unworn image falls.

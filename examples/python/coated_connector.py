@@ -2,12 +2,11 @@
 
     python coated_connector.py [FrettingContact.fmu]
 
-A gold-plated rivet of 2 mm radius on a plated flat, moved by vibration or by heat. Both
-platings wear, and the joint fails when the sum of both depths has reached the thickness of one
-plating. Below the amplitude of full slip the middle of the contact sticks and only an annulus
-wears: that ends before the coating has gone where the amplitude is small. Archard's estimate,
-which takes the mean pressure and the whole amplitude for slip, is printed and drawn beside. The
-picture coated_connector.png is written beside the FMU, or to the working directory.
+A gold-plated rivet of 2 mm radius on a plated flat, moved by vibration or by heat. Both platings
+wear; the joint fails when the sum of both depths is the thickness of one plating. Below the
+amplitude of full slip only an annulus wears. Archard's estimate takes the mean pressure and the
+whole amplitude for slip. The picture coated_connector.png is written beside the FMU, or to the
+working directory.
 """
 
 import sys
@@ -25,18 +24,11 @@ PICTURE = Path(FMU).with_name("coated_connector.png") if FMU else Path("coated_c
 COATING, MOST = 0.8e-6, 1e9  # m; cycles that are tried
 FORCES = (0.5, 2.0)  # N
 AMPLITUDES = np.geomspace(0.3e-6, 20e-6, 14)  # m
-GOLD = {
-    "radius": "2 mm",
-    "youngs_modulus_1": "80 GPa",
-    "youngs_modulus_2": "80 GPa",
-    "poisson_ratio_1": 0.42,
-    "poisson_ratio_2": 0.42,
-    "friction_coefficient": 0.5,
-    "wear_coefficient": 4e-4,
-    "hardness": "1.5 GPa",
-    "wear_coefficient_2": 2e-4,
-    "hardness_2": "1.5 GPa",
-}
+GOLD = {"radius": "2 mm", "friction_coefficient": 0.5}
+GOLD |= {"wear_coefficient": 4e-4, "hardness": "1.5 GPa"}
+GOLD |= {"wear_coefficient_2": 2e-4, "hardness_2": "1.5 GPa"}
+GOLD |= {f"youngs_modulus_{body}": "80 GPa" for body in (1, 2)}
+GOLD |= {f"poisson_ratio_{body}": 0.42 for body in (1, 2)}
 PER_WORK = (4e-4 + 2e-4) / 1.5e9  # m3/J of both bodies
 
 

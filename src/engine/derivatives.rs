@@ -36,16 +36,29 @@ pub struct Gradient {
     pub displacement: f64,
     /// With respect to the displacement along y, per m.
     pub displacement_y: f64,
+    /// With respect to the rotation of an [`crate::Interface`], per rad; 0 for a single contact.
+    pub rotation: f64,
 }
 
 impl Gradient {
     /// This times a factor; what is infinite there, where a front jumps, is no derivative and becomes 0.
-    pub(super) fn times(self, factor: f64) -> Self {
+    pub(crate) fn times(self, factor: f64) -> Self {
         let finite = |value: f64| if value.is_finite() { value } else { 0.0 };
         Self {
             normal: finite(self.normal * factor),
             displacement: finite(self.displacement * factor),
             displacement_y: finite(self.displacement_y * factor),
+            rotation: finite(self.rotation * factor),
+        }
+    }
+
+    /// The sum of this and another.
+    pub(crate) fn plus(&self, other: &Self) -> Self {
+        Self {
+            normal: self.normal + other.normal,
+            displacement: self.displacement + other.displacement,
+            displacement_y: self.displacement_y + other.displacement_y,
+            rotation: self.rotation + other.rotation,
         }
     }
 }
@@ -60,7 +73,7 @@ impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
     fn gradient(&self, by_depth: f64, by_displacement: f64) -> Gradient {
         let by_normal = by_depth * self.depth_per_normal();
-        let gradient = Gradient { normal: by_normal, displacement: by_displacement, displacement_y: 0.0 };
+        let gradient = Gradient { normal: by_normal, displacement: by_displacement, ..Gradient::default() };
         let gradient = if self.compliance > 0.0 { self.behind_the_rig(gradient) } else { gradient };
         gradient.times(if self.contact.is_open() { 0.0 } else { 1.0 })
     }
@@ -73,7 +86,7 @@ impl FrettingContact {
         Gradient {
             normal: gradient.normal + gradient.displacement * by_normal,
             displacement: gradient.displacement * own,
-            displacement_y: gradient.displacement_y,
+            ..gradient
         }
     }
 

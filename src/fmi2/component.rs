@@ -1,5 +1,6 @@
 //! One instance of the FMU: the model, where it is in its life, and how it reports to the importer.
 
+use super::body::Body;
 use super::lifecycle::Call;
 use super::logger::Logger;
 use super::model::{Attempt, Model};
@@ -178,7 +179,7 @@ impl Component {
             Profile::Table(table) => table.subtracted_height(),
             _ => 0.0,
         };
-        let [along_x, along_y] = contact.tangential_moduli();
+        let [along_x, along_y] = contact.read(FrettingContact::tangential_moduli);
         self.state = State::StepComplete;
         if subtracted != 0.0 {
             self.event(&format!(
@@ -208,7 +209,9 @@ impl Component {
         find: fn(&mut Warnings, &FrettingContact, &Settings, &Inputs) -> Vec<String>,
     ) {
         let (Some(contact), staged) = self.model.parts() else { return };
-        for message in find(&mut self.warnings, contact, &staged.settings, &staged.inputs) {
+        let find =
+            |contact: &FrettingContact| find(&mut self.warnings, contact, &staged.settings, &staged.inputs);
+        for message in contact.read(find) {
             self.logger.log(Status::Warning, &message);
         }
     }
@@ -267,7 +270,10 @@ impl Component {
         self.check_targets(length)?;
         self.model.step(end, length)?;
         let (contact, staged) = self.model.parts();
-        if contact.is_some_and(|contact| self.warnings.has_to_look(contact, &staged.inputs)) {
+        // what a contact of an interface does in a step has no counterpart in the settings
+        if let Some(Body::One(contact)) = contact
+            && self.warnings.has_to_look(contact, &staged.inputs)
+        {
             self.warn_of_mistakes(Warnings::after_step);
         }
         Ok(())
@@ -323,7 +329,7 @@ impl Component {
             staged.clock = staged.clock.in_experiment_of(&experiment);
         }
         if let (Some(contact), staged) = self.model.parts() {
-            self.warnings.resume(contact, &staged.settings, &staged.inputs);
+            contact.read(|contact| self.warnings.resume(contact, &staged.settings, &staged.inputs));
         }
         Ok(())
     }

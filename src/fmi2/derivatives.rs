@@ -8,13 +8,14 @@
 //! then there are derivatives with respect to parameters, too, since InitialUnknowns declares that
 //! outputs depend on them.
 
+use super::body::Body;
 use super::component::Component;
 use super::enumerations::Loading;
 use super::refusal::{Checked, Refusal};
 use super::settings::Inputs;
 use super::values::{Asked, Table};
-use super::variables::{Access, DataType, Direction, Output, Variable};
-use crate::engine::{FrettingContact, Gradient};
+use super::variables::{Access, DataType, Direction, Output, Variable, Whole};
+use crate::engine::Gradient;
 use core::mem::MaybeUninit;
 
 /// Relative difference of a parameter for derivatives with respect to it: rounding and curvature
@@ -26,13 +27,14 @@ struct Change {
     normal: f64,
     displacement: f64,
     displacement_y: f64,
+    rotation: f64,
     loading: Loading,
     /// Whether the contact may still be pressed on at another place.
     starting: bool,
 }
 
 impl Change {
-    fn of(&self, output: &Output, contact: &FrettingContact) -> f64 {
+    fn of(&self, output: &Output, contact: &Body) -> f64 {
         if self.starting
             && let Some(direction) = output.starts_anywhere
         {
@@ -42,23 +44,24 @@ impl Change {
                 (Loading::Cyclic, _) => 0.0,
             };
         }
-        if self.normal == 0.0 && self.displacement == 0.0 && self.displacement_y == 0.0
-            || self.loading == Loading::Cyclic && output.per_cycle.is_some()
-        {
+        let still = self.displacement == 0.0 && self.displacement_y == 0.0 && self.rotation == 0.0;
+        if self.normal == 0.0 && still || self.loading == Loading::Cyclic && output.per_cycle.is_some() {
             return 0.0;
         }
-        let gradient = (output.gradient)(contact);
+        let gradient = contact.gradient(output);
         if self.starting {
             return gradient.normal * self.normal;
         }
         gradient.normal * self.normal
             + gradient.displacement * self.displacement
             + gradient.displacement_y * self.displacement_y
+            + gradient.rotation * self.rotation
     }
 }
 
 /// An output that changes by events alone.
 const CONSTANT: Output = Output {
+    whole: Whole::Deepest,
     read: |_| 0.0,
     gradient: |_| Gradient::default(),
     per_cycle: None,
@@ -143,7 +146,7 @@ impl Component {
             self.model.beginning_with(&settings, &self.resources)
         };
         let (before, after) = (with(low)?, with(high)?);
-        let slope = |output: &Output| ((output.read)(&after) - (output.read)(&before)) / (high - low);
+        let slope = |output: &Output| (after.output(output) - before.output(output)) / (high - low);
         Ok(outputs.iter().map(slope).collect())
     }
 
@@ -175,7 +178,7 @@ impl Component {
                     _ if *order > 1 => 0.0,
                     Some(per_cycle) if change.loading == Loading::Cyclic => {
                         if frequency > 0.0 {
-                            frequency * per_cycle(contact, amplitude)
+                            frequency * contact.per_cycle(per_cycle, output, amplitude)
                         } else {
                             0.0
                         }
@@ -192,11 +195,11 @@ impl Component {
         let starting = !self.model.is_initialized();
         let settings = &self.model.staged().settings;
         let loading = settings.loading();
-        let [displacement, displacement_y] = match loading {
-            Loading::Transient => change.place(),
-            Loading::Cyclic => [change.displacement_amplitude, 0.0],
+        let ([displacement, displacement_y], rotation) = match loading {
+            Loading::Transient => (change.place(), change.rotation),
+            Loading::Cyclic => ([change.displacement_amplitude, 0.0], 0.0),
         };
         let normal = change.normal(settings.normal_control());
-        Change { normal, displacement, displacement_y, loading, starting }
+        Change { normal, displacement, displacement_y, rotation, loading, starting }
     }
 }

@@ -63,6 +63,7 @@
 //!   log only.
 #![allow(unsafe_code)]
 
+mod body;
 mod clock;
 mod component;
 mod derivatives;

@@ -1,15 +1,15 @@
 //! The contact behind one instance: what the importer has set, and the engine that is built from it
 //! when needed.
 
+use super::body::{Body, SavedBody};
 use super::clock::Clock;
 use super::enumerations::Loading;
 use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::settings::{Inputs, Settings};
 use super::values::{check_inputs, check_settings};
-use crate::engine::{FrettingContact, Snapshot};
+use crate::engine::FrettingContact;
 use crate::error::Error;
-use crate::parameters::Parameters;
 use serde::{Deserialize, Serialize};
 
 /// Everything but the contact itself.
@@ -36,8 +36,8 @@ pub(super) struct Staged {
 
 impl Staged {
     /// Whether the coating has worn through. The time is taken where it is seen for the first time.
-    pub(super) fn look_at_coating(&mut self, contact: &FrettingContact) -> bool {
-        if self.worn_through_at.is_none() && contact.worn_through() {
+    pub(super) fn look_at_coating(&mut self, contact: &Body) -> bool {
+        if self.worn_through_at.is_none() && contact.coated().is_some_and(FrettingContact::worn_through) {
             self.worn_through_at = Some(self.clock.time());
         }
         self.worn_through_at.is_some()
@@ -77,7 +77,7 @@ impl LastStep {
 pub(super) struct Model {
     staged: Staged,
     /// None while it has to be built from the settings.
-    contact: Option<FrettingContact>,
+    contact: Option<Body>,
 }
 
 /// A requested step, with everything on which its success depends.
@@ -95,7 +95,7 @@ pub(super) struct Attempt {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct SavedModel {
     staged: Staged,
-    contact: Option<(Parameters, Snapshot)>,
+    contact: Option<SavedBody>,
 }
 
 impl Model {
@@ -134,7 +134,7 @@ impl Model {
     /// The contact in its present state. During initialization that is the start which follows from
     /// what has been set so far.
     #[inline]
-    pub(super) fn contact(&mut self, resources: &Resources) -> Checked<&FrettingContact> {
+    pub(super) fn contact(&mut self, resources: &Resources) -> Checked<&Body> {
         if !self.staged.started {
             self.start(resources)?;
         }
@@ -156,21 +156,17 @@ impl Model {
     }
 
     /// The contact as it would begin now with other settings.
-    pub(super) fn beginning_with(
-        &self,
-        settings: &Settings,
-        resources: &Resources,
-    ) -> Checked<FrettingContact> {
+    pub(super) fn beginning_with(&self, settings: &Settings, resources: &Resources) -> Checked<Body> {
         press(build(settings, resources)?, settings, &self.staged.inputs)
     }
 
     /// The contact as far as it has been built, and what has been set.
-    pub(super) fn parts(&mut self) -> (Option<&FrettingContact>, &mut Staged) {
+    pub(super) fn parts(&mut self) -> (Option<&Body>, &mut Staged) {
         (self.contact.as_ref(), &mut self.staged)
     }
 
     /// Ends the initialization.
-    pub(super) fn begin(&mut self, resources: &Resources) -> Checked<&FrettingContact> {
+    pub(super) fn begin(&mut self, resources: &Resources) -> Checked<&Body> {
         self.contact(resources)?;
         self.staged.initialized = true;
         self.staged.last_step.to = self.staged.inputs;
@@ -197,13 +193,13 @@ impl Model {
         // a step that cannot be done must not leave the contact retuned either
         let before = staged.retune.then(|| contact.clone());
         let retuned = if staged.retune {
-            contact.retune_bodies(settings.friction_coefficient, settings.wear_coefficients())
+            contact.retune(settings.friction_coefficient, settings.wear_coefficients())
         } else {
             Ok(())
         };
-        let cycles_before = contact.cycles_on_coating();
+        let cycles_before = contact.coated().map_or(0.0, FrettingContact::cycles_on_coating);
         let advanced = retuned.and_then(|()| match settings.loading() {
-            Loading::Transient => contact.advance_to_planar(normal, to.place()),
+            Loading::Transient => contact.advance_to(normal, to.place(), to.rotation),
             Loading::Cyclic => {
                 let cycles = 0.5 * (from.frequency + to.frequency) * length;
                 contact.advance_cycles(normal, to.displacement_amplitude, cycles)
@@ -218,7 +214,10 @@ impl Model {
             let context = format!("step from t = {start:?} s by {length:?} s to {inputs}");
             Refusal::Step { context, problem }
         })?;
-        if staged.worn_through_at.is_none() && contact.is_known_worn_through() {
+        if let Some(contact) = contact.coated()
+            && staged.worn_through_at.is_none()
+            && contact.is_known_worn_through()
+        {
             let time = match contact.cycles_to_wear_through() {
                 Some(life) => {
                     let frequencies = (from.frequency, to.frequency);
@@ -239,18 +238,19 @@ impl Model {
 
     /// A copy of the present state.
     pub(super) fn save(&self) -> SavedModel {
-        let contact = self.contact.as_ref().map(|contact| (contact.parameters().clone(), contact.snapshot()));
-        SavedModel { staged: self.staged.clone(), contact }
+        SavedModel { staged: self.staged.clone(), contact: self.contact.as_ref().map(Body::save) }
     }
 
     /// Back to a saved state. Keeps the engine where only its state differs.
     pub(super) fn restore(&mut self, saved: &SavedModel) -> Checked {
-        match (&saved.contact, &mut self.contact) {
-            (None, contact) => *contact = None,
-            (Some((parameters, snapshot)), Some(contact)) if contact.parameters() == parameters => {
-                contact.reinstate(snapshot).map_err(|problem| engine("saved state", problem))?;
+        let taken = match (&saved.contact, &mut self.contact) {
+            (Some(saved), Some(contact)) => {
+                contact.take(saved).map_err(|problem| engine("saved state", problem))?
             }
-            (Some(_), contact) => *contact = saved.build()?,
+            _ => false,
+        };
+        if !taken {
+            self.contact = saved.build()?;
         }
         self.staged = saved.staged.clone();
         Ok(())
@@ -263,12 +263,10 @@ impl SavedModel {
         Ok(Model { staged: self.staged.clone(), contact: self.build()? })
     }
 
-    fn build(&self) -> Checked<Option<FrettingContact>> {
-        let Some((parameters, snapshot)) = &self.contact else { return Ok(None) };
-        let mut contact = FrettingContact::new(parameters.clone())
-            .map_err(|problem| engine("saved parameters", problem))?;
-        contact.reinstate(snapshot).map_err(|problem| engine("saved state", problem))?;
-        Ok(Some(contact))
+    fn build(&self) -> Checked<Option<Body>> {
+        let revive =
+            |saved: &SavedBody| saved.revive(false).map_err(|problem| engine("saved state", problem));
+        Ok(self.contact.as_ref().map(revive).transpose()?)
     }
 
     /// Refuses what no instance could have saved, `initialized` or before.
@@ -289,9 +287,13 @@ impl SavedModel {
         if staged.initialized != initialized || (initialized && !staged.started) {
             return refuse("its progress contradicts its state");
         }
-        let Some((parameters, snapshot)) = contact else {
+        let Some(body) = contact else {
             return if staged.started { refuse("it has no contact") } else { Ok(()) };
         };
+        let parameters = body.parameters();
+        if body.is_interface() == staged.settings.contacts_file.is_empty() {
+            return refuse("its contacts are not those that it sets");
+        }
         let mut settings = staged.settings.clone();
         if staged.retune {
             settings.friction_coefficient = parameters.friction_coefficient;
@@ -301,25 +303,24 @@ impl SavedModel {
         if !settings.give(parameters) {
             return refuse("its contact has other parameters than it sets");
         }
-        FrettingContact::new(parameters.clone())
-            .and_then(|mut contact| contact.restore(snapshot))
-            .map_err(|problem| engine("serialised state", problem).into())
+        body.revive(true).map(drop).map_err(|problem| engine("serialised state", problem).into())
     }
 }
 
-fn build(settings: &Settings, resources: &Resources) -> Checked<FrettingContact> {
-    let contact = FrettingContact::new(settings.parameters(resources)?);
-    Ok(contact.map_err(|problem| engine("parameters", problem))?)
+fn build(settings: &Settings, resources: &Resources) -> Checked<Body> {
+    let summits = settings.summits(resources)?;
+    let body = Body::new(settings.parameters(resources)?, summits.as_deref());
+    Ok(body.map_err(|problem| engine("parameters", problem))?)
 }
 
 /// A contact brought to its initial state.
-fn press(mut contact: FrettingContact, settings: &Settings, inputs: &Inputs) -> Checked<FrettingContact> {
-    let displacement = match settings.loading() {
-        Loading::Transient => inputs.place(),
-        Loading::Cyclic => [0.0; 2],
+fn press(mut contact: Body, settings: &Settings, inputs: &Inputs) -> Checked<Body> {
+    let (displacement, rotation) = match settings.loading() {
+        Loading::Transient => (inputs.place(), inputs.rotation),
+        Loading::Cyclic => ([0.0; 2], 0.0),
     };
     contact
-        .start_at_planar(inputs.normal(settings.normal_control()), displacement)
+        .start_at(inputs.normal(settings.normal_control()), displacement, rotation)
         .map_err(|problem| engine(&format!("start with {}", inputs.describe(settings)), problem))?;
     Ok(contact)
 }

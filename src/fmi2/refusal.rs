@@ -81,6 +81,10 @@ pub(super) enum Refusal {
     ProfileFile { name: String, path: PathBuf, reason: std::io::Error },
     #[error("profile_file = \"{name}\" ({}): {problem}", .path.display())]
     ProfileContent { name: String, path: PathBuf, problem: Error },
+    #[error("contacts_file = \"{name}\" cannot be read from {}: {reason}", .path.display())]
+    ContactsFile { name: String, path: PathBuf, reason: std::io::Error },
+    #[error("contacts_file = \"{name}\" ({}): {problem}", .path.display())]
+    ContactsContent { name: String, path: PathBuf, problem: Error },
     #[error(
         "{context} cannot be done, and nothing has changed: {problem}; try a shorter step or other inputs"
     )]

@@ -1,6 +1,7 @@
 //! The FMU's resources folder, and profile files.
 
 use super::refusal::{Checked, Refusal};
+use crate::interface::Summit;
 use crate::profile::{LengthUnit, ProfileTable};
 use percent_encoding::percent_decode_str;
 use std::ffi::CStr;
@@ -53,6 +54,20 @@ impl Resources {
             // a header in another encoding does no harm
             Ok(bytes) => Ok(ProfileTable::parse_in(&String::from_utf8_lossy(&bytes), unit)
                 .map_err(|problem| Refusal::ProfileContent { name, path, problem })?),
+        }
+    }
+}
+
+impl Resources {
+    /// Reads the contacts that the parameter `contacts_file` names, whose lengths have this unit.
+    pub(super) fn contacts(&self, file: &CStr, unit: LengthUnit) -> Checked<Vec<Summit>> {
+        let name = file.to_string_lossy().into_owned();
+        let located = self.locate(Path::new(&name));
+        let path = std::path::absolute(&located).unwrap_or(located);
+        match std::fs::read(&path) {
+            Err(reason) => Err(Refusal::ContactsFile { name, path, reason }.into()),
+            Ok(bytes) => Ok(Summit::parse(&String::from_utf8_lossy(&bytes), unit)
+                .map_err(|problem| Refusal::ContactsContent { name, path, problem })?),
         }
     }
 }

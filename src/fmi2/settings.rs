@@ -3,6 +3,7 @@
 use super::enumerations::{Items, Loading, ProfileKind};
 use super::refusal::Checked;
 use super::resources::Resources;
+use crate::interface::Summit;
 use crate::material::{Elastic, Pair};
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::{LengthUnit, Profile};
@@ -40,6 +41,7 @@ pub(super) struct Settings {
     pub(super) tolerance: f64,
     pub(super) radius_x: f64,
     pub(super) radius_y: f64,
+    pub(super) contacts_file: CString,
 }
 
 impl Default for Settings {
@@ -76,6 +78,7 @@ impl Default for Settings {
             tolerance: engine.tolerance,
             radius_x: 0.02,
             radius_y: 0.005,
+            contacts_file: CString::default(),
         }
     }
 }
@@ -92,6 +95,15 @@ impl Settings {
     /// What the engine is built from. Reads the profile file if there is one.
     pub(super) fn parameters(&self, resources: &Resources) -> Checked<Parameters> {
         Ok(self.parameters_with(self.profile(resources)?))
+    }
+
+    /// The contacts of an interface, read from their file; none where there is one contact.
+    pub(super) fn summits(&self, resources: &Resources) -> Checked<Option<Vec<Summit>>> {
+        if self.contacts_file.is_empty() {
+            return Ok(None);
+        }
+        let unit = LengthUnit::from_number(self.profile_unit);
+        resources.contacts(&self.contacts_file, unit).map(Some)
     }
 
     /// Whether these settings give those parameters, wherever the points of a table came from.
@@ -167,6 +179,7 @@ pub(super) struct Inputs {
     pub(super) displacement_amplitude: f64,
     pub(super) frequency: f64,
     pub(super) tangential_displacement_y: f64,
+    pub(super) rotation: f64,
 }
 
 impl Default for Inputs {
@@ -180,6 +193,7 @@ impl Default for Inputs {
             displacement_amplitude: Self::AMPLITUDE,
             frequency: 1.0,
             tangential_displacement_y: 0.0,
+            rotation: 0.0,
         }
     }
 }
@@ -196,6 +210,7 @@ impl Inputs {
         displacement_amplitude: 0.0,
         frequency: 0.0,
         tangential_displacement_y: 0.0,
+        rotation: 0.0,
     };
 
     /// Each with its like of others.
@@ -207,6 +222,7 @@ impl Inputs {
             displacement_amplitude: of(self.displacement_amplitude, others.displacement_amplitude),
             frequency: of(self.frequency, others.frequency),
             tangential_displacement_y: of(self.tangential_displacement_y, others.tangential_displacement_y),
+            rotation: of(self.rotation, others.rotation),
         }
     }
 
@@ -250,7 +266,11 @@ impl Inputs {
                 let [x, y] = self.place();
                 let along_y =
                     if y == 0.0 { String::new() } else { format!(", tangential_displacement_y = {y:?} m") };
-                format!("{normal}, tangential_displacement = {x:?} m{along_y}")
+                let turned = match self.rotation {
+                    0.0 => String::new(),
+                    angle => format!(", rotation = {angle:?} rad"),
+                };
+                format!("{normal}, tangential_displacement = {x:?} m{along_y}{turned}")
             }
             Loading::Cyclic => format!(
                 "{normal}, displacement_amplitude = {:?} m, frequency = {:?} Hz",

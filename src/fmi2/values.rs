@@ -1,12 +1,14 @@
 //! Access to variables by value reference. A call is checked as a whole before any of it is carried
 //! out.
 
+use super::body::Body;
 use super::component::Component;
 use super::enumerations::Items;
 use super::model::Model;
 use super::refusal::{Checked, Refusal};
 use super::settings::{Inputs, Settings};
 use super::variables::{Access, DataType, PROBES, Range, Variable, WearThrough, variables};
+use crate::engine::FrettingContact;
 use core::ffi::CStr;
 use core::fmt::Debug;
 use core::mem::MaybeUninit;
@@ -97,6 +99,7 @@ fn not_writable(variable: &Variable, value: &dyn Debug) -> Box<Refusal> {
         | Access::SlipNumber(_)
         | Access::WornThrough
         | Access::WearThrough(_)
+        | Access::Count { .. }
         | Access::Field { .. } => Refusal::ReadOnly { name, value, causality: variable.causality() },
     }
     .into()
@@ -176,26 +179,38 @@ impl Component {
         let (contact, staged) = self.model.parts();
         let mut radii: Option<[f64; PROBES]> = None;
         let mut unknown = None;
+        let mut deepest: Option<FrettingContact> = None;
         for (&reference, value) in references.iter().zip(values) {
             value.write(match (table.access(reference), contact) {
                 (Access::Input(field), _) => *field(&mut staged.inputs),
                 (Access::Parameter(field) | Access::Tunable(field), _) => *field(&mut staged.settings),
                 (Access::Output(output), Some(contact)) if output.never_falls => {
-                    staged.deepest_read = staged.deepest_read.max((output.read)(contact));
+                    staged.deepest_read = staged.deepest_read.max(contact.output(&output));
                     staged.deepest_read
                 }
-                (Access::Output(output), Some(contact)) => (output.read)(contact),
-                (Access::SlipNumber(read), Some(contact)) => read(contact).number().into(),
+                (Access::Output(output), Some(contact)) => contact.output(&output),
+                (Access::SlipNumber(read), Some(contact)) => contact.slip_state(read).number().into(),
                 (Access::WearThrough(which), Some(contact)) => {
                     staged.look_at_coating(contact);
                     match which {
                         WearThrough::Time => staged.worn_through_at.unwrap_or(0.0),
-                        WearThrough::Cycles => contact.cycles_to_wear_through().unwrap_or(0.0),
+                        WearThrough::Cycles => {
+                            contact.coated().and_then(FrettingContact::cycles_to_wear_through).unwrap_or(0.0)
+                        }
                     }
                 }
-                (Access::Field { probe, read }, Some(contact)) => {
-                    let radii = radii.get_or_insert_with(|| contact.probe_radii());
-                    let value = read(contact, radii[probe]);
+                (Access::Field { probe, read }, Some(body)) => {
+                    // the fields of an interface are those of one contact, which is found once
+                    let mut field = |contact: &FrettingContact| {
+                        let radii = radii.get_or_insert_with(|| contact.probe_radii());
+                        read(contact, radii[probe])
+                    };
+                    let value = match body {
+                        Body::One(contact) => field(contact),
+                        Body::Many(interface) => field(
+                            deepest.get_or_insert_with(|| interface.read_deepest(FrettingContact::clone)),
+                        ),
+                    };
                     if value.is_nan() {
                         unknown = Some(reference);
                     }
@@ -281,7 +296,8 @@ impl Component {
         let table = Table::get();
         let mut computed = false;
         for &reference in references {
-            computed |= matches!(table.find(reference, Asked::Integer)?.access, Access::Slip(_));
+            let access = table.find(reference, Asked::Integer)?.access;
+            computed |= matches!(access, Access::Slip(_) | Access::Count { .. });
         }
         if computed {
             self.model.contact(&self.resources)?;
@@ -290,7 +306,9 @@ impl Component {
         for (&reference, value) in references.iter().zip(values) {
             value.write(match (table.access(reference), contact) {
                 (Access::Number(field), _) => *field(&mut staged.settings),
-                (Access::Slip(read), Some(contact)) => read(contact).number(),
+                (Access::Slip(read), Some(contact)) => contact.slip_state(read).number(),
+                (Access::Count { one, .. }, Some(Body::One(contact))) => one(contact),
+                (Access::Count { many, .. }, Some(Body::Many(interface))) => many(interface),
                 other => unreachable!("not an integer variable, or not computed: {:?}", other.0),
             });
         }

@@ -6,6 +6,7 @@ mod table;
 use super::enumerations::Enumeration;
 use super::settings::{Inputs, Settings};
 use crate::engine::{FrettingContact, Gradient, SlipState};
+use crate::interface::Interface;
 use std::ffi::CString;
 use std::fmt;
 use std::ops::{Bound, RangeBounds, RangeInclusive};
@@ -104,12 +105,13 @@ const fn shown(name: &'static str, factor: f64) -> DisplayUnit {
 }
 
 /// Every unit that a variable may have.
-pub const UNITS: [Unit; 11] = [
+pub const UNITS: [Unit; 12] = [
     Unit { name: "1", base: &[], display: &[] },
     Unit { name: "Hz", base: &[("s", -1)], display: &[] },
     Unit { name: "J", base: &[("kg", 1), ("m", 2), ("s", -2)], display: &[shown("mJ", 1e3)] },
     Unit { name: "J/m2", base: &[("kg", 1), ("s", -2)], display: &[shown("J/mm2", 1e-6)] },
     Unit { name: "N", base: &[("kg", 1), ("m", 1), ("s", -2)], display: &[] },
+    Unit { name: "N.m", base: &[("kg", 1), ("m", 2), ("s", -2)], display: &[] },
     Unit { name: "N/m", base: &[("kg", 1), ("s", -2)], display: &[shown("N/um", 1e-6)] },
     Unit {
         name: "Pa",
@@ -181,6 +183,11 @@ pub(super) enum Access {
     Text(fn(&mut Settings) -> &mut CString),
     Output(Output),
     Slip(fn(&FrettingContact) -> SlipState),
+    /// A number of contacts, or which it is, of the one contact and of an interface.
+    Count {
+        one: fn(&FrettingContact) -> i32,
+        many: fn(&Interface) -> i32,
+    },
     /// The number of the state as a Real, for importers that read only these.
     SlipNumber(fn(&FrettingContact) -> SlipState),
     /// Whether the coating has worn through.
@@ -206,6 +213,8 @@ pub(super) enum WearThrough {
 /// How a real output is computed, and how it follows the inputs.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Output {
+    /// What it is of an interface.
+    pub(super) whole: Whole,
     pub(super) read: fn(&FrettingContact) -> f64,
     pub(super) gradient: fn(&FrettingContact) -> Gradient,
     /// What a cycle of a given amplitude (m) adds, for outputs that grow with the cycles of cyclic
@@ -216,6 +225,17 @@ pub(super) struct Output {
     pub(super) starts_anywhere: Option<Direction>,
     /// Whether it is the wear depth, of which the largest value read so far is given.
     pub(super) never_falls: bool,
+}
+
+/// What an output is of an interface of many contacts.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Whole {
+    /// The sum over the contacts.
+    Sum,
+    /// That of the contact which is worn deepest.
+    Deepest,
+    /// A quantity of the interface.
+    Own { read: fn(&Interface) -> f64, gradient: fn(&Interface) -> Gradient },
 }
 
 /// A tangential direction.
@@ -244,7 +264,11 @@ impl Variable {
         match self.access {
             Access::Input(_) => "input",
             Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => "parameter",
-            Access::Output(_) | Access::Slip(_) | Access::WornThrough | Access::WearThrough(_) => "output",
+            Access::Output(_)
+            | Access::Slip(_)
+            | Access::WornThrough
+            | Access::WearThrough(_)
+            | Access::Count { .. } => "output",
             Access::Field { .. } | Access::SlipNumber(_) => "local",
         }
     }
@@ -255,9 +279,11 @@ impl Variable {
             Access::Parameter(_) | Access::Number(_) | Access::Text(_) => "fixed",
             Access::Tunable(_) => "tunable",
             Access::Input(_) | Access::Output(_) | Access::Field { .. } => "continuous",
-            Access::Slip(_) | Access::SlipNumber(_) | Access::WornThrough | Access::WearThrough(_) => {
-                "discrete"
-            }
+            Access::Slip(_)
+            | Access::SlipNumber(_)
+            | Access::WornThrough
+            | Access::WearThrough(_)
+            | Access::Count { .. } => "discrete",
         }
     }
 
@@ -271,6 +297,7 @@ impl Variable {
             | Access::SlipNumber(_)
             | Access::WornThrough
             | Access::WearThrough(_)
+            | Access::Count { .. }
             | Access::Field { .. } => Some("calculated"),
         }
     }
@@ -288,6 +315,7 @@ impl Variable {
             | Access::SlipNumber(_)
             | Access::WornThrough
             | Access::WearThrough(_)
+            | Access::Count { .. }
             | Access::Field { .. } => None,
         }
     }

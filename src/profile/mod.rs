@@ -20,6 +20,7 @@ mod text;
 
 pub use table::ProfileTable;
 pub use text::LengthUnit;
+pub(crate) use text::{fields, shorten};
 
 use crate::ellipse::HertzianEllipse;
 use crate::error::Error;
@@ -142,6 +143,37 @@ impl Profile {
             Ok(Some(ellipse)) => Cow::Owned(Self::Parabola { radius: ellipse.equivalent_radius() }),
             Err(_) => Cow::Owned(Self::Parabola { radius: f64::NAN }),
         }
+    }
+
+    /// The geometrically similar profile f(r) = k f₀(r/k): all its lengths are `factor` = k times those
+    /// of this one. Angles and exponents stay.
+    ///
+    /// # Errors
+    /// As [`Self::validate`] where a length leaves its range.
+    pub fn scaled(&self, factor: f64) -> Result<Self, Error> {
+        let scaled = match self {
+            Self::Parabola { radius } => Self::Parabola { radius: factor * radius },
+            Self::Cone { slope } => Self::Cone { slope: *slope },
+            Self::PowerLaw { exponent, coefficient } => {
+                Self::PowerLaw { exponent: *exponent, coefficient: coefficient * factor.powf(1.0 - exponent) }
+            }
+            Self::BluntedSphere { radius, flat_radius } => {
+                Self::BluntedSphere { radius: factor * radius, flat_radius: factor * flat_radius }
+            }
+            Self::RoundedPunch { radius, flat_radius } => {
+                Self::RoundedPunch { radius: factor * radius, flat_radius: factor * flat_radius }
+            }
+            Self::FlatPunch { flat_radius } => Self::FlatPunch { flat_radius: factor * flat_radius },
+            Self::Ellipse { radius_x, radius_y } => {
+                Self::Ellipse { radius_x: factor * radius_x, radius_y: factor * radius_y }
+            }
+            Self::Table(table) => {
+                let points = table.points().iter().map(|&(r, f)| (factor * r, factor * f)).collect();
+                Self::Table(ProfileTable::new(points)?)
+            }
+        };
+        scaled.validate()?;
+        Ok(scaled)
     }
 
     /// Radius b of the flat tip, m; 0 where there is none.

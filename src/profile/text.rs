@@ -93,7 +93,7 @@ pub(super) fn read(text: &str, unit: LengthUnit) -> Result<Points, Error> {
 }
 
 /// The fields of a line: `;` separates before tab, and tab before blanks and commas.
-fn fields(content: &str) -> Vec<String> {
+pub(crate) fn fields(content: &str) -> Vec<String> {
     match [';', '\t'].into_iter().find(|separator| content.trim().contains(*separator)) {
         // with these separators a comma is a decimal comma
         Some(separator) => content
@@ -110,7 +110,7 @@ fn fields(content: &str) -> Vec<String> {
 }
 
 /// The start of a text for a message.
-fn shorten(text: &str, length: usize) -> String {
+pub(crate) fn shorten(text: &str, length: usize) -> String {
     let start: String = text.chars().take(length).collect();
     if start.len() < text.len() { format!("{start}…") } else { start }
 }

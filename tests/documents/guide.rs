@@ -112,8 +112,12 @@ fn literals_are_read_as_the_compiler_does() {
 }
 
 /// Texts that carry another message and say nothing of their own.
-const FRAMES: [&str; 3] =
-    ["{name}: {problem}", "{context}: {problem}", "profile_file = \"{name}\" ({}): {problem}"];
+const FRAMES: [&str; 4] = [
+    "{name}: {problem}",
+    "{context}: {problem}",
+    "profile_file = \"{name}\" ({}): {problem}",
+    "contacts_file = \"{name}\" ({}): {problem}",
+];
 
 #[test]
 fn every_message_in_the_sources_is_listed() {

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the bottom up. A module uses itself and modules before it.
-const LAYERS: [&str; 17] = [
+const LAYERS: [&str; 18] = [
     "quadrature",
     "roots",
     "counters",
@@ -19,6 +19,7 @@ const LAYERS: [&str; 17] = [
     "friction",
     "wear",
     "engine",
+    "interface",
     "reference",
     "problems",
     "fmi2",

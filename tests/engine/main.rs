@@ -7,6 +7,8 @@ mod derivatives;
 mod ellipse;
 mod end_of_the_table;
 mod fields;
+mod interface_elastic;
+mod interface_wear;
 mod invariants;
 mod loops;
 mod normal_contact;

@@ -177,7 +177,7 @@ fn derivatives_agree_with_differences_along_the_path() {
                 let middle = at.clone();
                 onward(&mut at);
                 for (name, read, gradient, tolerance) in QUANTITIES {
-                    let Gradient { normal, displacement, displacement_y } = gradient(&middle);
+                    let Gradient { normal, displacement, displacement_y, .. } = gradient(&middle);
                     let parts = [
                         normal * load * change * step / 1e-6,
                         displacement * step * way[0],

@@ -204,7 +204,8 @@ fn cycles_wear_at_a_rate() {
 }
 
 /// Every output depends on every input in some scene, as the ModelStructure says, but for those
-/// that it leaves out: by friction, through a rig, in the plane or both or, through wear, in time.
+/// that it leaves out: by friction, through a rig, in the plane or both, as one of several contacts
+/// or, through wear, in time.
 #[test]
 fn every_declared_dependency_is_one() {
     let inputs: Vec<_> = variables().iter().filter(|v| v.causality() == "input").map(|v| v.name).collect();
@@ -214,10 +215,20 @@ fn every_declared_dependency_is_one() {
         let variable = variables().iter().find(|variable| variable.name == *output);
         variable.is_some_and(|variable| variable.independent_of.contains(input))
     };
+    let folder = tempfile::tempdir().expect("a folder for the file");
+    let file = folder.path().join("contacts.txt");
+    std::fs::write(&file, "0 1e-3 0\n1e-7 -1e-3 5e-4\n").expect("the file can be written");
+    let file = std::ffi::CString::new(file.to_str().expect("a path in UTF-8")).expect("a path");
     let scenes = SCENES.iter().flat_map(|(loading, control, ..)| {
-        [(1e8, (1.0, 0.0)), (1e60, (0.7, 3e-7)), (1e8, (0.7, 3e-7))].map(|scene| (scene, loading, control))
+        [
+            (1e8, (1.0, 0.0), false),
+            (1e60, (0.7, 3e-7), false),
+            (1e8, (0.7, 3e-7), false),
+            (1e60, (0.7, 3e-7), true),
+        ]
+        .map(|scene| (scene, loading, control))
     });
-    for ((rig, (share, aside)), &loading, &control) in scenes {
+    for ((rig, (share, aside), many), &loading, &control) in scenes {
         let run = |changed: Option<&str>| {
             let set = [
                 ("wear_coefficient_2", 0.02),
@@ -226,7 +237,19 @@ fn every_declared_dependency_is_one() {
                 ("friction_coefficient_final", 0.61),
                 ("running_in_energy", 1.0),
             ];
-            let fmu = started_with(&set, rig, loading, control, 0.1);
+            let fmu = if many {
+                Fmu::started(|fmu| {
+                    assert_eq!(fmu.set_string("contacts_file", &file), OK);
+                    assert_eq!(fmu.set_integer("loading", loading), OK);
+                    assert_eq!(fmu.set_integer("normal_control", control), OK);
+                    assert_eq!(fmu.set_real("wear_coefficient", 0.1), OK);
+                    for (name, value) in &set[..2] {
+                        assert_eq!(fmu.set_real(name, *value), OK);
+                    }
+                })
+            } else {
+                started_with(&set, rig, loading, control, 0.1)
+            };
             for (k, displacement) in [3e-6, -3e-6, 2e-6, -3e-6].into_iter().enumerate() {
                 let mut set = vec![
                     ("normal_force", 100.0),
@@ -235,6 +258,7 @@ fn every_declared_dependency_is_one() {
                     ("displacement_amplitude", 1.5e-6),
                     ("frequency", 100.0),
                     ("tangential_displacement_y", aside * k as f64),
+                    ("rotation", if many { 1e-4 * k as f64 } else { 0.0 }),
                 ];
                 for (name, value) in &mut set {
                     *value *= if changed == Some(*name) { 1.01 } else { 1.0 };

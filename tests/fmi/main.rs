@@ -15,6 +15,7 @@ mod ellipse;
 mod end_of_the_table;
 mod host;
 mod instantiate;
+mod interface;
 mod lifecycle;
 #[path = "../../examples/report/masters.rs"]
 mod masters;

@@ -3,6 +3,7 @@
 use crate::host::{DISCARD, ERROR, Fmu, OK, WARNING};
 use fretting_contact::fmi2::variables::variables;
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
+use std::ffi::CString;
 
 #[test]
 fn with_nothing_set_it_is_the_steel_case() {
@@ -116,6 +117,10 @@ fn initial_outputs_depend_on_nothing_else() {
         change(&fmu);
         fmu
     };
+    let folder = tempfile::tempdir().expect("a folder for the file");
+    let contacts = folder.path().join("contacts.txt");
+    std::fs::write(&contacts, "0 1e-3 0\n1e-7 -1e-3 5e-4\n").expect("the file can be written");
+    let contacts = CString::new(contacts.to_str().expect("a path in UTF-8")).expect("a path");
     let base = perturbed(&|_| {});
     let mut influences = 0;
     for known in variables().iter().filter(|v| matches!(v.causality(), "input" | "parameter")) {
@@ -123,6 +128,7 @@ fn initial_outputs_depend_on_nothing_else() {
             (name, "Real") => assert_eq!(fmu.set_real(name, 1.5 * base.real(name).max(1e-7)), OK),
             ("resolution", _) => assert_eq!(fmu.set_integer("resolution", 64), OK),
             (name, "Enumeration") => assert_eq!(fmu.set_integer(name, 2), OK),
+            ("contacts_file", _) => assert_eq!(fmu.set_string("contacts_file", &contacts), OK),
             (name, _) => assert_eq!(fmu.set_string(name, c"tip.txt"), OK),
         });
         let outputs =

@@ -8,6 +8,7 @@ from conftest import DEMO, ROOT
 
 PYTHON = ROOT / "examples" / "python"
 EXAMPLES = [
+    "bedding_in.py",
     "blade_root.py",
     "calibrate.py",
     "coated_connector.py",
@@ -17,6 +18,7 @@ EXAMPLES = [
     "noisy_displacement.py",
     "orbit.py",
     "oscillator.py",
+    "running_in.py",
 ]
 
 # keeps what instances have said after they are gone

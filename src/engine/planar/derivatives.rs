@@ -13,7 +13,8 @@ impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
     fn gradient_in_plane(&self, by_depth: f64, by_place: Vector) -> Gradient {
         let [displacement, displacement_y] = by_place;
-        let gradient = Gradient { normal: by_depth * self.depth_per_normal(), displacement, displacement_y };
+        let normal = by_depth * self.depth_per_normal();
+        let gradient = Gradient { normal, displacement, displacement_y, ..Gradient::default() };
         self.behind_the_rig_in_plane(gradient).times(1.0)
     }
 
@@ -105,6 +106,7 @@ impl FrettingContact {
             normal: change(control + step, [0.0; 2], step)? * scale,
             displacement: change(control, [way(0), 0.0], way(0))?,
             displacement_y: change(control, [0.0, way(1)], way(1))?,
+            ..Gradient::default()
         };
         Some(self.behind_the_rig_in_plane(gradient).times(1.0))
     }

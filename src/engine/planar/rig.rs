@@ -219,6 +219,7 @@ impl FrettingContact {
             normal: of.normal - by_place[0] * by_normal[0] - by_place[1] * by_normal[1],
             displacement: by_place[0],
             displacement_y: by_place[1],
+            ..of
         }
     }
 }

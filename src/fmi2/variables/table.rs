@@ -1,10 +1,11 @@
 //! The rows. The table is made by the compiler: a library that is loaded and unloaded many times
 //! leaves nothing behind.
 
-use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable, WearThrough};
+use super::{Access, DataType, Direction, Output, PROBES, Range, UNITS, Unit, Variable, WearThrough, Whole};
 use crate::engine::{FrettingContact, Gradient, SlipState};
 use crate::fmi2::enumerations::{Enumeration, LENGTH_UNIT, LOADING, NORMAL_CONTROL, PROFILE, SLIP_STATE};
 use crate::fmi2::settings::{Inputs, Settings};
+use crate::interface::{Interface, Summit};
 use crate::parameters::Parameters;
 use crate::range;
 use std::ffi::CString;
@@ -24,6 +25,7 @@ const NORMAL: &[&str] = &[
     "profile_unit",
     "radius_x",
     "radius_y",
+    "contacts_file",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -46,6 +48,7 @@ const FRICTION: &[&str] = &[
     "profile_unit",
     "radius_x",
     "radius_y",
+    "contacts_file",
     "youngs_modulus_1",
     "poisson_ratio_1",
     "youngs_modulus_2",
@@ -123,6 +126,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
         &probes(),
         &running_in(),
         &ellipse(),
+        &interface(),
     ];
     let mut table = [parts[0][0]; COUNT];
     let (mut part, mut row) = (0, 0);
@@ -152,7 +156,8 @@ const COUNT: usize = inputs().len()
     + coating().len()
     + probes().len()
     + running_in().len()
-    + ellipse().len();
+    + ellipse().len()
+    + interface().len();
 
 const fn inputs() -> [Variable; 5] {
     [
@@ -173,18 +178,22 @@ const fn inputs() -> [Variable; 5] {
 const fn outputs() -> [Variable; 12] {
     type C = FrettingContact;
     let (volume, depth, work) = (
-        grows(C::wear_volume, C::wear_volume_gradient, C::wear_volume_per_cycle),
+        summed(grows(C::wear_volume, C::wear_volume_gradient, C::wear_volume_per_cycle)),
         Output { never_falls: true, ..grows(C::wear_depth, C::wear_depth_gradient, C::wear_depth_per_cycle) },
-        grows(C::dissipated_energy, C::dissipated_energy_gradient, C::work_per_cycle),
+        summed(grows(C::dissipated_energy, C::dissipated_energy_gradient, C::work_per_cycle)),
     );
-    let force = follows(C::tangential_force, C::tangential_force_gradient);
-    let reaction = follows(C::normal_reaction, C::normal_reaction_gradient);
-    let indentation = follows(C::indentation_depth, C::indentation_depth_gradient);
+    let force = summed(follows(C::tangential_force, C::tangential_force_gradient));
+    let reaction = summed(follows(C::normal_reaction, C::normal_reaction_gradient));
+    let indentation = own(
+        follows(C::indentation_depth, C::indentation_depth_gradient),
+        Interface::indentation_depth,
+        Interface::indentation_depth_gradient,
+    );
     let radius = follows(C::contact_radius, C::contact_radius_gradient);
     let stick = follows(C::stick_radius, C::stick_radius_gradient);
     let pressure = follows(C::max_pressure, C::max_pressure_gradient);
-    let tangential = follows(C::tangential_stiffness, C::tangential_stiffness_gradient);
-    let normal = follows(C::normal_stiffness, C::normal_stiffness_gradient);
+    let tangential = summed(follows(C::tangential_stiffness, C::tangential_stiffness_gradient));
+    let normal = summed(follows(C::normal_stiffness, C::normal_stiffness_gradient));
     [
         output("tangential_force", "N", 10.0, Range::FINITE, &[], force)
             .about("Tangential force that body 1 exerts on body 2; in cyclic loading its amplitude"),
@@ -216,7 +225,24 @@ const fn outputs() -> [Variable; 12] {
 
 /// An output that follows the inputs.
 const fn follows(read: fn(&FrettingContact) -> f64, gradient: fn(&FrettingContact) -> Gradient) -> Output {
-    Output { read, gradient, per_cycle: None, starts_anywhere: None, never_falls: false }
+    Output {
+        whole: Whole::Deepest,
+        read,
+        gradient,
+        per_cycle: None,
+        starts_anywhere: None,
+        never_falls: false,
+    }
+}
+
+/// An output that is the sum over the contacts of an interface.
+const fn summed(output: Output) -> Output {
+    Output { whole: Whole::Sum, ..output }
+}
+
+/// An output that an interface has itself.
+const fn own(output: Output, read: fn(&Interface) -> f64, gradient: fn(&Interface) -> Gradient) -> Output {
+    Output { whole: Whole::Own { read, gradient }, ..output }
 }
 
 /// An output that also grows with the cycles of cyclic loading.
@@ -286,12 +312,14 @@ const fn parameters() -> [Variable; 18] {
 const fn rig() -> [Variable; 2] {
     let least = Bound::Included(Parameters::LEAST_RIG_STIFFNESS);
     let stiffness = Range { low: least, high: Bound::Included(f64::INFINITY) };
+    const ALONG_X: Gradient = Gradient { normal: 0.0, displacement: 1.0, displacement_y: 0.0, rotation: 0.0 };
     let own = Output {
-        read: FrettingContact::displacement,
-        gradient: FrettingContact::displacement_gradient,
-        per_cycle: None,
         starts_anywhere: Some(Direction::X),
-        never_falls: false,
+        ..own(
+            follows(FrettingContact::displacement, FrettingContact::displacement_gradient),
+            Interface::displacement,
+            |_| ALONG_X,
+        )
     };
     [
         real("rig_stiffness", "N/m", stiffness, |s| &mut s.rig_stiffness).about(
@@ -299,7 +327,8 @@ const fn rig() -> [Variable; 2] {
         ),
         output("contact_displacement", "m", 1e-6, Range::FINITE, &["tangential_displacement", "loading"], own).about(
             "Tangential displacement of body 1 in the contact, without the stretch of the rig; in cyclic loading its amplitude",
-        ),
+        )
+        .independent_of(&["rotation"]),
     ]
 }
 
@@ -320,16 +349,16 @@ const fn slip_state_value() -> [Variable; 1] {
 /// Wear of body 2, and what either body has lost.
 const fn second_body() -> [Variable; 4] {
     type C = FrettingContact;
-    let volume_1 = grows(
+    let volume_1 = summed(grows(
         |c: &C| c.wear_volumes()[0],
         |c: &C| c.wear_volumes_gradient()[0],
         |c: &C, amplitude| c.wear_volumes_per_cycle(amplitude)[0],
-    );
-    let volume_2 = grows(
+    ));
+    let volume_2 = summed(grows(
         |c: &C| c.wear_volumes()[1],
         |c: &C| c.wear_volumes_gradient()[1],
         |c: &C, amplitude| c.wear_volumes_per_cycle(amplitude)[1],
-    );
+    ));
     let hardness = Range { low: Bound::Included(0.0), high: Bound::Included(*range::STRESS.end()) };
     [
         tunable("wear_coefficient_2", "1", Range::of(&range::WEAR), |s| &mut s.wear_coefficient_2).about(
@@ -353,15 +382,17 @@ const fn coating() -> [Variable; 4] {
         real("coating_thickness", "m", thickness, |s| &mut s.coating_thickness)
             .about("Thickness of a coating, the wear_depth at which worn_through becomes true; 0: none"),
         variable("worn_through", DataType::Boolean, Access::WornThrough)
-            .about("Whether wear_depth has reached coating_thickness; false without a coating"),
+            .about("Whether wear_depth has reached coating_thickness; false without a coating")
+            .independent_of(&["rotation"]),
         event("worn_through_time", "s", WearThrough::Time).about(
             "Time at which worn_through became true, 0 before: in cyclic loading that of the cycle, in transient loading \
              the end of the step in which it was found",
-        ),
+        )
+        .independent_of(&["rotation"]),
         event("cycles_to_wear_through", "1", WearThrough::Cycles).about(
             "Cycles of cyclic loading since the start at which worn_through became true, 0 before, within tolerance",
         )
-        .independent_of(&["tangential_displacement", "tangential_displacement_y"]),
+        .independent_of(&["tangential_displacement", "tangential_displacement_y", "rotation"]),
     ]
 }
 
@@ -390,7 +421,8 @@ const fn running_in() -> [Variable; 3] {
              W = dissipated_energy; 0: constant friction",
         ),
         output("friction_coefficient_now", "1", 1.0, Range::NOT_NEGATIVE, &["friction_coefficient"], now)
-            .about("Coefficient of friction at the present"),
+            .about("Coefficient of friction at the present")
+            .independent_of(&["rotation"]),
     ]
 }
 
@@ -426,19 +458,16 @@ const fn ellipse() -> [Variable; 4] {
 
 /// The other tangential direction.
 const fn second_direction() -> [Variable; 3] {
-    let force = Output {
-        read: FrettingContact::tangential_force_y,
-        gradient: FrettingContact::tangential_force_y_gradient,
-        per_cycle: None,
-        starts_anywhere: None,
-        never_falls: false,
-    };
+    const ALONG_Y: Gradient = Gradient { normal: 0.0, displacement: 0.0, displacement_y: 1.0, rotation: 0.0 };
+    let force =
+        summed(follows(FrettingContact::tangential_force_y, FrettingContact::tangential_force_y_gradient));
     let own = Output {
-        read: FrettingContact::displacement_y,
-        gradient: FrettingContact::displacement_y_gradient,
-        per_cycle: None,
         starts_anywhere: Some(Direction::Y),
-        never_falls: false,
+        ..own(
+            follows(FrettingContact::displacement_y, FrettingContact::displacement_y_gradient),
+            Interface::displacement_y,
+            |_| ALONG_Y,
+        )
     };
     [
         input("tangential_displacement_y", "m", 1e-6, Range::FINITE, |i| &mut i.tangential_displacement_y).about(
@@ -450,8 +479,43 @@ const fn second_direction() -> [Variable; 3] {
         .independent_of(&["displacement_amplitude", "frequency"]),
         output("contact_displacement_y", "m", 1e-6, Range::FINITE, &["tangential_displacement_y", "loading"], own)
             .about("As contact_displacement, along tangential_displacement_y; where it stands in cyclic loading")
-            .independent_of(&["displacement_amplitude", "frequency"]),
+            .independent_of(&["displacement_amplitude", "frequency", "rotation"]),
     ]
+}
+
+/// Several contacts of one rigid body.
+const fn interface() -> [Variable; 5] {
+    const NONE: Gradient = Gradient { normal: 0.0, displacement: 0.0, displacement_y: 0.0, rotation: 0.0 };
+    let moment = own(follows(|_| 0.0, |_| NONE), Interface::moment, Interface::moment_gradient);
+    let touches = |contact: &FrettingContact| i32::from(contact.contact_radius() > 0.0);
+    [
+        text("contacts_file", |s| &mut s.contacts_file).about(
+            "File with one contact in each line: offset, or offset, x and y, in profile_unit, and a factor of the radius; empty: one contact. \
+             A relative name is looked for in the FMU's resources, then in the working directory",
+        ),
+        input("rotation", "rad", 1e-6, Range::FINITE, |i| &mut i.rotation).about(
+            "Angle of body 1 about the normal through the origin of contacts_file, used when loading = transient",
+        ),
+        output("moment", "N.m", 1e-3, Range::FINITE, &[], moment)
+            .about("Moment of the tangential forces of body 1 about the normal through the origin of contacts_file; 0 for one contact"),
+        count("contact_count_in_touch", 0, touches, |interface| interface.contacts_in_touch() as i32)
+            .about("Number of contacts that touch"),
+        count("deepest_contact", 1, |_| 1, |interface| interface.deepest_contact() as i32 + 1).about(
+            "Line of contacts_file with the contact that is worn deepest: wear_depth, contact_radius, stick_radius, max_pressure and the \
+             fields are its own",
+        ),
+    ]
+}
+
+/// An Integer output about the contacts of an interface.
+const fn count(
+    name: &'static str,
+    min: i32,
+    one: fn(&FrettingContact) -> i32,
+    many: fn(&Interface) -> i32,
+) -> Variable {
+    let data_type = DataType::Integer { min, max: Summit::MOST as i32 };
+    Variable { initial_dependencies: NORMAL, ..variable(name, data_type, Access::Count { one, many }) }
 }
 
 /// A field at one of the probe radii.

@@ -88,6 +88,13 @@ impl Nodes {
         Some(x.max(low).min(high))
     }
 
+    /// Ends (m) of the outermost cell whose inner end has an image of `image` (m) at most, and whose
+    /// outer end has a larger one.
+    pub(crate) fn outermost_cell_below(&self, image: f64) -> Option<(f64, f64)> {
+        let inner = self.whole.iter().rposition(|g| *g <= image)?;
+        Some((self.x[inner], *self.x.get(inner + 1)?))
+    }
+
     /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
     pub(crate) fn worn_part(&self, x: f64) -> (f64, f64) {
         self.worn_part_in(self.cell(x), x)

@@ -71,7 +71,7 @@ fn starts_lie_within_their_bounds() {
             }
             assert!(number(data, "nominal").is_none_or(|nominal| nominal > 0.0), "{}", name(variable));
         }
-        assert_eq!(starts, 6 + 27, "inputs and parameters apart from profile_file");
+        assert_eq!(starts, 7 + 27, "inputs and parameters apart from the files");
     });
 }
 

@@ -6,7 +6,10 @@ use fretting_contact::fmi2::variables::{DataType, Start, Variable, variables};
 use std::sync::LazyLock;
 
 /// Number of inputs.
-const INPUTS: usize = 6;
+const INPUTS: usize = 7;
+
+/// The variables that are texts.
+const TEXTS: [&str; 2] = ["profile_file", "contacts_file"];
 
 /// Room for the variables that are not fields.
 const ROOM: usize = 64;
@@ -106,7 +109,8 @@ pub(crate) struct Model {
     /// By place; the start value, or NaN where the model computes it.
     reals: [f64; ROOM],
     integers: [i32; ROOM],
-    text: &'static str,
+    /// In the order of [`TEXTS`].
+    texts: [&'static str; 2],
     slopes: [f64; INPUTS],
     pub(crate) time: f64,
     stop: Option<f64>,
@@ -155,7 +159,7 @@ static NEW: LazyLock<Model> = LazyLock::new(|| {
         state: Instantiated,
         reals: core::array::from_fn(real),
         integers: core::array::from_fn(integer),
-        text: "",
+        texts: [""; 2],
         slopes: [0.0; INPUTS],
         time: 0.0,
         stop: None,
@@ -218,8 +222,8 @@ impl Model {
     pub(crate) fn known_integer(&self, reference: u32) -> Option<i32> {
         variable(reference).filter(|v| is_set(v)).map(|_| self.integers[slot(reference)])
     }
-    pub(crate) fn known_text(&self) -> &str {
-        self.text
+    pub(crate) fn known_text(&self, reference: u32) -> &str {
+        TEXTS.iter().position(|name| is(reference, name)).map_or("", |k| self.texts[k])
     }
 
     pub(crate) fn get(&self, references: &[u32], kinds: &[&str]) -> Expected {
@@ -286,10 +290,11 @@ impl Model {
     }
 
     pub(crate) fn set_text(&mut self, reference: u32, value: Option<&'static str>) -> Expected {
-        let good = self.allows(Group::Set) && is(reference, "profile_file") && !self.initialized();
-        match value {
-            Some(text) if good => {
-                self.text = text;
+        let which = TEXTS.iter().position(|name| is(reference, name));
+        let good = self.allows(Group::Set) && !self.initialized();
+        match (value, which) {
+            (Some(text), Some(which)) if good => {
+                self.texts[which] = text;
                 Expected::Ok
             }
             _ => Expected::Error,

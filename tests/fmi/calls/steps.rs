@@ -71,7 +71,7 @@ impl Host {
                     let mut value = [null()];
                     let status = fmi2GetString(c, target.as_ptr(), 1, value.as_mut_ptr());
                     if status == 0 {
-                        assert_eq!(CStr::from_ptr(value[0]).to_str(), Ok(self.model.known_text()));
+                        assert_eq!(CStr::from_ptr(value[0]).to_str(), Ok(self.model.known_text(target[0])));
                     }
                     (status, self.model.get(&target, &["String"]))
                 }

@@ -1,0 +1,82 @@
+//! What an interface of many contacts costs: a thousand summits that wear under a varying load, step
+//! by step, their memory, and the time of a call for many cycles.
+//!
+//! `cargo bench --bench interface --no-default-features`; with `--features threads` on all cores.
+//! Bytes are what the allocator was asked for; times are those of the processor on Linux.
+
+#[path = "../tests/fmi/counting.rs"]
+mod counting;
+
+use counting::{Counting, live_bytes};
+use fretting_contact::{Interface, Parameters, Summit};
+use std::f64::consts::TAU;
+use std::time::{Duration, Instant};
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// Steps of a cycle.
+const STEPS: u32 = 100;
+
+/// Time that a processor has spent on this thread, where the system says it; else by the clock.
+fn spent(start: Instant) -> Duration {
+    let text = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
+    let nanoseconds = text.split_whitespace().next().and_then(|first| first.parse().ok());
+    nanoseconds.map_or_else(|| start.elapsed(), Duration::from_nanos)
+}
+
+/// Summits of 100 µm radius with evenly spread heights.
+fn summits(count: u32, span: f64) -> Vec<Summit> {
+    let offset = |k: u32| span * (f64::from(k) * 0.618_033_988_75).fract();
+    (0..count).map(|k| Summit::at_offset(offset(k))).collect()
+}
+
+fn parameters(wear_coefficient: f64, resolution: usize) -> Parameters {
+    let profile = fretting_contact::Profile::Parabola { radius: 1e-4 };
+    Parameters { profile, wear_coefficient, resolution, ..Parameters::default() }
+}
+
+/// `steps` steps of 1000 contacts; the load swings by 30 % in two thirds of the frequency.
+fn run(wear_coefficient: f64, resolution: usize, steps: u32) {
+    let mut joint = Interface::new(parameters(wear_coefficient, resolution), &summits(1000, 1e-6)).unwrap();
+    let before = live_bytes();
+    joint.start_at(100.0, [0.0; 2], 0.0).unwrap();
+    let (now, began) = (Instant::now(), spent(Instant::now()));
+    for k in 1..=steps {
+        let phase = TAU * f64::from(k) / f64::from(STEPS);
+        let (force, u) = (100.0 * (1.0 + 0.3 * (0.7 * phase).cos()), 0.6e-6 * phase.sin());
+        joint.advance_to(force, [u, 0.0], 0.0).unwrap();
+    }
+    let time = spent(now).saturating_sub(began);
+    let (bytes, touched) = ((live_bytes() - before) as f64, joint.contacts_in_touch());
+    println!(
+        "k = {wear_coefficient:.1e}, {resolution} cells: {steps} steps of 1000 contacts ({touched} touch) {time:.2?}, {:.2} us a contact and step, {:.1} updates each, {:.2} KiB each, deepest wear {:.3e} m",
+        1e6 * time.as_secs_f64() / f64::from(steps) / 1e3,
+        joint.counters().profile_updates as f64 / 1e3,
+        bytes / 1024.0 / 1e3,
+        joint.wear_depth()
+    );
+}
+
+/// Cycles in one call.
+fn cycles(resolution: usize, count: u32) {
+    let mut joint = Interface::new(parameters(3.2e-4, resolution), &summits(count, 1e-6)).unwrap();
+    let (now, began) = (Instant::now(), spent(Instant::now()));
+    joint.advance_cycles(0.1 * f64::from(count), 0.3e-6, 1e5).unwrap();
+    println!(
+        "{count} contacts, {resolution} cells, 1e5 cycles in one call: {:.2?}, deepest wear {:.3e} m, {} touch",
+        spent(now).saturating_sub(began),
+        joint.wear_depth(),
+        joint.contacts_in_touch()
+    );
+}
+
+fn main() {
+    // cargo passes --bench when it benchmarks; anything else only wants to know that this runs
+    let benchmark = std::env::args().any(|argument| argument == "--bench");
+    let steps = if benchmark { 10_000 } else { 20 };
+    for (wear_coefficient, resolution) in [(0.0, 64), (3.2e-4, 16), (3.2e-4, 64), (3.2e-3, 16)] {
+        run(wear_coefficient, resolution, steps);
+    }
+    cycles(16, if benchmark { 1000 } else { 10 });
+}

@@ -1,0 +1,214 @@
+//! A contact as one of many: what is the same in all of them is shared, and a change of several
+//! contacts can be taken back where one of them refuses it.
+
+use super::axes::Axes;
+use super::planar::Planar;
+use super::retune::FormerWear;
+use super::stroke::Stroke;
+use super::{Counters, FrettingContact};
+use crate::error::Error;
+use crate::friction::{SlipPiece, Springs};
+use crate::parameters::Parameters;
+use crate::profile::Profile;
+use crate::surface::{Contact, Surface, TransformCache};
+use crate::wear::{Sliding, WearBacklog};
+use std::mem::{swap, take};
+use std::sync::Arc;
+
+/// Buffers that a step needs and that hold nothing between two steps.
+#[derive(Debug, Default)]
+pub(crate) struct WorkMemory {
+    spare: Springs,
+    undo: Springs,
+    backlog: WearBacklog,
+    slips: Vec<SlipPiece>,
+}
+
+/// A state to return to. It shares the nodes of the worn profile with the contact.
+#[derive(Debug, Clone)]
+pub(crate) struct Mark {
+    surface: Surface,
+    contact: Contact,
+    springs: Springs,
+    displacement: [f64; 2],
+    planar: Option<Box<Planar>>,
+    direction: f64,
+    work: f64,
+    stroke: Stroke,
+    former: FormerWear,
+    reach: f64,
+    counters: Counters,
+    wear: Option<WearMark>,
+}
+
+#[derive(Debug, Clone)]
+struct WearMark {
+    backlog: WearBacklog,
+    limit: f64,
+    deferred_work: f64,
+    expected: Option<Sliding>,
+    next_step: Option<(Sliding, f64)>,
+    defect: f64,
+    clipped: f64,
+}
+
+/// Normal force (N) and contact radius (m) of an unworn profile at an indentation depth, m.
+///
+/// # Errors
+/// As [`FrettingContact::advance_to`].
+pub(crate) fn unworn_load(
+    parameters: &Parameters,
+    profile: &Arc<Profile>,
+    depth: f64,
+) -> Result<(f64, f64), Error> {
+    load_of(&Surface::shared(profile.clone()), parameters, depth)
+}
+
+fn load_of(surface: &Surface, parameters: &Parameters, depth: f64) -> Result<(f64, f64), Error> {
+    let scale = 2.0 * parameters.materials.normal_modulus();
+    let contact = surface.contact(parameters.normal_control, depth, scale)?;
+    Ok((scale * contact.load, contact.radius))
+}
+
+impl FrettingContact {
+    /// A contact of parameters that have been validated, with its own profile in place of theirs.
+    pub(crate) fn with_profile(parameters: Arc<Parameters>, profile: Arc<Profile>) -> Self {
+        let modulus = parameters.materials.tangential_modulus();
+        Self::on_surface(parameters, Surface::shared(profile), (Axes::CIRCLE, modulus))
+    }
+
+    /// Parameters that are equal to those of other contacts but for what the contact has itself.
+    pub(crate) fn share_parameters(&mut self, parameters: &Arc<Parameters>) {
+        self.parameters = parameters.clone();
+    }
+
+    /// Places a body that has not touched yet, at a depth (m) above the other body.
+    pub(crate) fn place_apart(&mut self, depth: f64, [x, y]: [f64; 2]) {
+        self.contact = Contact { control: depth, depth, radius: 0.0, load: 0.0 };
+        (self.displacement, self.displacement_y) = (x, y);
+    }
+
+    /// Indentation depth at which the worn body touches, m.
+    pub(crate) fn touch_depth(&self) -> f64 {
+        self.surface.tip()
+    }
+
+    /// Normal force (N) and contact radius (m) of the profile as it is at another depth, m.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to`].
+    pub(crate) fn load_at(&self, depth: f64) -> Result<(f64, f64), Error> {
+        if depth == self.contact.control {
+            return Ok((self.normal_reaction(), self.contact.radius));
+        }
+        match self.surface.load_in_cell(depth) {
+            Some((load, radius)) => Ok((self.force_scale() * load, radius)),
+            None => load_of(&self.surface, &self.parameters, depth),
+        }
+    }
+
+    /// Depth of the wear at the last update of the profile, m: [`Self::wear_depth`] without what
+    /// waits for the next update.
+    pub(crate) fn updated_wear_depth(&self) -> f64 {
+        let depth = |nodes: &crate::surface::Nodes| nodes.depth().iter().fold(0.0f64, |a, w| a.max(*w));
+        self.surface.worn().map_or(0.0, depth)
+    }
+
+    /// Takes the buffers of a step from where they are kept, or puts them back there.
+    pub(crate) fn exchange_memory(&mut self, memory: &mut WorkMemory) {
+        swap(&mut self.spare, &mut memory.spare);
+        swap(&mut self.undo, &mut memory.undo);
+        if let Some(wear) = &mut self.wear {
+            swap(&mut wear.undo, &mut memory.backlog);
+            swap(&mut wear.slips, &mut memory.slips);
+            // the tables of the transforms are those of one profile
+            wear.transforms = TransformCache::default();
+        }
+    }
+
+    /// A mark of the present state.
+    pub(crate) fn mark(&self) -> Mark {
+        Mark {
+            surface: self.surface.clone(),
+            contact: self.contact,
+            springs: self.springs.clone(),
+            displacement: [self.displacement, self.displacement_y],
+            planar: self.planar.as_ref().map(|planar| Box::new(planar.saved())),
+            direction: self.direction,
+            work: self.work,
+            stroke: self.stroke.clone(),
+            former: self.former,
+            reach: self.reach,
+            counters: self.counters,
+            wear: self.wear.as_ref().map(|wear| WearMark {
+                backlog: wear.backlog.clone(),
+                limit: wear.limit,
+                deferred_work: wear.deferred_work,
+                expected: wear.expected,
+                next_step: wear.next_step,
+                defect: wear.defect,
+                clipped: wear.clipped,
+            }),
+        }
+    }
+
+    /// Moves a mark to the present state, in its own memory.
+    pub(crate) fn mark_again(&self, mark: &mut Mark) {
+        let (mut springs, wear) = (take(&mut mark.springs), mark.wear.take());
+        springs.copy_from(&self.springs);
+        let wear = match (wear, &self.wear) {
+            (Some(mut mark), Some(wear)) => {
+                mark.backlog.copy_from(&wear.backlog);
+                Some(WearMark {
+                    backlog: mark.backlog,
+                    limit: wear.limit,
+                    deferred_work: wear.deferred_work,
+                    expected: wear.expected,
+                    next_step: wear.next_step,
+                    defect: wear.defect,
+                    clipped: wear.clipped,
+                })
+            }
+            _ => None,
+        };
+        *mark = Mark {
+            surface: self.surface.clone(),
+            contact: self.contact,
+            springs,
+            displacement: [self.displacement, self.displacement_y],
+            planar: self.planar.as_ref().map(|planar| Box::new(planar.saved())),
+            direction: self.direction,
+            work: self.work,
+            stroke: self.stroke.clone(),
+            former: self.former,
+            reach: self.reach,
+            counters: self.counters,
+            wear,
+        };
+    }
+
+    /// Goes back to a mark of this contact.
+    pub(crate) fn return_to(&mut self, mark: &Mark) {
+        self.surface = mark.surface.clone();
+        self.contact = mark.contact;
+        self.springs.copy_from(&mark.springs);
+        [self.displacement, self.displacement_y] = mark.displacement;
+        self.planar = mark.planar.clone();
+        self.direction = mark.direction;
+        self.work = mark.work;
+        self.stroke.clone_from(&mark.stroke);
+        self.former = mark.former;
+        self.reach = mark.reach;
+        self.counters = mark.counters;
+        if let (Some(wear), Some(mark)) = (&mut self.wear, &mark.wear) {
+            wear.backlog.copy_from(&mark.backlog);
+            wear.limit = mark.limit;
+            wear.deferred_work = mark.deferred_work;
+            wear.expected = mark.expected;
+            wear.next_step = mark.next_step;
+            wear.defect = mark.defect;
+            wear.clipped = mark.clipped;
+        }
+        self.view.take();
+    }
+}

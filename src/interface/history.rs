@@ -1,0 +1,315 @@
+//! Transient histories: straight lines in (force or approach, displacement, rotation).
+
+use super::members::Marks;
+use super::{Interface, Pose, Step};
+use crate::error::Error;
+use crate::parameters::NormalControl;
+use crate::range;
+
+/// Largest change of the stiffness along a part of a step, relative, over the root of the tolerance.
+/// The springs that touch in such a part do so at a displacement that is off by an eighth of that
+/// change, which makes an error of the tangential force of a twelfth of its square.
+const STIFFNESS_SHARE: f64 = 2.0;
+
+/// Most parts of a step under force control, whatever the tolerance.
+const MOST_PARTS: f64 = 1024.0;
+
+/// Largest share of the normal force that the wear of a part of a step may take before the approach
+/// follows, over the tolerance, where a contact wears in several updates.
+const LOST_SHARE: f64 = 4.0;
+
+/// Most parts into which wear divides a part of a step.
+const MOST_DIVISION: f64 = 4096.0;
+
+/// Steps after which all contacts are marked again. Marking each time took a third of a step with wear.
+const STEPS_PER_MARK: usize = 32;
+
+/// Share of the force that counts as rounding: a force that is held keeps its approach to the bit.
+const ROUNDING: f64 = 1e-12;
+
+/// Most corrections of the approach after wear. Pressing wears nothing: the second finds nothing to do.
+const MOST_CORRECTIONS: usize = 8;
+
+/// How a part of a step went.
+enum Outcome {
+    /// It is done; `easy` where a longer part would have been.
+    Done { easy: bool },
+    /// It has to be divided: a share of the force was lost to wear.
+    TooLong { lost: f64 },
+}
+
+/// The number at a share of the way between two, the ends to the bit.
+fn mix(a: f64, b: f64, share: f64) -> f64 {
+    if share == 1.0 || a == b { b } else { a + share * (b - a) }
+}
+
+impl Pose {
+    /// Displacement and rotation at a share of the way to another pose.
+    fn towards(&self, end: &Self, share: f64) -> Self {
+        let displacement = [0, 1].map(|k| mix(self.displacement[k], end.displacement[k], share));
+        Self { displacement, rotation: mix(self.rotation, end.rotation, share), ..*self }
+    }
+}
+
+impl Interface {
+    /// Walks the straight line from the present state to a normal force (N) or approach (m), by
+    /// `normal_control`, a displacement along x and y (m) and a rotation (rad).
+    ///
+    /// How the caller splits a line does not matter to the set tolerance.
+    ///
+    /// # Errors
+    /// As [`crate::FrettingContact::advance_to`], of the first contact that refuses;
+    /// [`Error::InterfaceOutrun`] for a step that wears more than can be followed.
+    pub fn advance_to(&mut self, normal: f64, displacement: [f64; 2], rotation: f64) -> Result<(), Error> {
+        self.check(normal, displacement, rotation)?;
+        let same = normal == self.control
+            && displacement == self.pose.displacement
+            && rotation == self.pose.rotation;
+        if same {
+            return Ok(());
+        }
+        let step = Step { normal, displacement, rotation };
+        if self.undo.start.is_none() || self.undo.steps.len() >= STEPS_PER_MARK {
+            self.mark();
+        }
+        match self.walk(&step) {
+            Ok(()) => {
+                self.undo.steps.push(step);
+                Ok(())
+            }
+            Err(problem) => {
+                self.roll_back()?;
+                Err(problem)
+            }
+        }
+    }
+
+    /// Walks a step.
+    pub(super) fn walk(&mut self, step: &Step) -> Result<(), Error> {
+        let Step { normal, displacement, rotation } = *step;
+        let to = Pose { approach: normal, displacement, rotation };
+        self.ahead = None;
+        match self.parameters.normal_control {
+            NormalControl::Indentation => self.go_to(to, false)?,
+            NormalControl::Force => self.walk_line(to)?,
+        }
+        self.control = normal;
+        Ok(())
+    }
+
+    /// Lifts the body off, takes it to a displacement (m) and a rotation (rad), and presses it down
+    /// there, so that no contact carries a tangential force. Wear and work so far stay.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to`].
+    pub fn start_at(&mut self, normal: f64, displacement: [f64; 2], rotation: f64) -> Result<(), Error> {
+        self.check(normal, displacement, rotation)?;
+        let mut pose = Pose { approach: normal, displacement, rotation };
+        self.transaction(|this| {
+            let mut apart = false;
+            if this.parameters.normal_control == NormalControl::Force {
+                apart = normal <= 0.0;
+                pose.approach = this.approach_or_touch(normal)?;
+            }
+            this.members.start(&pose, apart)?;
+            this.pose = pose;
+            this.control = normal;
+            this.settle()
+        })
+    }
+
+    /// Refuses inputs that are no usable numbers.
+    pub(super) fn check(&self, normal: f64, [x, y]: [f64; 2], rotation: f64) -> Result<(), Error> {
+        let name = match self.parameters.normal_control {
+            NormalControl::Force => "normal_force",
+            NormalControl::Indentation => "indentation",
+        };
+        range::input(name, normal)?;
+        range::input("tangential_displacement", x)?;
+        range::input("tangential_displacement_y", y)?;
+        range::input("rotation", rotation)
+    }
+
+    /// Walks a line in force; `to.approach` is the force at its end, N.
+    fn walk_line(&mut self, to: Pose) -> Result<(), Error> {
+        let (from, force) = (self.pose, to.approach);
+        let start = self.control;
+        // where the bodies touch or part
+        let cut = (start * force < 0.0).then(|| start / (start - force));
+        let ends = [cut.map(|share| (share, 0.0)), Some((1.0, force))];
+        let (mut share, mut at, mut first) = (0.0, start, true);
+        for (end, next) in ends.into_iter().flatten() {
+            let parts = self.parts(at, next, &from.towards(&to, end))?;
+            for k in 1..=parts {
+                let part = k as f64 / parts as f64;
+                let before = mix(at, next, (k - 1) as f64 / parts as f64);
+                let here = from.towards(&to, mix(share, end, part));
+                self.walk_part((before, mix(at, next, part)), here, first)?;
+                first = false;
+            }
+            (share, at) = (end, next);
+        }
+        Ok(())
+    }
+
+    /// Parts of a line between two forces (N) in which the approach is straight.
+    fn parts(&mut self, from: f64, to: f64, end: &Pose) -> Result<u64, Error> {
+        let moves = end.displacement != self.pose.displacement || end.rotation != self.pose.rotation;
+        if !moves || from == to || (from <= 0.0 && to <= 0.0) {
+            return Ok(1);
+        }
+        let before = self.normal_stiffness();
+        let after = if to > 0.0 {
+            let found = self.approach_under(to, self.guess(to))?;
+            self.ahead = Some((to, found.value));
+            found.stiffness
+        } else {
+            0.0
+        };
+        let change = (after - before).abs() / after.max(before);
+        let parts = change / (STIFFNESS_SHARE * self.parameters.tolerance.sqrt());
+        // a share that is no number has one part, too
+        Ok(parts.ceil().clamp(1.0, MOST_PARTS) as u64)
+    }
+
+    /// Walks a part of a line to a force, N; where that wears so much that the approach would have to
+    /// follow within it, in shorter parts. `first`: the step began here.
+    fn walk_part(&mut self, (from_force, force): (f64, f64), end: Pose, first: bool) -> Result<(), Error> {
+        let from = self.pose;
+        let moves = end.displacement != from.displacement || end.rotation != from.rotation;
+        if !self.wears() || !moves || force <= 0.0 {
+            return self.press_to(force, end).map(|_| ());
+        }
+        let (mut marks, mut length) = (Marks::new(), 1.0);
+        if first {
+            // the marks of the step serve
+            let updates = self.members.updates();
+            if let Outcome::Done { .. } = self.try_part(force, end, &updates)? {
+                return Ok(());
+            }
+            self.roll_back()?;
+            length = 0.5;
+        }
+        let (mut done, shortest) = (0.0, 1.0 / MOST_DIVISION);
+        while done < 1.0 {
+            let share: f64 = if done + length >= 1.0 { 1.0 } else { done + length };
+            let pose = self.pose;
+            self.members.mark_in(&mut marks);
+            let load = mix(from_force, force, share);
+            let updates = self.members.updates();
+            match self.try_part(load, from.towards(&end, share), &updates)? {
+                Outcome::Done { easy } => {
+                    done = share;
+                    if easy {
+                        length *= 2.0;
+                    }
+                }
+                Outcome::TooLong { lost } if length <= shortest => {
+                    let [x, y] = end.displacement;
+                    let what = format!("to displacement ({x:e}, {y:e}) m, rotation {:e} rad", end.rotation);
+                    return Err(Error::InterfaceOutrun { share: lost, what, parts: MOST_DIVISION as u64 });
+                }
+                Outcome::TooLong { lost } => {
+                    self.members.return_to(&marks);
+                    self.pose = pose;
+                    // what is lost grows with the length
+                    let shorter = (0.7 * self.most_lost() / lost).clamp(1.0 / 16.0, 0.5);
+                    length = (length * shorter).max(shortest);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Share of the force that the wear of one part of a step may take.
+    fn most_lost(&self) -> f64 {
+        LOST_SHARE * self.parameters.tolerance
+    }
+
+    /// Walks a part of a line. `updates` are those of the contacts before it.
+    fn try_part(&mut self, force: f64, end: Pose, updates: &[u64]) -> Result<Outcome, Error> {
+        let lost = match self.press_to(force, end) {
+            Ok(lost) => lost,
+            // a shorter part may wear what this one cannot follow
+            Err(Error::InContact { problem, .. })
+                if matches!(*problem, Error::WearOutrun { .. } | Error::TooMuchWear { .. }) =>
+            {
+                return Ok(Outcome::TooLong { lost: 1.0 });
+            }
+            Err(other) => return Err(other),
+        };
+        let limit = self.most_lost();
+        // a single update wears what has been gathered at the held force
+        if lost > limit && self.members.most_updates_since(updates) > 1 {
+            return Ok(Outcome::TooLong { lost });
+        }
+        Ok(Outcome::Done { easy: lost < 0.5 * limit })
+    }
+
+    /// Takes all contacts straight to where they carry a force (N), and lets the approach follow their
+    /// wear. Returns the share of the force that was lost before it followed.
+    fn press_to(&mut self, force: f64, mut end: Pose) -> Result<f64, Error> {
+        end.approach = match self.ahead.take() {
+            _ if self.carries(force) => self.pose.approach,
+            Some((ahead, approach)) if ahead == force => approach,
+            _ => self.approach_or_touch(force)?,
+        };
+        self.go_to(end, force <= 0.0)?;
+        self.follow(force)
+    }
+
+    /// Whether the contacts carry a force (N) where they are.
+    fn carries(&self, force: f64) -> bool {
+        force > 0.0 && (self.normal_reaction() - force).abs() <= ROUNDING * force
+    }
+
+    /// First guess of the approach under a force, N.
+    fn guess(&self, force: f64) -> f64 {
+        let (carried, stiffness) = (self.normal_reaction(), self.normal_stiffness());
+        let guess = self.pose.approach + (force - carried) / stiffness;
+        if guess.is_finite() { guess } else { f64::NEG_INFINITY }
+    }
+
+    /// The approach under a force, N; that of first touch where there is none.
+    pub(super) fn approach_or_touch(&self, force: f64) -> Result<f64, Error> {
+        if force > 0.0 {
+            Ok(self.approach_under(force, self.guess(force))?.value)
+        } else {
+            Ok(self.members.first_touch())
+        }
+    }
+
+    fn go_to(&mut self, to: Pose, apart: bool) -> Result<(), Error> {
+        self.members.advance(&self.pose, &to, apart)?;
+        self.pose = to;
+        Ok(())
+    }
+
+    /// After a change of the profiles at rest: the approach follows under force control.
+    pub(super) fn settle(&mut self) -> Result<(), Error> {
+        if self.parameters.normal_control == NormalControl::Force {
+            self.follow(self.control)?;
+        }
+        Ok(())
+    }
+
+    /// Corrects the approach so that the contacts carry a force, N. Returns the share of it that they
+    /// did not carry before.
+    pub(super) fn follow(&mut self, force: f64) -> Result<f64, Error> {
+        if force <= 0.0 || !self.wears() {
+            return Ok(0.0);
+        }
+        let lost = (self.normal_reaction() - force).abs() / force;
+        for _ in 0..MOST_CORRECTIONS {
+            if self.carries(force) {
+                break;
+            }
+            let approach = self.approach_under(force, self.guess(force))?.value;
+            if approach == self.pose.approach {
+                break;
+            }
+            self.go_to(Pose { approach, ..self.pose }, false)?;
+        }
+        Ok(lost)
+    }
+}

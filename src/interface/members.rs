@@ -1,0 +1,283 @@
+//! The contacts of an interface: those that have touched, and what the others have in common.
+//!
+//! Each contact is advanced by itself, so that several threads may do it; sums are taken in one
+//! order, so that their number changes no bit.
+
+use super::Pose;
+use super::summit::Summit;
+use crate::engine::{FrettingContact, Mark, WorkMemory, unworn_load};
+use crate::error::Error;
+use crate::parameters::{NormalControl, Parameters};
+use crate::profile::Profile;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// Contacts that a thread takes at a time.
+#[cfg(feature = "threads")]
+const CHUNK: usize = 32;
+
+/// A contact that has touched, or its place.
+type Slot = Option<Box<FrettingContact>>;
+
+/// States to return to, of all contacts.
+pub(super) type Marks = Vec<Option<Box<Mark>>>;
+
+/// All contacts.
+#[derive(Debug, Clone)]
+pub(super) struct Members {
+    /// Those of every contact, under depth control; profiles are apart.
+    shared: Arc<Parameters>,
+    summits: Arc<[Summit]>,
+    /// Contacts by rising offset.
+    order: Arc<[u32]>,
+    profiles: Arc<[Arc<Profile>]>,
+    slots: Vec<Slot>,
+    /// States before a change that may fail.
+    marks: Marks,
+    /// Whether several threads advance the contacts.
+    #[cfg(feature = "threads")]
+    pub(super) in_threads: bool,
+}
+
+/// Normal force (N) and contact radius (m) of all contacts in turn at one approach.
+pub(super) type Loads = Vec<(f64, f64)>;
+
+impl Members {
+    pub(super) fn new(parameters: &Parameters, summits: &[Summit]) -> Result<Self, Error> {
+        let control = NormalControl::Indentation;
+        let shared = Arc::new(Parameters { normal_control: control, ..parameters.clone() });
+        // bodies of one size share their profile
+        let mut sizes: HashMap<u64, Arc<Profile>> = HashMap::new();
+        let mut profiles = Vec::with_capacity(summits.len());
+        for (index, summit) in summits.iter().enumerate() {
+            let refuse = |problem| Error::InContact { contact: index + 1, problem: Box::new(problem) };
+            let profile = match sizes.get(&summit.radius_factor.to_bits()) {
+                Some(profile) => profile.clone(),
+                None => {
+                    let scaled = match summit.radius_factor {
+                        1.0 => shared.profile.clone(),
+                        factor => shared.profile.scaled(factor).map_err(refuse)?,
+                    };
+                    let profile = Arc::new(scaled);
+                    sizes.insert(summit.radius_factor.to_bits(), profile.clone());
+                    profile
+                }
+            };
+            profiles.push(profile);
+        }
+        let mut order: Vec<u32> = (0..summits.len() as u32).collect();
+        order.sort_by(|a, b| summits[*a as usize].offset.total_cmp(&summits[*b as usize].offset));
+        Ok(Self {
+            shared,
+            order: order.into(),
+            profiles: profiles.into(),
+            slots: vec![None; summits.len()],
+            marks: Marks::new(),
+            summits: summits.into(),
+            #[cfg(feature = "threads")]
+            in_threads: true,
+        })
+    }
+
+    pub(super) fn summits(&self) -> &[Summit] {
+        &self.summits
+    }
+
+    /// Lowest offset first.
+    pub(super) fn first(&self) -> usize {
+        self.order[0] as usize
+    }
+
+    /// The unworn profile of a contact.
+    pub(super) fn profile(&self, index: usize) -> &Arc<Profile> {
+        &self.profiles[index]
+    }
+
+    pub(super) fn get(&self, index: usize) -> Option<&FrettingContact> {
+        self.slots.get(index)?.as_deref()
+    }
+
+    /// Contacts that have touched, with their numbers from 0.
+    pub(super) fn touched(&self) -> impl Iterator<Item = (usize, &FrettingContact)> {
+        self.slots.iter().enumerate().filter_map(|(index, slot)| Some((index, slot.as_deref()?)))
+    }
+
+    /// Puts a contact in its place.
+    pub(super) fn put(&mut self, index: usize, contact: Option<FrettingContact>) {
+        self.slots[index] = contact.map(Box::new);
+    }
+
+    /// A contact that has not touched, as it stands in a pose.
+    pub(super) fn untouched(&self, index: usize, pose: &Pose) -> FrettingContact {
+        untouched(&self.shared, &self.profiles[index], &self.summits[index], pose)
+    }
+
+    /// Gives all contacts other parameters after each has taken them over.
+    pub(super) fn share(&mut self, parameters: Parameters) {
+        self.shared = Arc::new(parameters);
+        for contact in self.slots.iter_mut().flatten() {
+            contact.share_parameters(&self.shared);
+        }
+    }
+
+    /// Approach at which the first contact touches, m.
+    pub(super) fn first_touch(&self) -> f64 {
+        // contacts that have never touched come in the order of their offsets
+        let untouched = self.order.iter().find(|index| self.slots[**index as usize].is_none());
+        let lowest = untouched.map_or(f64::INFINITY, |index| self.summits[*index as usize].offset);
+        let worn = self.touched().map(|(index, contact)| self.summits[index].offset + contact.touch_depth());
+        worn.fold(lowest, f64::min)
+    }
+
+    /// Normal forces and contact radii on the present profiles at an approach, m, by rising offset
+    /// up to the last contact that may touch.
+    pub(super) fn loads(&self, approach: f64, loads: &mut Loads) -> Result<(), Error> {
+        let reached = self.order.partition_point(|index| self.summits[*index as usize].offset < approach);
+        let order = &self.order[..reached];
+        let load = |index: &u32| {
+            let index = *index as usize;
+            let depth = approach - self.summits[index].offset;
+            let load = match &self.slots[index] {
+                Some(contact) => contact.load_at(depth),
+                None => unworn_load(&self.shared, &self.profiles[index], depth),
+            };
+            load.map_err(|problem| Error::InContact { contact: index + 1, problem: Box::new(problem) })
+        };
+        loads.clear();
+        order.iter().try_for_each(|index| load(index).map(|load| loads.push(load)))
+    }
+
+    /// Marks the present state of every contact, to return to.
+    pub(super) fn mark(&mut self) {
+        let mut marks = std::mem::take(&mut self.marks);
+        self.mark_in(&mut marks);
+        self.marks = marks;
+    }
+
+    /// The same in other memory.
+    pub(super) fn mark_in(&self, marks: &mut Marks) {
+        marks.resize(self.slots.len(), None);
+        for (slot, mark) in self.slots.iter().zip(marks) {
+            match (slot, mark) {
+                (Some(contact), Some(mark)) => contact.mark_again(mark),
+                (Some(contact), mark) => *mark = Some(Box::new(contact.mark())),
+                (None, mark) => *mark = None,
+            }
+        }
+    }
+
+    /// Goes back to the marks.
+    pub(super) fn return_to_marks(&mut self) {
+        let marks = std::mem::take(&mut self.marks);
+        self.return_to(&marks);
+        self.marks = marks;
+    }
+
+    /// Goes back to other marks.
+    pub(super) fn return_to(&mut self, marks: &Marks) {
+        for (slot, mark) in self.slots.iter_mut().zip(marks) {
+            match (slot, mark) {
+                (Some(contact), Some(mark)) => contact.return_to(mark),
+                (slot, _) => *slot = None,
+            }
+        }
+    }
+
+    /// Updates of the profile of each contact so far.
+    pub(super) fn updates(&self) -> Vec<u64> {
+        let updates = |slot: &Slot| slot.as_ref().map_or(0, |contact| contact.counters().profile_updates);
+        self.slots.iter().map(updates).collect()
+    }
+
+    /// Most updates of one contact since then.
+    pub(super) fn most_updates_since(&self, before: &[u64]) -> u64 {
+        let since = self.updates().into_iter().zip(before).map(|(now, before)| now - before);
+        since.max().unwrap_or(0)
+    }
+
+    /// Takes every contact from one pose to another by a straight line in depth and displacement.
+    /// `apart`: no contact touches in the end.
+    pub(super) fn advance(&mut self, from: &Pose, to: &Pose, apart: bool) -> Result<(), Error> {
+        self.turn(from, to, |contact, summit| {
+            let mut depth = to.approach - summit.offset;
+            if apart {
+                depth = depth.min(contact.touch_depth());
+            }
+            contact.advance_to_planar(depth, summit.displacement(to.displacement, to.rotation))
+        })
+    }
+
+    /// Displacement cycles of all contacts at the depths of a pose.
+    pub(super) fn cycle(&mut self, pose: &Pose, amplitude: f64, cycles: f64) -> Result<(), Error> {
+        self.turn(pose, pose, |contact, summit| {
+            contact.advance_cycles(pose.approach - summit.offset, amplitude, cycles)
+        })
+    }
+
+    /// Lifts all contacts off and presses them down in a pose, so that none carries a tangential force.
+    pub(super) fn start(&mut self, pose: &Pose, apart: bool) -> Result<(), Error> {
+        self.turn(pose, pose, |contact, summit| {
+            let mut depth = pose.approach - summit.offset;
+            if apart {
+                depth = depth.min(contact.touch_depth());
+            }
+            contact.start_at_planar(depth, summit.displacement(pose.displacement, pose.rotation))
+        })
+    }
+
+    /// Changes every contact that has touched or touches in the pose `to`.
+    pub(super) fn turn(
+        &mut self,
+        from: &Pose,
+        to: &Pose,
+        change: impl Fn(&mut FrettingContact, &Summit) -> Result<(), Error> + Sync,
+    ) -> Result<(), Error> {
+        let (shared, summits, profiles) = (self.shared.clone(), self.summits.clone(), self.profiles.clone());
+        self.each(|index, slot, memory| {
+            let summit = &summits[index];
+            if slot.is_none() && to.approach <= summit.offset {
+                return Ok(());
+            }
+            let contact =
+                slot.get_or_insert_with(|| Box::new(untouched(&shared, &profiles[index], summit, from)));
+            contact.exchange_memory(memory);
+            let result = change(contact, summit);
+            contact.exchange_memory(memory);
+            result.map_err(|problem| Error::InContact { contact: index + 1, problem: Box::new(problem) })
+        })
+    }
+
+    /// Changes every slot; the first refusal in order is returned.
+    fn each(
+        &mut self,
+        change: impl Fn(usize, &mut Slot, &mut WorkMemory) -> Result<(), Error> + Sync,
+    ) -> Result<(), Error> {
+        #[cfg(feature = "threads")]
+        if self.in_threads && self.slots.len() > CHUNK {
+            use rayon::prelude::*;
+            let change_all = |(chunk, slots): (usize, &mut [Slot])| {
+                let mut memory = WorkMemory::default();
+                let mut slots = slots.iter_mut().enumerate();
+                slots.try_for_each(|(k, slot)| change(chunk * CHUNK + k, slot, &mut memory))
+            };
+            let results: Vec<Result<(), Error>> =
+                self.slots.par_chunks_mut(CHUNK).enumerate().map(change_all).collect();
+            return results.into_iter().collect();
+        }
+        let mut memory = WorkMemory::default();
+        let mut slots = self.slots.iter_mut().enumerate();
+        slots.try_for_each(|(index, slot)| change(index, slot, &mut memory))
+    }
+}
+
+fn untouched(
+    shared: &Arc<Parameters>,
+    profile: &Arc<Profile>,
+    summit: &Summit,
+    pose: &Pose,
+) -> FrettingContact {
+    let mut contact = FrettingContact::with_profile(shared.clone(), profile.clone());
+    let depth = (pose.approach - summit.offset).min(contact.touch_depth());
+    contact.place_apart(depth, summit.displacement(pose.displacement, pose.rotation));
+    contact
+}

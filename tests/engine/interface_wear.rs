@@ -1,0 +1,233 @@
+//! Many contacts that wear: against one contact, by the identity of volume and work, and to the bit
+//! where calls or threads are divided.
+
+use crate::common::{BALL, MU, close, close_to, seeded, uniform};
+use fretting_contact::{FrettingContact, Interface, NormalControl, Parameters, Profile, Summit};
+
+fn worn(wear_coefficient: f64) -> Parameters {
+    Parameters { wear_coefficient, profile: BALL, resolution: 32, ..Parameters::default() }
+}
+
+fn rough(count: u32, span: f64) -> Vec<Summit> {
+    let place = |k: u32| {
+        let share = |factor: f64| (f64::from(k) * factor).fract();
+        Summit {
+            offset: span * share(0.618_033_988_75),
+            x: 1e-3 * share(0.754_877_666),
+            y: 1e-3 * share(0.569_840_291),
+            radius_factor: 0.5 + share(0.414_213_562),
+        }
+    };
+    (0..count).map(place).collect()
+}
+
+/// A load that swings by 30 % and a displacement, in 100 steps a cycle.
+fn motion(k: u32) -> (f64, f64) {
+    let phase = 0.0628 * f64::from(k);
+    (1.0 + 0.3 * (0.7 * phase).cos(), 1.5e-6 * phase.sin())
+}
+
+/// Under depth control each contact goes its own way: to the bit. Under force control the approach
+/// follows the wear after each part of a step, which is another division of the history.
+#[test]
+fn equal_contacts_wear_as_one() {
+    for (control, wear_coefficient, tolerance) in [
+        (NormalControl::Indentation, 3.2e-2, 1e-12),
+        (NormalControl::Force, 3.2e-2, 1e-3),
+        (NormalControl::Force, 3.2e-1, 5e-3),
+    ] {
+        let parameters = Parameters { normal_control: control, resolution: 64, ..worn(wear_coefficient) };
+        let mut one = FrettingContact::new(parameters.clone()).unwrap();
+        let mut five = Interface::new(parameters, &[Summit::at_offset(0.0); 5]).unwrap();
+        let (unit, all) = match control {
+            NormalControl::Force => (100.0, 500.0),
+            NormalControl::Indentation => (3.48e-6, 3.48e-6),
+        };
+        for k in 0..1500 {
+            let (load, u) = motion(k);
+            one.advance_to(unit * load, u).unwrap();
+            five.advance_to(all * load, [u, 0.0], 0.0).unwrap();
+        }
+        assert!(one.counters().profile_updates > 10, "{}", one.counters());
+        close_to(five.wear_volume(), 5.0 * one.wear_volume(), tolerance, "worn volume");
+        close_to(five.wear_depth(), one.wear_depth(), 3.0 * tolerance, "wear depth");
+        close_to(five.indentation_depth(), one.indentation_depth(), tolerance, "approach");
+        close_to(five.normal_reaction(), 5.0 * one.normal_reaction(), 1e-11, "force");
+    }
+}
+
+/// Σ V = (k/σ₀) Σ W at every instant, on the profiles, too; |T| ≤ μF_N.
+#[test]
+fn the_worn_volume_is_the_work_of_all_contacts() {
+    let mut random = seeded(7);
+    let parameters = worn(3.2e-2);
+    let per_work = parameters.wear_per_work();
+    let mut joint = Interface::new(parameters, &rough(25, 4e-6)).unwrap();
+    let (mut volume, mut force) = (0.0, 800.0);
+    for k in 0..400 {
+        force = (force + uniform(&mut random, -150.0, 150.0)).clamp(100.0, 1500.0);
+        let force = if k % 97 == 96 { -1.0 } else { force };
+        joint.advance_to(force, [uniform(&mut random, -3e-6, 3e-6), 0.0], 0.0).unwrap();
+        close(joint.normal_reaction(), force.max(0.0), 1e-9 * 1500.0, "force");
+        assert!(joint.tangential_force().abs() <= MU * force.max(0.0) * (1.0 + 1e-9));
+        close_to(joint.wear_volume(), per_work * joint.dissipated_energy(), 1e-12, "volume and work");
+        assert!(joint.wear_volume() >= volume);
+        volume = joint.wear_volume();
+    }
+    assert!(joint.counters().profile_updates > 100);
+    close_to(joint.profile_volume(), volume, 5e-3, "volume of the profiles");
+}
+
+/// A slide of a hundred contact radii in one step: V = (k/σ₀) μ F_N s.
+#[test]
+fn a_long_slide_wears_by_archard() {
+    let parameters = worn(3.2e-2);
+    let law = parameters.wear_per_work() * MU * 500.0;
+    let mut joint = Interface::new(parameters, &[0.0, 0.0, 1e-6, 2e-6].map(Summit::at_offset)).unwrap();
+    joint.start_at(500.0, [0.0; 2], 0.0).unwrap();
+    joint.advance_to(500.0, [1e-3, 0.0], 0.0).unwrap();
+    // the first 4 µm of the way are not yet gross slip
+    close_to(joint.wear_volume(), law * 1e-3, 4e-3, "worn volume");
+    close_to(joint.normal_reaction(), 500.0, 1e-11, "force");
+}
+
+/// Cycles in blocks of constant approach, against one contact at its share of the force.
+#[test]
+fn cycles_of_equal_contacts_are_those_of_one() {
+    let parameters = Parameters { resolution: 64, ..worn(3.2e-2) };
+    let mut one = FrettingContact::new(parameters.clone()).unwrap();
+    let mut four = Interface::new(parameters, &[Summit::at_offset(0.0); 4]).unwrap();
+    for cycles in [100.0, 900.0, 9e3, 9e4] {
+        one.advance_cycles(100.0, 1.5e-6, cycles).unwrap();
+        four.advance_cycles(400.0, 1.5e-6, cycles).unwrap();
+        close_to(four.wear_volume(), 4.0 * one.wear_volume(), 1.5e-2, "worn volume");
+        close_to(four.wear_depth(), one.wear_depth(), 1.5e-2, "wear depth");
+        close_to(four.indentation_depth(), one.indentation_depth(), 2e-3, "approach");
+        close_to(four.tangential_force(), 4.0 * one.tangential_force(), 1e-2, "force amplitude");
+        close_to(four.normal_reaction(), 400.0, 1e-6, "normal force");
+    }
+    // at a constant approach there are no blocks
+    let held = Parameters { normal_control: NormalControl::Indentation, ..worn(3.2e-2) };
+    let mut one = FrettingContact::new(held.clone()).unwrap();
+    let mut four = Interface::new(held, &[Summit::at_offset(0.0); 4]).unwrap();
+    one.advance_cycles(3e-6, 1.5e-6, 1e3).unwrap();
+    four.advance_cycles(3e-6, 1.5e-6, 1e3).unwrap();
+    close_to(four.wear_volume(), 4.0 * one.wear_volume(), 1e-12, "worn volume");
+}
+
+/// A rough joint beds in: the high contacts give their load to the low ones, and the mean force of the
+/// blocks is the one asked for: calls divided in two give the same.
+#[test]
+fn calls_of_cycles_may_be_divided() {
+    let end = |calls: u32| {
+        let mut joint = Interface::new(worn(3.2e-2), &rough(12, 2e-6)).unwrap();
+        for _ in 0..calls {
+            joint.advance_cycles(900.0, 2e-6, 2e3 / f64::from(calls)).unwrap();
+        }
+        (joint.wear_volume(), joint.indentation_depth(), joint.contacts_in_touch())
+    };
+    let (one, four) = (end(1), end(4));
+    close_to(one.0, four.0, 1.5e-2, "worn volume");
+    close_to(one.1, four.1, 3e-3, "approach");
+    assert_eq!(one.2, four.2);
+}
+
+#[test]
+fn cycles_refuse_what_they_cannot_do() {
+    let mut joint = Interface::new(worn(3.2e-4), &rough(3, 1e-6)).unwrap();
+    joint.start_at(300.0, [0.0; 2], 1e-5).unwrap();
+    let before = joint.snapshot();
+    for (amplitude, cycles, name) in
+        [(1e-6, 1.0, "rotation"), (-1e-6, 1.0, "displacement_amplitude"), (1e-6, f64::NAN, "cycles")]
+    {
+        if name != "rotation" {
+            joint.start_at(300.0, [0.0; 2], 0.0).unwrap();
+        }
+        let state = joint.snapshot();
+        let problem = joint.advance_cycles(300.0, amplitude, cycles).unwrap_err().to_string();
+        assert!(problem.contains(name), "{problem}");
+        assert_eq!(joint.snapshot(), state);
+    }
+    assert_ne!(joint.snapshot(), before);
+}
+
+/// One contact that refuses wear takes the whole step back.
+#[test]
+fn a_step_that_wears_too_much_changes_nothing() {
+    let mut joint = Interface::new(worn(3.2e-2), &rough(10, 2e-6)).unwrap();
+    (0..150).for_each(|k| joint.advance_to(400.0, [motion(k).1, 0.0], 0.0).unwrap());
+    let before = joint.snapshot();
+    let depth = joint.wear_depth();
+    joint.advance_to(400.0, [1e12, 0.0], 0.0).unwrap_err();
+    assert_eq!(joint.snapshot(), before);
+    assert_eq!(joint.wear_depth(), depth);
+    joint.advance_to(400.0, [motion(150).1, 0.0], 0.0).unwrap();
+}
+
+#[test]
+fn a_saved_state_with_wear_goes_on_to_the_same_bits() {
+    let summits = rough(15, 3e-6);
+    let mut joint = Interface::new(worn(3.2e-2), &summits).unwrap();
+    let step = |joint: &mut Interface, k: u32| {
+        joint.advance_to(600.0 * motion(k).0, [motion(k).1, 0.0], 0.0).unwrap()
+    };
+    (0..300).for_each(|k| step(&mut joint, k));
+    let mut other = Interface::new(worn(3.2e-2), &summits).unwrap();
+    other
+        .restore(&serde_json::from_str(&serde_json::to_string(&joint.snapshot()).unwrap()).unwrap())
+        .unwrap();
+    (300..600).for_each(|k| {
+        step(&mut joint, k);
+        step(&mut other, k);
+    });
+    assert_eq!(other.snapshot(), joint.snapshot());
+}
+
+#[test]
+fn coefficients_may_change_during_a_life() {
+    let mut joint = Interface::new(worn(3.2e-2), &rough(8, 2e-6)).unwrap();
+    (0..100).for_each(|k| joint.advance_to(400.0, [motion(k).1, 0.0], 0.0).unwrap());
+    let (volume, work) = (joint.wear_volume(), joint.dissipated_energy());
+    joint.retune(0.3, [6.4e-2, 0.0]).unwrap();
+    let slipped_back = joint.dissipated_energy() - work;
+    assert!(joint.tangential_force().abs() <= 0.3 * 400.0 * (1.0 + 1e-9));
+    (100..200).for_each(|k| joint.advance_to(400.0, [motion(k).1, 0.0], 0.0).unwrap());
+    let later = joint.dissipated_energy() - work;
+    assert!(slipped_back >= 0.0 && later > slipped_back);
+    // what friction takes while the backlog is worn off counts by the old one
+    close_to(joint.wear_volume() - volume, 8e-12 * later, 1e-4, "volume worn by the new coefficient");
+    assert_eq!(joint.parameters().friction_coefficient, 0.3);
+    assert!(joint.retune(0.3, [0.0; 2]).is_err());
+}
+
+/// Contacts are advanced by several threads with the same bits.
+#[cfg(feature = "threads")]
+#[test]
+fn threads_change_no_bit() {
+    let summits = rough(200, 3e-6);
+    let run = |in_threads: bool| {
+        let mut joint = Interface::new(worn(3.2e-2), &summits).unwrap();
+        joint.use_threads(in_threads);
+        for k in 0..150 {
+            let turn = if k > 120 { 1e-3 * f64::from(k - 120) } else { 0.0 };
+            joint.advance_to(5000.0 * motion(k).0, [motion(k).1, 0.0], turn * 1e-3).unwrap();
+        }
+        joint.start_at(5000.0, [0.0; 2], 0.0).unwrap();
+        joint.advance_cycles(5000.0, 1e-6, 50.0).unwrap();
+        joint.snapshot()
+    };
+    assert_eq!(run(true), run(false));
+}
+
+/// A profile of points scales like the others.
+#[test]
+fn tables_wear_as_the_shapes_they_sample() {
+    let summits = rough(6, 2e-6);
+    let volume = |profile: Profile| {
+        let mut joint = Interface::new(Parameters { profile, ..worn(3.2e-2) }, &summits).unwrap();
+        (0..150).for_each(|k| joint.advance_to(300.0, [motion(k).1, 0.0], 0.0).unwrap());
+        joint.wear_volume()
+    };
+    let table = Profile::Table(crate::common::sampled_sphere(400));
+    close_to(volume(table), volume(BALL), 1e-3, "worn volume");
+}
