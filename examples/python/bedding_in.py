@@ -2,8 +2,8 @@
 
     python bedding_in.py [FrettingContact.fmu] [picture.png]
 
-The heights are normal (Greenwood and Williamson). At first the highest summits carry the load and slip;
-as they wear, the body comes down, lower summits touch, and more of the contact sticks.
+The heights are normal (Greenwood and Williamson). At first the highest summits carry the load and
+slip; as they wear, the body comes down, lower summits touch, and more of the contact sticks.
 """
 
 import sys
@@ -85,10 +85,7 @@ def draw(count, approach, depth, force):
 if __name__ == "__main__":
     count, approach, depth, volume, force = bed_in()
     for row in zip(CYCLES, count, approach, depth, volume, force):
-        print(
-            "after {:6d} cycles: {:3.0f} in touch, approach {:.4e} m, wear {:.3e} m, {:.3e} m3, T {:.4f} N".format(
-                *row
-            )
-        )
+        line = "after {:6d} cycles: {:3.0f} in touch, approach {:.4e} m, "
+        print((line + "wear {:.3e} m, {:.3e} m3, T {:.4f} N").format(*row))
     draw(count, approach, depth, force)
     print(f"picture: {PICTURE}")

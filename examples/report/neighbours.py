@@ -1,8 +1,8 @@
-"""What an interface neglects: seven balls on one rigid body, by Tamaas (boundary elements), at three spacings.
+"""What an interface neglects: seven balls on one rigid body, by Tamaas (boundary elements).
 
     python neighbours.py
 
-One ball in the middle of a hexagon of six, 700 N together. Without elastic interaction each carries
+One ball in the middle of a hexagon of six, at three spacings, 700 N together. Without elastic interaction each carries
 100 N at the approach of Hertz. Prints a Markdown table: docs/interface.md shows it. Needs `tamaas`.
 """
 
@@ -17,11 +17,13 @@ DEPTH = A**2 / RADIUS
 
 
 def solve(spacing):
-    """Approach, load of the ball in the middle and the largest pressure, each over that without interaction."""
+    """Approach, load of the middle ball and largest pressure, over those without interaction."""
     angles = np.arange(6) * np.pi / 3
     places = spacing * np.vstack([[0, 0], np.column_stack([np.cos(angles), np.sin(angles)])])
     reach = 2 * spacing + 4 * A
-    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, [reach, reach], [POINTS, POINTS])
+    model = tamaas.ModelFactory.createModel(
+        tamaas.model_type.basic_2d, [reach, reach], [POINTS, POINTS]
+    )
     model.E, model.nu = E_STAR, 0.0
     x = (np.arange(POINTS) + 0.5) * reach / POINTS - reach / 2
     distances = [(x[:, None] - px) ** 2 + (x[None, :] - py) ** 2 for px, py in places]
@@ -30,7 +32,7 @@ def solve(spacing):
     tamaas.ModelFactory.registerNonPeriodic(model, "free")
     solver.setIntegralOperator("free")
     solver.solve(7 * FORCE / reach**2)
-    # the solver's own displacement has no datum: that of the point nearest to the middle, by Boussinesq
+    # the solver's displacement has no datum: that of the point nearest to the middle
     cell = reach / POINTS
     k = POINTS // 2
     r = np.hypot(x[:, None] - x[k], x[None, :] - x[k])
@@ -42,7 +44,8 @@ def solve(spacing):
 
 if __name__ == "__main__":
     tamaas.set_log_level(tamaas.LogLevel.error)
-    print("| spacing / a | approach | load of the middle ball | largest pressure | estimate of the approach |")
+    titles = ("spacing / a", "approach", "load of the middle ball", "largest pressure", "estimate")
+    print("| " + " | ".join(titles) + " |")
     print("| --- | --- | --- | --- | --- |")
     for ratio in (4, 8, 16):
         approach, middle, pressure = solve(ratio * A)

@@ -296,9 +296,15 @@ def test_bedding_in(fmu_path, tmp_path):
     picture = tmp_path / "bedding_in.png"
     text = run(sys.executable, EXAMPLES / "python" / "bedding_in.py", fmu_path, picture)
     rows = numbers(text, "after")
-    cycles, touching, approach, depth, _, force = np.array([[row[k] for k in (0, 1, 2, 3, 4, 6)] for row in rows]).T
+    cycles, touching, approach, depth, _, force = np.array(
+        [[row[k] for k in (0, 1, 2, 3, 4, 6)] for row in rows]
+    ).T
     assert cycles[-1] == 100_000
     # the body comes down, more summits touch, and more of the contact sticks
-    assert np.all(np.diff(approach) >= 0) and np.all(np.diff(touching) >= 0) and np.all(np.diff(depth) >= 0)
+    assert (
+        np.all(np.diff(approach) >= 0)
+        and np.all(np.diff(touching) >= 0)
+        and np.all(np.diff(depth) >= 0)
+    )
     assert touching[-1] > 2 * touching[0] and force[-1] < force[0] <= 0.6 * 15.0 * (1 + 1e-9)
     assert picture.stat().st_size > 10_000
