@@ -2,8 +2,9 @@
 
     python neighbours.py
 
-One ball in the middle of a hexagon of six, at three spacings, 700 N together. Without elastic interaction each carries
-100 N at the approach of Hertz. Prints a Markdown table: docs/interface.md shows it. Needs `tamaas`.
+One ball in the middle of a hexagon of six, at three spacings, 700 N together. Without elastic
+interaction each carries 100 N at the approach of Hertz. Prints a Markdown table:
+docs/interface.md shows it. Needs `tamaas`.
 """
 
 import numpy as np
