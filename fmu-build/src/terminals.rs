@@ -9,7 +9,7 @@ use std::io;
 type Terminal = (&'static str, &'static str, &'static str, &'static [&'static str]);
 
 /// A plug fits whole; of a bus each end may use a part.
-const TERMINALS: [Terminal; 5] = [
+const TERMINALS: [Terminal; 6] = [
     (
         "tangential",
         "Tangential connection: the displacement goes in, the force that body 1 exerts on body 2 comes out",
@@ -27,6 +27,12 @@ const TERMINALS: [Terminal; 5] = [
         "Normal connection: force or indentation goes in, by normal_control, both come out",
         "bus",
         &["normal_force", "indentation", "normal_reaction", "indentation_depth"],
+    ),
+    (
+        "rotation",
+        "Rotation about the normal, of an interface of many contacts: the angle goes in, the moment comes out",
+        "plug",
+        &["rotation", "moment"],
     ),
     ("cycles", "Cyclic loading: amplitude and frequency", "plug", &["displacement_amplitude", "frequency"]),
     ("wear", "What has worn", "bus", &["wear_volume", "wear_depth", "dissipated_energy"]),

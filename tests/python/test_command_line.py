@@ -80,7 +80,7 @@ def test_profile_is_the_command_of_cargo(tmp_path, capsys):
     [
         (
             ["life", "raduis=1"],
-            "error: raduis is no variable of the component (did you mean radius?)",
+            "error: raduis is no variable of the component (did you mean radius or",
         ),
         (["life", "radius=-1"], "radius = -1.0 is refused"),
         (

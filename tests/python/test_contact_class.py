@@ -77,7 +77,7 @@ def test_a_text_without_a_unit_or_for_a_quantity_without_one_is_refused():
 
 def test_every_unit_of_the_component_is_known(fmu):
     units = {variable.unit for variable in fmu.variables.values() if variable.unit}
-    assert units <= set(UNITS) | {"J/m2", "s"}
+    assert units <= set(UNITS) | {"J/m2", "N.m", "s"}
 
 
 def test_a_refusal_has_the_message_of_the_component_and_changes_nothing():

@@ -17,6 +17,7 @@ INPUTS = {
     "tangential_displacement_y",
     "displacement_amplitude",
     "frequency",
+    "rotation",
 }
 OUTPUTS = {
     "tangential_force",

@@ -12,8 +12,8 @@ import numpy as np, sys
 from fmpy import simulate_fmu
 from fmpy.fmi1 import FMICallException
 names = ["time", "normal_force", "indentation", "tangential_displacement",
-         "displacement_amplitude", "frequency", "tangential_displacement_y"]
-rows = [(t, {force}, 0.0, {displacement}, 1e-6, 1.0, 0.0) for t in np.linspace(0, 1, 51)]
+         "displacement_amplitude", "frequency", "tangential_displacement_y", "rotation"]
+rows = [(t, {force}, 0.0, {displacement}, 1e-6, 1.0, 0.0, 0.0) for t in np.linspace(0, 1, 51)]
 signals = np.array(rows, dtype=[(name, float) for name in names]) if {moves} else None
 try:
     simulate_fmu(sys.argv[1], stop_time=1.0, start_values={start}, input=signals,
