@@ -220,7 +220,7 @@ impl FrettingContact {
             to,
             start: self.displacement,
             end: displacement,
-            sampling: 0.75 / self.parameters.resolution as f64,
+            sampling: 1.0 / self.parameters.resolution as f64,
         }
     }
 

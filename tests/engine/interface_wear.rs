@@ -48,7 +48,7 @@ fn equal_contacts_wear_as_one() {
             one.advance_to(unit * load, u).unwrap();
             five.advance_to(all * load, [u, 0.0], 0.0).unwrap();
         }
-        assert!(one.counters().profile_updates > 10, "{}", one.counters());
+        assert!(one.counters().profile_updates > 5, "{}", one.counters());
         close_to(five.wear_volume(), 5.0 * one.wear_volume(), tolerance, "worn volume");
         // the depth of so little wear differs by 0.8 % between settings of `tolerance`, for one contact
         let depth = if control == NormalControl::Force { 1e-2 } else { tolerance };
