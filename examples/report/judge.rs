@@ -106,7 +106,7 @@ impl Judge {
         let others = [contact.wear_depth(), contact.tangential_stiffness(), contact.normal_stiffness()];
         let infinite = numbers.iter().chain(&others).filter(|x| !x.is_finite()).count();
         self.note("finite", infinite as f64, 0.0);
-        let limit = contact.parameters().friction_coefficient * normal;
+        let limit = contact.friction_coefficient_now() * normal;
         self.note("|T| <= mu F_N", if force > limit { force / limit - 1.0 } else { 0.0 }, COULOMB);
         self.note("stick radius <= contact radius", (stick - radius).max(0.0), 0.0);
         self.note("work never decreases", (self.work - work).max(0.0), 0.0);
@@ -132,7 +132,7 @@ impl Judge {
     /// The same way in one step and in many ends in the same state.
     pub(crate) fn split(&mut self, one: &FrettingContact, many: &FrettingContact) {
         let parameters = one.parameters();
-        let limit = parameters.friction_coefficient * one.normal_reaction().max(many.normal_reaction());
+        let limit = one.friction_coefficient_now() * one.normal_reaction().max(many.normal_reaction());
         let tolerance = if one.wear_volume() > 0.0 {
             SPLIT_IN_TOLERANCES * parameters.tolerance
         } else {

@@ -106,15 +106,23 @@ impl FrettingContact {
             rest.advance_in_plane(normal, target)?;
             let work = rest.work - now.work;
             let most = now.energy_of_part(ACCURACY);
-            let part = if work > most { (1.0 - done) * (most / work) } else { 1.0 - done };
-            // the last part ends at the target to the bit, as does one too short to be told
-            let next = if done + part > done { done + part } else { 1.0 };
-            let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
-            let place = [at(start.1[0], target[0]), at(start.1[1], target[1])];
-            let normal = at(start.0, normal);
-            now = now.run_in_part(|this| this.advance_in_plane(normal, place))?;
+            // from rest the work rises with the third power of the way at the most
+            let mut part = if work > most { (1.0 - done) * (most / work).cbrt() } else { 1.0 - done };
+            loop {
+                // the last part ends at the target to the bit, as does one too short to be told
+                let next = if done + part > done { done + part } else { 1.0 };
+                let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
+                let place = [at(start.1[0], target[0]), at(start.1[1], target[1])];
+                let control = at(start.0, normal);
+                let end = now.run_in_part(|this| this.advance_in_plane(control, place))?;
+                let gained = end.work - now.work;
+                if gained <= 2.0 * most || next == 1.0 && done + part <= done {
+                    (now, done) = (end, next);
+                    break;
+                }
+                part *= most / gained;
+            }
             now.absorb_after_drift()?;
-            done = next;
         }
         now.counters.steps = self.counters.steps + 1;
         *self = now;

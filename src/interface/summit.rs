@@ -44,8 +44,8 @@ impl Summit {
     /// ```
     /// use fretting_contact::{LengthUnit, Summit};
     ///
-    /// let summits = Summit::parse("offset x y factor\n0 1 0 1\n0.2 -1 0 1.5  # a blunter one\n", LengthUnit::Um)?;
-    /// assert_eq!(summits[1], Summit { offset: 2e-7, x: -1e-6, y: 0.0, radius_factor: 1.5 });
+    /// let summits = Summit::parse("offset x y factor\n0 1 0 1\n0.5 -1 0 1.5  # a blunter one\n", LengthUnit::Um)?;
+    /// assert_eq!(summits[1], Summit { offset: 5e-7, x: -1e-6, y: 0.0, radius_factor: 1.5 });
     /// # Ok::<(), fretting_contact::Error>(())
     /// ```
     ///

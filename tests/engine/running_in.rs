@@ -55,6 +55,25 @@ fn sliding_dissipates_the_closed_energy_in_any_number_of_steps() {
     }
 }
 
+/// The number of parts follows from the coefficients, however little energy it takes.
+#[test]
+fn an_energy_that_is_next_to_nothing_is_run_in_at_once() {
+    for energy in [1e-9, 1e-30] {
+        let (mut contact, mut constant) = (
+            begin(running_in(energy)),
+            begin(Parameters { friction_coefficient: END, ..without_wear(BALL) }),
+        );
+        for place in [1.5 * full(), -0.5 * full(), 0.2 * full()] {
+            to(&mut contact, FORCE, place);
+            to(&mut constant, FORCE, place);
+            close_to(contact.friction_coefficient_now(), END, 1e-9, "mu");
+            close_to(contact.tangential_force(), constant.tangential_force(), 1e-3, "T");
+        }
+        let walks = contact.counters().spring_walks;
+        assert!(walks < 100_000, "{walks} walks");
+    }
+}
+
 /// Ends of lines: load as a share of the usual one, displacement of that of full slip.
 fn lines(seed: u64, count: usize) -> Vec<(f64, f64)> {
     let mut random = seeded(seed);

@@ -1,6 +1,7 @@
 //! Stiff and extreme scenes.
 
 mod ellipse;
+mod joints;
 mod limits;
 mod loads;
 mod materials;
@@ -57,6 +58,7 @@ pub(crate) fn all() -> Vec<Scene> {
     plane::plane(&mut add);
     rig::rig(&mut add);
     ellipse::ellipse(&mut add);
+    joints::joints(&mut add);
     scenes
 }
 
