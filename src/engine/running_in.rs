@@ -4,7 +4,7 @@
 //! to m₁ (d₁ − g) there, m₁ that of the work at the end: the implicit trapezoidal rule, whose
 //! solution is found by iteration on copies of the contact. A call that fails has changed nothing.
 //!
-//! Many cycles in one call are divided likewise, each part at the coefficient of its middle.
+//! Many cycles in one call are divided in the same way, each part at the coefficient of its middle.
 
 use super::{FrettingContact, Gradient};
 use crate::error::Error;
@@ -109,7 +109,7 @@ impl FrettingContact {
             // from rest the work rises with the third power of the way at the most
             let mut part = if work > most { (1.0 - done) * (most / work).cbrt() } else { 1.0 - done };
             loop {
-                // the last part ends at the target to the bit, as does one too short to be told
+                // the last part ends at the target to the bit, as does one below the rounding of the way
                 let next = if done + part > done { done + part } else { 1.0 };
                 let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
                 let place = [at(start.1[0], target[0]), at(start.1[1], target[1])];

@@ -91,7 +91,7 @@ impl FrettingContact {
         }
     }
 
-    /// Steady cycles are told by their first quarter, from relaxed springs at displacement 0.
+    /// Steady cycles are given by their first quarter, from relaxed springs at displacement 0.
     pub(super) fn begin_quarter(&mut self) {
         let (place, depth) = (self.axes.for_springs([0.0, self.displacement_y]), self.contact.depth);
         let start = self.stroke.next();
