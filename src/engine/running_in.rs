@@ -17,6 +17,10 @@ const ACCURACY: f64 = 1e-7;
 /// The same in cycles with wear, of which each part takes an integration of the profile.
 const ACCURACY_WITH_WEAR: f64 = 1e-4;
 
+/// Least energy of a part over that of running in, which bounds the number of parts where the
+/// coefficients differ by more than two orders.
+const SHORTEST: f64 = 1e-4;
+
 /// Relative difference from μ_end below which μ is constant.
 const RUN_IN: f64 = 1e-9;
 
@@ -87,7 +91,7 @@ impl FrettingContact {
         if difference <= RUN_IN {
             return f64::INFINITY;
         }
-        self.parameters.running_in_energy * (12.0 * accuracy / difference).sqrt()
+        self.parameters.running_in_energy * (12.0 * accuracy / difference).sqrt().max(SHORTEST)
     }
 
     /// A copy that does not wear, for trials.
@@ -100,14 +104,15 @@ impl FrettingContact {
         let scale = if self.constants.force_control { self.force_scale() } else { 1.0 };
         let start = (self.contact.control * scale, self.drive_place());
         let mut now = self.clone();
-        let mut done = 0.0;
+        let (mut done, mut stretch) = (0.0, 1.0);
         while done < 1.0 {
             let mut rest = now.without_wear();
             rest.advance_in_plane(normal, target)?;
             let work = rest.work - now.work;
             let most = now.energy_of_part(ACCURACY);
             // from rest the work rises with the third power of the way at the most
-            let mut part = if work > most { (1.0 - done) * (most / work).cbrt() } else { 1.0 - done };
+            let cubic = if work > most { (most / work).cbrt() } else { 1.0 };
+            let mut part = (1.0 - done) * (stretch * cubic).min(1.0);
             loop {
                 // the last part ends at the target to the bit, as does one below the rounding of the way
                 let next = if done + part > done { done + part } else { 1.0 };
@@ -116,11 +121,13 @@ impl FrettingContact {
                 let control = at(start.0, normal);
                 let end = now.run_in_part(|this| this.advance_in_plane(control, place))?;
                 let gained = end.work - now.work;
-                if gained <= 2.0 * most || next == 1.0 && done + part <= done {
+                let is_rough = gained > 2.0 * most && done + part > done;
+                if !is_rough {
+                    stretch = if gained < 0.25 * most { 2.0 * stretch } else { 1.0 };
                     (now, done) = (end, next);
                     break;
                 }
-                part *= most / gained;
+                (part, stretch) = (part * (most / gained), 1.0);
             }
             now.absorb_after_drift()?;
         }
