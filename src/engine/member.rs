@@ -2,17 +2,14 @@
 //! contacts can be taken back where one of them refuses it.
 
 use super::axes::Axes;
-use super::planar::Planar;
-use super::retune::FormerWear;
-use super::stroke::Stroke;
-use super::{Counters, FrettingContact};
+use super::{FrettingContact, Snapshot};
 use crate::error::Error;
 use crate::friction::{SlipPiece, Springs};
 use crate::parameters::Parameters;
 use crate::profile::Profile;
 use crate::surface::{Contact, Surface, TransformCache};
-use crate::wear::{Sliding, WearBacklog};
-use std::mem::{swap, take};
+use crate::wear::{Constants, WearBacklog};
+use std::mem::swap;
 use std::sync::Arc;
 
 /// Buffers that a step needs and that hold nothing between two steps.
@@ -27,29 +24,10 @@ pub(crate) struct WorkMemory {
 /// A state to return to. It shares the nodes of the worn profile with the contact.
 #[derive(Debug, Clone)]
 pub(crate) struct Mark {
+    parameters: Arc<Parameters>,
+    constants: Constants,
     surface: Surface,
-    contact: Contact,
-    springs: Springs,
-    displacement: [f64; 2],
-    planar: Option<Box<Planar>>,
-    direction: f64,
-    work: f64,
-    stroke: Stroke,
-    former: FormerWear,
-    reach: f64,
-    counters: Counters,
-    wear: Option<WearMark>,
-}
-
-#[derive(Debug, Clone)]
-struct WearMark {
-    backlog: WearBacklog,
-    limit: f64,
-    deferred_work: f64,
-    expected: Option<Sliding>,
-    next_step: Option<(Sliding, f64)>,
-    defect: f64,
-    clipped: f64,
+    state: Snapshot,
 }
 
 /// Normal force (N) and contact radius (m) of an unworn profile at an indentation depth, m.
@@ -129,86 +107,19 @@ impl FrettingContact {
     /// A mark of the present state.
     pub(crate) fn mark(&self) -> Mark {
         Mark {
+            parameters: self.parameters.clone(),
+            constants: self.constants,
             surface: self.surface.clone(),
-            contact: self.contact,
-            springs: self.springs.clone(),
-            displacement: [self.displacement, self.displacement_y],
-            planar: self.planar.as_ref().map(|planar| Box::new(planar.saved())),
-            direction: self.direction,
-            work: self.work,
-            stroke: self.stroke.clone(),
-            former: self.former,
-            reach: self.reach,
-            counters: self.counters,
-            wear: self.wear.as_ref().map(|wear| WearMark {
-                backlog: wear.backlog.clone(),
-                limit: wear.limit,
-                deferred_work: wear.deferred_work,
-                expected: wear.expected,
-                next_step: wear.next_step,
-                defect: wear.defect,
-                clipped: wear.clipped,
-            }),
+            state: self.state(),
         }
-    }
-
-    /// Moves a mark to the present state, in its own memory.
-    pub(crate) fn mark_again(&self, mark: &mut Mark) {
-        let (mut springs, wear) = (take(&mut mark.springs), mark.wear.take());
-        springs.copy_from(&self.springs);
-        let wear = match (wear, &self.wear) {
-            (Some(mut mark), Some(wear)) => {
-                mark.backlog.copy_from(&wear.backlog);
-                Some(WearMark {
-                    backlog: mark.backlog,
-                    limit: wear.limit,
-                    deferred_work: wear.deferred_work,
-                    expected: wear.expected,
-                    next_step: wear.next_step,
-                    defect: wear.defect,
-                    clipped: wear.clipped,
-                })
-            }
-            _ => None,
-        };
-        *mark = Mark {
-            surface: self.surface.clone(),
-            contact: self.contact,
-            springs,
-            displacement: [self.displacement, self.displacement_y],
-            planar: self.planar.as_ref().map(|planar| Box::new(planar.saved())),
-            direction: self.direction,
-            work: self.work,
-            stroke: self.stroke.clone(),
-            former: self.former,
-            reach: self.reach,
-            counters: self.counters,
-            wear,
-        };
     }
 
     /// Goes back to a mark of this contact.
     pub(crate) fn return_to(&mut self, mark: &Mark) {
+        self.parameters = mark.parameters.clone();
+        self.constants = mark.constants;
+        (self.bound_slope, self.start_slope) = (mark.constants.bound_slope(), mark.constants.bound_slope());
         self.surface = mark.surface.clone();
-        self.contact = mark.contact;
-        self.springs.copy_from(&mark.springs);
-        [self.displacement, self.displacement_y] = mark.displacement;
-        self.planar = mark.planar.clone();
-        self.direction = mark.direction;
-        self.work = mark.work;
-        self.stroke.clone_from(&mark.stroke);
-        self.former = mark.former;
-        self.reach = mark.reach;
-        self.counters = mark.counters;
-        if let (Some(wear), Some(mark)) = (&mut self.wear, &mark.wear) {
-            wear.backlog.copy_from(&mark.backlog);
-            wear.limit = mark.limit;
-            wear.deferred_work = mark.deferred_work;
-            wear.expected = mark.expected;
-            wear.next_step = mark.next_step;
-            wear.defect = mark.defect;
-            wear.clipped = mark.clipped;
-        }
-        self.view.take();
+        self.take_state(&mark.state);
     }
 }

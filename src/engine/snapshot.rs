@@ -6,7 +6,7 @@ use super::coating::Coating;
 use super::planar::Planar;
 use super::retune::FormerWear;
 use super::stroke::{Stroke, StrokeStart};
-use super::{Counters, FrettingContact, WearState};
+use super::{Counters, FrettingContact};
 use crate::error::Error;
 use crate::friction::Springs;
 use crate::surface::{Contact, Nodes};
@@ -49,6 +49,11 @@ struct WearSnapshot {
 impl FrettingContact {
     /// The present state.
     pub fn snapshot(&self) -> Snapshot {
+        Snapshot { nodes: self.surface.worn().cloned(), ..self.state() }
+    }
+
+    /// The present state but for the worn profile.
+    pub(super) fn state(&self) -> Snapshot {
         let wear = self.wear.as_ref().map(|wear| WearSnapshot {
             backlog: wear.backlog.clone(),
             limit: wear.limit,
@@ -69,7 +74,7 @@ impl FrettingContact {
             stroke: self.stroke.start.clone(),
             former: self.former,
             reach: self.reach,
-            nodes: self.surface.worn().cloned(),
+            nodes: None,
             wear,
             coating: self.coating,
             counters: self.counters,
@@ -101,7 +106,14 @@ impl FrettingContact {
             return Err(Error::Snapshot("it was saved with wear switched the other way".into()));
         }
         self.surface.set_worn(snapshot.nodes.clone());
-        self.springs = snapshot.springs.clone();
+        self.take_state(snapshot);
+        Ok(())
+    }
+
+    /// Takes a state but for its worn profile. Tables and buffers stay, since they hold for the nodes
+    /// that they were made for.
+    pub(super) fn take_state(&mut self, snapshot: &Snapshot) {
+        self.springs.copy_from(&snapshot.springs);
         self.contact = snapshot.contact;
         self.displacement = snapshot.displacement;
         self.displacement_y = snapshot.displacement_y;
@@ -114,21 +126,15 @@ impl FrettingContact {
         self.reach = snapshot.reach;
         self.counters = snapshot.counters;
         self.coating = snapshot.coating;
-        self.wear = snapshot.wear.as_ref().map(|saved| {
-            // tables serve the nodes that they were made for, whatever happens in between
-            let former = self.wear.take().map(|wear| *wear).unwrap_or_default();
-            Box::new(WearState {
-                backlog: saved.backlog.clone(),
-                limit: saved.limit,
-                deferred_work: saved.deferred_work,
-                expected: saved.expected,
-                next_step: saved.next_step,
-                defect: saved.defect,
-                clipped: saved.clipped,
-                ..former
-            })
-        });
+        if let (Some(wear), Some(saved)) = (&mut self.wear, &snapshot.wear) {
+            wear.backlog.copy_from(&saved.backlog);
+            wear.limit = saved.limit;
+            wear.deferred_work = saved.deferred_work;
+            wear.expected = saved.expected;
+            wear.next_step = saved.next_step;
+            wear.defect = saved.defect;
+            wear.clipped = saved.clipped;
+        }
         self.view.take();
-        Ok(())
     }
 }

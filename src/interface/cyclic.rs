@@ -75,7 +75,7 @@ impl Interface {
         let tolerance = self.parameters.tolerance;
         let (most_swing, most_error) = ((SWING * tolerance).sqrt(), MEAN_ERROR * tolerance);
         let amplitude = pose.displacement[0];
-        let (mut marks, mut loads) = (Vec::new(), Loads::new());
+        let mut loads = Loads::new();
         let mut left = cycles;
         let mut block = if self.block > 0.0 { self.block } else { cycles };
         // rates of the approach, m per cycle, of the last blocks, and their lengths
@@ -84,7 +84,7 @@ impl Interface {
         let mut trials = 0;
         for _ in 0..MOST_BLOCKS {
             let length = if block >= left { left } else { block };
-            self.members.mark_in(&mut marks);
+            let marks = self.members.marks();
             let middle = Pose { approach: pose.approach + 0.5 * expected * length, ..pose };
             let run = self.total_at(middle.approach, &mut loads).and_then(|(before, stiffness)| {
                 self.members.cycle(&middle, amplitude, length)?;

@@ -1,6 +1,5 @@
 //! Transient histories: straight lines in (force or approach, displacement, rotation).
 
-use super::members::Marks;
 use super::{Interface, Pose, Step};
 use crate::error::Error;
 use crate::parameters::NormalControl;
@@ -180,7 +179,7 @@ impl Interface {
         if !self.wears() || !moves || force <= 0.0 {
             return self.press_to(force, end).map(|_| ());
         }
-        let (mut marks, mut length) = (Marks::new(), 1.0);
+        let mut length = 1.0;
         if first {
             // the marks of the step serve
             let updates = self.members.updates();
@@ -194,7 +193,7 @@ impl Interface {
         while done < 1.0 {
             let share: f64 = if done + length >= 1.0 { 1.0 } else { done + length };
             let pose = self.pose;
-            self.members.mark_in(&mut marks);
+            let marks = self.members.marks();
             let load = mix(from_force, force, share);
             let updates = self.members.updates();
             match self.try_part(load, from.towards(&end, share), &updates)? {

@@ -149,21 +149,12 @@ impl Members {
 
     /// Marks the present state of every contact, to return to.
     pub(super) fn mark(&mut self) {
-        let mut marks = std::mem::take(&mut self.marks);
-        self.mark_in(&mut marks);
-        self.marks = marks;
+        self.marks = self.marks();
     }
 
-    /// The same in other memory.
-    pub(super) fn mark_in(&self, marks: &mut Marks) {
-        marks.resize(self.slots.len(), None);
-        for (slot, mark) in self.slots.iter().zip(marks) {
-            match (slot, mark) {
-                (Some(contact), Some(mark)) => contact.mark_again(mark),
-                (Some(contact), mark) => *mark = Some(Box::new(contact.mark())),
-                (None, mark) => *mark = None,
-            }
-        }
+    /// Marks of the present state of every contact.
+    pub(super) fn marks(&self) -> Marks {
+        self.slots.iter().map(|slot| slot.as_ref().map(|contact| Box::new(contact.mark()))).collect()
     }
 
     /// Goes back to the marks.
