@@ -60,11 +60,11 @@ impl FrettingContact {
     /// Semi-axes of the contact along x and y, m: both are [`Self::contact_radius`] for a body of
     /// revolution.
     pub fn contact_semi_axes(&self) -> [f64; 2] {
-        self.axes.semi_axes.map(|factor| factor * self.contact.radius)
+        self.model.axes.semi_axes.map(|factor| factor * self.state.contact.radius)
     }
 
     /// Tangential moduli G* along x and y, Pa: they differ for an ellipse.
     pub fn tangential_moduli(&self) -> [f64; 2] {
-        [1.0, self.axes.stiffness_ratio].map(|factor| factor * self.constants.tangential_modulus)
+        [1.0, self.model.axes.stiffness_ratio].map(|factor| factor * self.model.constants.tangential_modulus)
     }
 }

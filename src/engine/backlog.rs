@@ -27,45 +27,51 @@ const SAME_AMPLITUDE: f64 = 1e-3;
 impl FrettingContact {
     /// Memory for the slip of a line, where it is wanted for wear.
     pub(super) fn take_slips(&mut self) -> Option<Vec<SlipPiece>> {
-        let mut slips = self.wear.as_mut().map(|wear| std::mem::take(&mut wear.slips))?;
+        self.state.wear.as_ref()?;
+        let mut slips = std::mem::take(&mut self.memory.slips);
         slips.clear();
         Some(slips)
     }
 
     /// Keeps the slip of a line, to be gathered if the line is taken.
     pub(super) fn keep_slips(&mut self, slips: Option<Vec<SlipPiece>>) {
-        if let (Some(wear), Some(slips)) = (&mut self.wear, slips) {
-            wear.slips = slips;
+        if let Some(slips) = slips {
+            self.memory.slips = slips;
         }
     }
 
     /// Adds the slip of a line to another contact to the backlog.
     pub(super) fn gather(&mut self, work: f64, to: &Contact) {
         let (modulus, bound_slope, tip) =
-            (2.0 * self.constants.tangential_modulus, self.bound_slope, self.surface.tip());
-        let from = self.contact;
-        let Some(wear) = &mut self.wear else { return };
+            (2.0 * self.model.constants.tangential_modulus, self.model.bound_slope, self.surface.tip());
+        let from = self.state.contact;
+        let Some(wear) = &mut self.state.wear else { return };
         if work > 0.0
-            && !wear.backlog.record(&wear.slips, (work, work / (modulus * bound_slope)), (&from, to), tip)
+            && !wear.backlog.record(
+                &self.memory.slips,
+                (work, work / (modulus * bound_slope)),
+                (&from, to),
+                tip,
+            )
         {
             wear.deferred_work += work;
         }
-        wear.slips.clear();
+        self.memory.slips.clear();
     }
 
     /// Whether the profile has to follow before the body turns to a direction.
     pub(super) fn turns_to_update(&self, direction: f64) -> bool {
-        let Some(wear) = &self.wear else { return false };
+        let Some(wear) = &self.state.wear else { return false };
         direction != 0.0
-            && direction != self.direction
-            && self.constants.wear_per_work * wear.backlog.work > wear.limit
+            && direction != self.state.direction
+            && self.model.constants.wear_per_work * wear.backlog.work > wear.limit
     }
 
     /// Whether the profile has to follow at the end of a line in a contact that does more work (J),
     /// amid a stroke as well.
     pub(super) fn needs_update(&self, to: &Contact, work: f64, stick_radius: f64) -> bool {
-        let Some(wear) = &self.wear else { return false };
-        let volume = self.constants.wear_per_work * (wear.backlog.work + work);
+        let Some(wear) = &self.state.wear else { return false };
+        let volume = self.model.constants.wear_per_work * (wear.backlog.work + work);
         if wear.limit == 0.0 || volume <= wear.limit {
             return false;
         }
@@ -75,16 +81,17 @@ impl FrettingContact {
 
     /// Work (J) that a slide may do before an update may be due.
     pub(super) fn work_to_update(&self) -> f64 {
-        self.wear
+        self.state
+            .wear
             .as_ref()
-            .map_or(f64::MAX, |wear| wear.limit / self.constants.wear_per_work - wear.backlog.work)
+            .map_or(f64::MAX, |wear| wear.limit / self.model.constants.wear_per_work - wear.backlog.work)
     }
 
     /// Finds how much may wear before the profile follows, where that is not known yet.
     pub(super) fn set_limit(&mut self) {
-        if self.wear.as_ref().is_some_and(|wear| wear.limit == 0.0) {
+        if self.state.wear.as_ref().is_some_and(|wear| wear.limit == 0.0) {
             let limit = self.update_limit();
-            if let Some(wear) = &mut self.wear {
+            if let Some(wear) = &mut self.state.wear {
                 wear.limit = limit;
             }
         }
@@ -92,8 +99,8 @@ impl FrettingContact {
 
     /// Volume that may wear before the profile follows, m³.
     pub(super) fn update_limit(&self) -> f64 {
-        let inner = self.stick_radius().min(WIDE * self.contact.radius);
-        wear::update_limit(self.parameters.tolerance, &self.surface, &self.contact, inner)
+        let inner = self.stick_radius().min(WIDE * self.state.contact.radius);
+        wear::update_limit(self.model.parameters.tolerance, &self.surface, &self.state.contact, inner)
     }
 
     /// [`Self::absorb_backlog`] where the history is read or ends here: amid a stroke of cycles
@@ -111,18 +118,23 @@ impl FrettingContact {
     }
 
     fn absorb(&mut self, ends: bool) -> Result<(), Error> {
-        let Some(wear) = &mut self.wear else { return Ok(()) };
+        let Some(wear) = &mut self.state.wear else { return Ok(()) };
         if wear.backlog.is_empty() {
             return Ok(());
         }
         let backlog = std::mem::take(&mut wear.backlog);
         let law = backlog.law();
         let old = self.surface.clone();
-        let zone = self.springs.slip_zone(&self.contact, self.bound_slope, self.displacement);
-        let at_one_load =
-            self.planar.is_none() && !self.contact.is_open() && backlog.is_at(self.contact.depth);
+        let zone = self.state.springs.slip_zone(
+            &self.state.contact,
+            self.model.bound_slope,
+            self.state.displacement,
+        );
+        let at_one_load = self.state.planar.is_none()
+            && !self.state.contact.is_open()
+            && backlog.is_at(self.state.contact.depth);
         let repeated = match &law[..] {
-            [law] if at_one_load => law.repeated_motion(self.bound_slope, self.surface.tip()),
+            [law] if at_one_load => law.repeated_motion(self.model.bound_slope, self.surface.tip()),
             _ => None,
         };
         let whole = repeated.filter(|motion| self.is_followed(motion));
@@ -137,7 +149,7 @@ impl FrettingContact {
             self.rest_on_worn(&old, zone)?;
             if let (Sliding::Cycles(amplitude), true) = (motion.sliding, whole.is_some()) {
                 let own = self.own_amplitude(drive);
-                self.displacement += self.direction * (own - amplitude);
+                self.state.displacement += self.state.direction * (own - amplitude);
                 self.rest_at_reversal(own, zone.0);
             }
             self.expect(Some(motion));
@@ -152,7 +164,7 @@ impl FrettingContact {
     /// Wears a motion off on the moving mesh; says whether that could follow.
     fn absorb_motion(&mut self, motion: &RepeatedMotion, work: f64) -> Result<bool, Error> {
         let taken = self.take_deferred(work);
-        let control = self.contact.control;
+        let control = self.state.contact.control;
         match self.wear_by(control, (motion.sliding, None), motion.amount, Some(work + taken)) {
             Ok(_) => Ok(true),
             Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {
@@ -166,7 +178,7 @@ impl FrettingContact {
     /// As much of the deferred work as may add to an update of some work, J.
     fn take_deferred(&mut self, work: f64) -> f64 {
         let most = PLACED_WITH * work.abs();
-        let Some(wear) = &mut self.wear else { return 0.0 };
+        let Some(wear) = &mut self.state.wear else { return 0.0 };
         let taken = wear.deferred_work.max(-most).min(most);
         wear.deferred_work -= taken;
         taken
@@ -174,7 +186,7 @@ impl FrettingContact {
 
     /// Defers the wear of work (J) to a later update; below 0 where the profile has worn too much.
     fn defer(&mut self, work: f64) {
-        if let Some(wear) = &mut self.wear {
+        if let Some(wear) = &mut self.state.wear {
             wear.deferred_work += work;
         }
     }
@@ -183,7 +195,7 @@ impl FrettingContact {
     /// Where it has worn is not known.
     pub(super) fn lose_to_friction(&mut self, energy: f64) {
         let work = energy.max(0.0);
-        self.work += work;
+        self.state.work += work;
         self.defer(work);
     }
 
@@ -191,7 +203,7 @@ impl FrettingContact {
     /// before. A single stroke from anywhere to anywhere looks like half a cycle.
     fn is_followed(&self, motion: &RepeatedMotion) -> bool {
         let Some(nodes) = self.surface.worn() else { return true };
-        match (motion.sliding, self.wear.as_ref().and_then(|wear| wear.expected)) {
+        match (motion.sliding, self.state.wear.as_ref().and_then(|wear| wear.expected)) {
             (Sliding::Onward, _) => nodes.mesh().is_some(),
             (Sliding::Cycles(a), Some(Sliding::Cycles(b))) => (a - b).abs() <= SAME_AMPLITUDE * b,
             _ => false,
@@ -200,10 +212,10 @@ impl FrettingContact {
 
     /// Amid a stroke of cycles that have been seen before: as much of them as its work is.
     fn part_of_cycles(&mut self, backlog: &WearBacklog) -> Option<RepeatedMotion> {
-        let Some(Sliding::Cycles(amplitude)) = self.wear.as_ref()?.expected else { return None };
-        let contact = self.contact;
+        let Some(Sliding::Cycles(amplitude)) = self.state.wear.as_ref()?.expected else { return None };
+        let contact = self.state.contact;
         let (springs, quarter) = self.quarter(&contact, amplitude);
-        let front = springs.stick_radius(&contact, self.bound_slope, amplitude);
+        let front = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
         let here = self.stick_radius();
         let amount = backlog.work / (4.0 * quarter);
         (amount.is_finite() && here >= front * (1.0 - SAME_AMPLITUDE))
@@ -211,7 +223,7 @@ impl FrettingContact {
     }
 
     fn expect(&mut self, motion: Option<RepeatedMotion>) {
-        if let Some(wear) = &mut self.wear {
+        if let Some(wear) = &mut self.state.wear {
             wear.expected = motion.map(|motion| motion.sliding);
         }
     }
@@ -222,7 +234,7 @@ impl FrettingContact {
     /// # Errors
     /// [`Error::WearOutrun`] where one update cannot follow; those of the normal contact.
     pub(super) fn absorb_law(&mut self, law: &[SlipAtDepth], work: f64, radius: f64) -> Result<(), Error> {
-        let per_work = self.constants.wear_per_work;
+        let per_work = self.model.constants.wear_per_work;
         let before = self.surface.worn().map_or(0.0, Nodes::worn_volume);
         let nodes = self.nodes_at_rest(law, radius);
         let lost = (before - nodes.worn_volume()) / per_work;
@@ -231,24 +243,27 @@ impl FrettingContact {
         }
         self.surface.set_worn(Some(nodes));
         let work = work + self.take_deferred(work);
-        let (Some(wear), Some(nodes)) = (&mut self.wear, self.surface.worn()) else { return Ok(()) };
-        let (transforms, made) = wear.transforms.get(nodes);
-        self.counters.transform_tables += u64::from(made);
-        let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.constants)?;
+        let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(()) };
+        let (transforms, made) = self.memory.transforms.get(nodes);
+        self.state.counters.transform_tables += u64::from(made);
+        let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.model.constants)?;
         let Some(fields) = fields else {
             self.defer(work);
             return Ok(());
         };
-        self.counters.pressure_transforms += fields.transforms;
-        self.counters.descent_transforms += fields.transforms;
+        self.state.counters.pressure_transforms += fields.transforms;
+        self.state.counters.descent_transforms += fields.transforms;
         wear.clipped += fields.clipped;
         wear.defect += fields.defect;
-        let control = self.parameters.normal_control;
-        let update = wear::worn_depth(&self.surface, &transforms, &fields, control, &self.constants)?;
-        self.counters.descent_transforms += update.iterations;
-        self.counters.pressure_transforms += update.iterations;
+        let control = self.model.parameters.normal_control;
+        let update = wear::worn_depth(&self.surface, &transforms, &fields, control, &self.model.constants)?;
+        self.state.counters.descent_transforms += update.iterations;
+        self.state.counters.pressure_transforms += update.iterations;
         if !update.followed {
-            return Err(Error::WearOutrun { from: self.displacement, displacement: self.displacement });
+            return Err(Error::WearOutrun {
+                from: self.state.displacement,
+                displacement: self.state.displacement,
+            });
         }
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape
         // and takes that volume
@@ -266,8 +281,8 @@ impl FrettingContact {
         let mut nodes = nodes.clone();
         nodes.set_worn(image, depth, self.surface.profile());
         self.surface.set_worn(Some(nodes));
-        self.counters.descent_transforms += 1;
-        self.counters.profile_updates += 1;
+        self.state.counters.descent_transforms += 1;
+        self.state.counters.profile_updates += 1;
         self.look_at_coating();
         Ok(())
     }
@@ -284,24 +299,30 @@ impl FrettingContact {
         } else {
             radius
         };
-        let (Some(nodes), Some(wear)) = (self.surface.worn(), &mut self.wear) else {
-            return Nodes::around(profile, self.parameters.resolution, radius.max(self.reach), inner);
+        let Some(nodes) = self.surface.worn() else {
+            return Nodes::around(
+                profile,
+                self.model.parameters.resolution,
+                radius.max(self.state.reach),
+                inner,
+            );
         };
         let mut left = nodes.clone();
         if nodes.mesh().is_some() {
-            let (transforms, made) = wear.transforms.get(nodes);
-            self.counters.transform_tables += u64::from(made);
-            self.counters.descent_transforms += 1;
+            let (transforms, made) = self.memory.transforms.get(nodes);
+            self.state.counters.transform_tables += u64::from(made);
+            self.state.counters.descent_transforms += 1;
             left = nodes.without_mesh(transforms.descend(nodes.worn_image()));
         }
         let deepest = law.iter().map(|law| law.depth).fold(0.0, f64::max);
         if let Some(spread) = left.spread_at_rim(deepest, profile) {
             left = spread;
         }
-        if let Some(thinned) = left.thinned(wear::THINNING * self.parameters.tolerance, radius, profile) {
+        if let Some(thinned) = left.thinned(wear::THINNING * self.model.parameters.tolerance, radius, profile)
+        {
             left = thinned;
         }
-        let way = if self.planar.is_some() { FrontWay::Creeps } else { FrontWay::Returns };
+        let way = if self.state.planar.is_some() { FrontWay::Creeps } else { FrontWay::Returns };
         left.adapt(profile, radius, (inner, way));
         left
     }
@@ -310,25 +331,26 @@ impl FrettingContact {
     /// the springs of a zone (its inner radius and side) slipped: in truth they have followed their
     /// bound, up or down, all the time. Others keep their place.
     fn rest_on_worn(&mut self, old: &Surface, zone: (f64, f64)) -> Result<(), Error> {
-        let to = self.contact_at(self.contact.control)?;
-        if self.planar.is_some() {
+        let to = self.contact_at(self.state.contact.control)?;
+        if self.state.planar.is_some() {
             self.rest_in_plane(to);
         } else {
-            let moved = self.springs.moved_to(old, &self.surface);
-            let path = self.path_to(to, self.displacement);
+            let moved = self.state.springs.moved_to(old, &self.surface);
+            let path = self.path_to(to, self.state.displacement);
             let (mut springs, _) = moved.walk(&path, Springs::default(), None);
             if zone.1 != 0.0 && !to.is_open() {
-                springs.follow_bound(zone, &to, self.bound_slope, self.displacement);
+                springs.follow_bound(zone, &to, self.model.bound_slope, self.state.displacement);
             }
-            let energy = |row: &Springs| row.energy_integral(self.displacement);
-            let lost = self.constants.tangential_modulus * (energy(&self.springs) - energy(&springs));
-            springs.simplify(&to, self.bound_slope);
-            (self.springs, self.contact) = (springs, to);
-            self.reach = self.reach.max(to.radius);
+            let energy = |row: &Springs| row.energy_integral(self.state.displacement);
+            let lost =
+                self.model.constants.tangential_modulus * (energy(&self.state.springs) - energy(&springs));
+            springs.simplify(&to, self.model.bound_slope);
+            (self.state.springs, self.state.contact) = (springs, to);
+            self.state.reach = self.state.reach.max(to.radius);
             self.lose_to_friction(lost);
         }
         let limit = self.update_limit();
-        if let Some(wear) = &mut self.wear {
+        if let Some(wear) = &mut self.state.wear {
             wear.limit = limit;
         }
         Ok(())

@@ -34,28 +34,29 @@ impl FrettingContact {
         &mut self,
         change: impl FnOnce(&mut Self) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let (work, start, updates) = (self.work, self.displacement, self.counters.profile_updates);
-        let start_y = self.displacement_y;
+        let (work, start, updates) =
+            (self.state.work, self.state.displacement, self.state.counters.profile_updates);
+        let start_y = self.state.displacement_y;
         let stored = self.stored_energy();
-        let (force, before, deferred) = (self.normal_reaction(), self.contact, self.deferred_volume());
+        let (force, before, deferred) = (self.normal_reaction(), self.state.contact, self.deferred_volume());
         change(self)?;
-        if self.wear.is_none() || self.counters.profile_updates == updates {
+        if self.state.wear.is_none() || self.state.counters.profile_updates == updates {
             return Ok(());
         }
         let force = force.max(self.normal_reaction());
-        let moved = (self.displacement - start).hypot(self.displacement_y - start_y);
-        let driven = self.constants.friction_coefficient * force * moved;
-        let taken = self.work - work;
-        let per_work = self.constants.wear_per_work;
+        let moved = (self.state.displacement - start).hypot(self.state.displacement_y - start_y);
+        let driven = self.model.constants.friction_coefficient * force * moved;
+        let taken = self.state.work - work;
+        let per_work = self.model.constants.wear_per_work;
         // what went wrong may have blown up the contact after
-        let slack =
-            OVERTAKEN * if before.is_open() { disc(&before).max(disc(&self.contact)) } else { disc(&before) };
+        let slack = OVERTAKEN
+            * if before.is_open() { disc(&before).max(disc(&self.state.contact)) } else { disc(&before) };
         let bounded = per_work * taken <= (1.0 + SLACK) * per_work * (driven + stored) + slack;
         let placed = self.is_placed((&before, deferred));
         if bounded && placed {
             return Ok(());
         }
-        Err(Error::WearOutrun { displacement: self.displacement, from: start })
+        Err(Error::WearOutrun { displacement: self.state.displacement, from: start })
     }
 
     /// Runs a change after which nearly all that has worn has to show on the profile.
@@ -66,26 +67,26 @@ impl FrettingContact {
         &mut self,
         change: impl FnOnce(&mut Self) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let (start, before, deferred) = (self.displacement, self.contact, self.deferred_volume());
+        let (start, before, deferred) = (self.state.displacement, self.state.contact, self.deferred_volume());
         change(self)?;
         if self.is_placed((&before, deferred)) {
             return Ok(());
         }
-        Err(Error::WearOutrun { displacement: self.displacement, from: start })
+        Err(Error::WearOutrun { displacement: self.state.displacement, from: start })
     }
 
     /// Volume whose wear is deferred to a later update, m³.
     fn deferred_volume(&self) -> f64 {
-        let work = self.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
-        (self.constants.wear_per_work * work).abs()
+        let work = self.state.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
+        (self.model.constants.wear_per_work * work).abs()
     }
 
     /// Whether nearly all that has worn shows on the profile, or what does not is hardly more than before a step; the contact of then
     /// counts, too.
     fn is_placed(&self, (contact, before): (&Contact, f64)) -> bool {
-        let (now, size) = (self.deferred_volume(), disc(contact).max(disc(&self.contact)));
-        let cells = self.parameters.resolution as f64;
-        let share = self.parameters.tolerance.max(DEFERRED).max(OF_CELLS / (cells * cells));
+        let (now, size) = (self.deferred_volume(), disc(contact).max(disc(&self.state.contact)));
+        let cells = self.model.parameters.resolution as f64;
+        let share = self.model.parameters.tolerance.max(DEFERRED).max(OF_CELLS / (cells * cells));
         let limit = share * (self.wear_volume() + size);
         now <= limit || now - before <= NOT_AT_FAULT * limit
     }

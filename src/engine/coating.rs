@@ -39,29 +39,29 @@ impl FrettingContact {
     /// Once an update of the profile has found it, it stays so. Between two updates the depth is
     /// read, which costs the same as [`Self::wear_depth`].
     pub fn worn_through(&self) -> bool {
-        self.has_coating() && (self.coating.worn_through || self.wear_depth() >= self.thickness())
+        self.has_coating() && (self.state.coating.worn_through || self.wear_depth() >= self.thickness())
     }
 
     /// Cycles of [`Self::advance_cycles`] since the start after which the wear depth reached the
     /// thickness of the coating, within the tolerance; `None` before, without a coating, and where
     /// it was reached in transient motion.
     pub fn cycles_to_wear_through(&self) -> Option<f64> {
-        self.coating.life
+        self.state.coating.life
     }
 
     /// Whether an update of the profile has found the coating worn through: [`Self::worn_through`]
     /// without the wear since the last update, at no cost.
     pub fn is_known_worn_through(&self) -> bool {
-        self.coating.worn_through
+        self.state.coating.worn_through
     }
 
     /// Cycles of [`Self::advance_cycles`] so far, counted where there is a coating.
     pub fn cycles_on_coating(&self) -> f64 {
-        self.coating.cycles
+        self.state.coating.cycles
     }
 
     fn thickness(&self) -> f64 {
-        self.parameters.coating_thickness
+        self.model.parameters.coating_thickness
     }
 
     fn has_coating(&self) -> bool {
@@ -70,8 +70,8 @@ impl FrettingContact {
 
     /// To be called after each update of the profile.
     pub(super) fn look_at_coating(&mut self) {
-        if self.has_coating() && !self.coating.worn_through {
-            self.coating.worn_through = self.depth_on_profile() >= self.thickness();
+        if self.has_coating() && !self.state.coating.worn_through {
+            self.state.coating.worn_through = self.depth_on_profile() >= self.thickness();
         }
     }
 
@@ -93,13 +93,13 @@ impl FrettingContact {
         if !self.has_coating() {
             return self.run_cycles(value, amplitude, cycles);
         }
-        let before = (!self.coating.worn_through).then(|| self.clone());
+        let before = (!self.state.coating.worn_through).then(|| self.clone());
         self.run_cycles(value, amplitude, cycles)?;
-        if let (true, Some(before)) = (self.coating.worn_through, before) {
+        if let (true, Some(before)) = (self.state.coating.worn_through, before) {
             let life = self.cycles_until_worn_through(&before, (value, amplitude), cycles)?;
-            self.coating.life = Some(before.coating.cycles + life);
+            self.state.coating.life = Some(before.state.coating.cycles + life);
         }
-        self.coating.cycles += cycles;
+        self.state.coating.cycles += cycles;
         Ok(())
     }
 
@@ -114,10 +114,10 @@ impl FrettingContact {
         let at_end = self.depth_on_profile() - self.thickness();
         let mut excess = |part: f64| {
             let mut trial = before.clone();
-            trial.counters = self.counters;
+            trial.state.counters = self.state.counters;
             trial.run_cycles(value, amplitude, part)?;
-            self.counters = trial.counters;
-            self.counters.coating_trials += 1;
+            self.state.counters = trial.state.counters;
+            self.state.counters.coating_trials += 1;
             Ok::<_, Error>(trial.depth_on_profile() - trial.thickness())
         };
         let at_start = excess(0.0)?;
@@ -126,7 +126,8 @@ impl FrettingContact {
         }
         let (mut low, mut high, mut last) = ((0.0, at_start), (cycles, at_end), 0.0);
         for trial in 1..=MOST_TRIALS {
-            let accuracy = ACCURACY * before.parameters.tolerance * (before.coating.cycles + high.0);
+            let accuracy =
+                ACCURACY * before.model.parameters.tolerance * (before.state.coating.cycles + high.0);
             let crossing = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
             if high.0 - low.0 <= accuracy {
                 return Ok(crossing.clamp(low.0, high.0));

@@ -51,29 +51,29 @@ impl FrettingContact {
         let run =
             self.transaction(|this| this.placed(|this| this.run_cycles_on_coating(value, amplitude, cycles)));
         run.map_err(|error| self.told_of_step(error, amplitude))?;
-        self.counters.steps += 1;
+        self.state.counters.steps += 1;
         Ok(())
     }
 
     pub(super) fn run_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         self.close_backlog()?;
-        self.planar = None;
-        self.contact = self.contact_at(value)?;
-        self.reach = self.reach.max(self.contact.radius);
-        let amplitude = if self.wear.is_none() {
+        self.state.planar = None;
+        self.state.contact = self.contact_at(value)?;
+        self.state.reach = self.state.reach.max(self.state.contact.radius);
+        let amplitude = if self.state.wear.is_none() {
             let own = self.own_amplitude(amplitude);
-            let contact = self.contact;
+            let contact = self.state.contact;
             let (springs, work) = self.quarter(&contact, own);
-            self.work += 4.0 * cycles * work;
-            self.springs = springs;
+            self.state.work += 4.0 * cycles * work;
+            self.state.springs = springs;
             own
         } else {
             self.wear_cycles(value, amplitude, cycles)?
         };
-        let Contact { depth, radius, load, .. } = self.contact;
+        let Contact { depth, radius, load, .. } = self.state.contact;
         range::contact(radius, depth, load, self.normal_reaction())?;
-        self.displacement = amplitude;
-        self.direction = 1.0;
+        self.state.displacement = amplitude;
+        self.state.direction = 1.0;
         self.begin_quarter();
         Ok(())
     }
@@ -82,33 +82,33 @@ impl FrettingContact {
     pub(super) fn quarter(&mut self, contact: &Contact, amplitude: f64) -> (Springs, f64) {
         let path = Path {
             surface: &self.surface,
-            control: self.parameters.normal_control,
-            bound_slope: self.bound_slope,
-            start_slope: self.bound_slope,
+            control: self.model.parameters.normal_control,
+            bound_slope: self.model.bound_slope,
+            start_slope: self.model.bound_slope,
             from: Contact { control: self.touch_control(), radius: 0.0, ..*contact },
             to: *contact,
             start: 0.0,
             end: 0.0,
-            sampling: 1.0 / self.parameters.resolution as f64,
+            sampling: 1.0 / self.model.parameters.resolution as f64,
         };
         let (rest, _) = Springs::default().walk(&path, Springs::default(), None);
         let (springs, half_work) =
             rest.walk(&Path { from: *contact, end: amplitude, ..path }, Springs::default(), None);
-        self.counters.spring_walks += 2;
-        (springs, 2.0 * self.constants.tangential_modulus * half_work)
+        self.state.counters.spring_walks += 2;
+        (springs, 2.0 * self.model.constants.tangential_modulus * half_work)
     }
 
     /// Returns the amplitude of the contact itself at the end, m.
     fn wear_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<f64, Error> {
-        let own = if self.compliance == 0.0 {
+        let own = if self.model.compliance == 0.0 {
             self.wear_steadily(value, Sliding::Cycles(amplitude), cycles)?;
             amplitude
         } else {
             self.wear_driven_cycles(value, amplitude, cycles)?
         };
-        let contact = self.contact;
-        (self.springs, _) = self.quarter(&contact, own);
-        self.reach = self.reach.max(self.contact.radius);
+        let contact = self.state.contact;
+        (self.state.springs, _) = self.quarter(&contact, own);
+        self.state.reach = self.state.reach.max(self.state.contact.radius);
         Ok(own)
     }
 
@@ -121,10 +121,10 @@ impl FrettingContact {
         amount: f64,
         known: Option<f64>,
     ) -> Result<f64, Error> {
-        let compliance = 2.0 * self.constants.tangential_modulus * self.compliance;
+        let compliance = 2.0 * self.model.constants.tangential_modulus * self.model.compliance;
         let rig = drive.map(|amplitude| Rig { amplitude, compliance });
-        let motion = Motion { control: self.parameters.normal_control, value, sliding, rig };
-        let last_step = match (self.wear.as_ref().and_then(|wear| wear.next_step), sliding) {
+        let motion = Motion { control: self.model.parameters.normal_control, value, sliding, rig };
+        let last_step = match (self.state.wear.as_ref().and_then(|wear| wear.next_step), sliding) {
             (Some((Sliding::Cycles(a), step)), Sliding::Cycles(b)) if (0.5 * b..=2.0 * b).contains(&a) => {
                 step
             }
@@ -132,21 +132,28 @@ impl FrettingContact {
             _ => 0.0,
         };
         let fineness = Fineness {
-            cells: UnitMesh::cells_from(self.parameters.resolution.min(MOST_CELLS)),
-            tolerance: self.parameters.tolerance,
+            cells: UnitMesh::cells_from(self.model.parameters.resolution.min(MOST_CELLS)),
+            tolerance: self.model.parameters.tolerance,
             last_step,
         };
-        let per_work = self.constants.wear_per_work;
+        let per_work = self.model.constants.wear_per_work;
         let known = known.map(|work| work * per_work);
         let on_profile = |surface: &Surface| surface.worn().map_or(0.0, Nodes::worn_volume);
-        let deferred_work = self.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
+        let deferred_work = self.state.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
         let worn = on_profile(&self.surface) + per_work * deferred_work;
         let amount = Amount { cycles: amount, worn, known };
-        let life = live(&self.surface, &motion, &amount, &self.constants, &fineness, &mut self.counters)?;
-        let Some(wear) = &mut self.wear else { return Ok(0.0) };
+        let life = live(
+            &self.surface,
+            &motion,
+            &amount,
+            &self.model.constants,
+            &fineness,
+            &mut self.state.counters,
+        )?;
+        let Some(wear) = &mut self.state.wear else { return Ok(0.0) };
         wear.deferred_work = (worn + life.volume - on_profile(&life.surface)) / per_work;
         wear.next_step = Some((sliding, life.next_step));
-        wear.mesh = life.mesh.or(wear.mesh.take());
+        self.memory.mesh = life.mesh.or(self.memory.mesh.take());
         wear.defect += life.defect / per_work;
         self.surface = life.surface;
         self.look_at_coating();

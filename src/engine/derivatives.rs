@@ -74,15 +74,15 @@ impl FrettingContact {
     fn gradient(&self, by_depth: f64, by_displacement: f64) -> Gradient {
         let by_normal = by_depth * self.depth_per_normal();
         let gradient = Gradient { normal: by_normal, displacement: by_displacement, ..Gradient::default() };
-        let gradient = if self.compliance > 0.0 { self.behind_the_rig(gradient) } else { gradient };
-        gradient.times(if self.contact.is_open() { 0.0 } else { 1.0 })
+        let gradient = if self.model.compliance > 0.0 { self.behind_the_rig(gradient) } else { gradient };
+        gradient.times(if self.state.contact.is_open() { 0.0 } else { 1.0 })
     }
 
     /// With D = U + T/k_rig given in place of U: dU = (dD − ∂T/∂n dn/k_rig) / (1 + k/k_rig), k = ∂T/∂U.
     fn behind_the_rig(&self, gradient: Gradient) -> Gradient {
         let (by_depth, stiffness) = self.force_slopes();
-        let own = 1.0 / (1.0 + self.compliance * stiffness);
-        let by_normal = -self.compliance * by_depth * self.depth_per_normal() * own;
+        let own = 1.0 / (1.0 + self.model.compliance * stiffness);
+        let by_normal = -self.model.compliance * by_depth * self.depth_per_normal() * own;
         Gradient {
             normal: gradient.normal + gradient.displacement * by_normal,
             displacement: gradient.displacement * own,
@@ -93,30 +93,34 @@ impl FrettingContact {
     /// ∂T/∂d and ∂T/∂U.
     fn force_slopes(&self) -> (f64, f64) {
         let (stick, side) = self.moving_zone();
-        let row = 2.0 * self.constants.tangential_modulus;
-        (row * self.bound_slope * side * (self.contact.radius - stick), row * stick)
+        let row = 2.0 * self.model.constants.tangential_modulus;
+        (row * self.model.bound_slope * side * (self.state.contact.radius - stick), row * stick)
     }
 
     /// ∂d/∂(prescribed normal quantity) of a closed contact.
     pub(super) fn depth_per_normal(&self) -> f64 {
-        if self.constants.force_control { 1.0 / self.normal_stiffness() } else { 1.0 }
+        if self.model.constants.force_control { 1.0 / self.normal_stiffness() } else { 1.0 }
     }
 
     /// Stick radius and side s of the slip zone for going on; s = ±1 also where that zone is still empty.
     fn moving_zone(&self) -> (f64, f64) {
-        let onward = if self.direction < 0.0 { -1.0 } else { 1.0 };
-        let (stick, side) = self.springs.slip_zone(&self.contact, self.bound_slope, self.displacement);
+        let onward = if self.state.direction < 0.0 { -1.0 } else { 1.0 };
+        let (stick, side) = self.state.springs.slip_zone(
+            &self.state.contact,
+            self.model.bound_slope,
+            self.state.displacement,
+        );
         // a zone on the side that the motion leaves comes off its bound
-        if side * onward < 0.0 { (self.contact.radius, onward) } else { (stick, onward) }
+        if side * onward < 0.0 { (self.state.contact.radius, onward) } else { (stick, onward) }
     }
 
     /// I = ∫ from c to a of (d − g) dx, m².
     fn room_outside(&self, stick: f64) -> f64 {
-        if stick >= self.contact.radius {
+        if stick >= self.state.contact.radius {
             return 0.0;
         }
         let inner = self.surface.place(stick);
-        (self.contact.load - inner.load - stick * (self.contact.depth - inner.image)).max(0.0)
+        (self.state.contact.load - inner.load - stick * (self.state.contact.depth - inner.image)).max(0.0)
     }
 
     /// Of [`Self::normal_reaction`].
@@ -126,7 +130,7 @@ impl FrettingContact {
 
     /// Of [`Self::indentation_depth`].
     pub fn indentation_depth_gradient(&self) -> Gradient {
-        if self.constants.force_control {
+        if self.model.constants.force_control {
             self.gradient(1.0, 0.0)
         } else {
             Gradient { normal: 1.0, ..Gradient::default() }
@@ -135,22 +139,22 @@ impl FrettingContact {
 
     /// Of [`Self::contact_radius`].
     pub fn contact_radius_gradient(&self) -> Gradient {
-        let radius = self.contact.radius;
+        let radius = self.state.contact.radius;
         if radius >= self.surface.profile().outer_radius() {
             return Gradient::default();
         }
-        self.gradient(self.axes.size / self.surface.image_slope(radius), 0.0)
+        self.gradient(self.model.axes.size / self.surface.image_slope(radius), 0.0)
     }
 
     /// Of the two [`Self::contact_semi_axes`].
     pub fn contact_semi_axes_gradient(&self) -> [Gradient; 2] {
-        let factors = self.axes.per_contact_radius();
+        let factors = self.model.axes.per_contact_radius();
         factors.map(|factor| self.contact_radius_gradient().times(factor))
     }
 
     /// Of [`Self::normal_stiffness`].
     pub fn normal_stiffness_gradient(&self) -> Gradient {
-        self.contact_radius_gradient().times(self.force_scale() / self.axes.size)
+        self.contact_radius_gradient().times(self.force_scale() / self.model.axes.size)
     }
 
     /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`] k or, behind a rig,
@@ -165,7 +169,7 @@ impl FrettingContact {
 
     /// Of [`Self::displacement`].
     pub fn displacement_gradient(&self) -> Gradient {
-        if self.contact.is_open() {
+        if self.state.contact.is_open() {
             Gradient { displacement: 1.0, ..Gradient::default() }
         } else {
             self.displacement_gradient_in_plane().unwrap_or_else(|| self.gradient(0.0, 1.0))
@@ -181,14 +185,15 @@ impl FrettingContact {
         if stick <= 0.0 {
             return Gradient::default();
         }
-        let knots = self.springs.knots();
+        let knots = self.state.springs.knots();
         let outer = knots.partition_point(|knot| knot.place.x < stick * (1.0 - 1e-12)).max(1);
         let Some([inner, outer]) = knots.get(outer - 1..=outer) else { return Gradient::default() };
         let rise = outer.place.image - inner.place.image;
         let origin_slope = if rise > 0.0 { (outer.origin - inner.origin) / rise } else { 0.0 };
         let per_bound = 1.0
-            / (self.surface.image_slope(stick * (1.0 - INSIDE)) * (self.bound_slope - side * origin_slope));
-        self.gradient(self.bound_slope * per_bound, -side * per_bound).times(self.axes.size)
+            / (self.surface.image_slope(stick * (1.0 - INSIDE))
+                * (self.model.bound_slope - side * origin_slope));
+        self.gradient(self.model.bound_slope * per_bound, -side * per_bound).times(self.model.axes.size)
     }
 
     /// Of [`Self::tangential_stiffness`].
@@ -196,7 +201,8 @@ impl FrettingContact {
         if let Some(gradient) = self.stiffness_gradient_in_plane() {
             return gradient;
         }
-        self.stick_radius_gradient().times(2.0 * self.constants.tangential_modulus / self.axes.size)
+        self.stick_radius_gradient()
+            .times(2.0 * self.model.constants.tangential_modulus / self.model.axes.size)
     }
 
     /// Of [`Self::dissipated_energy`].
@@ -205,19 +211,20 @@ impl FrettingContact {
             return gradient;
         }
         let (stick, side) = self.moving_zone();
-        let limit = 2.0 * self.constants.tangential_modulus * self.bound_slope * self.room_outside(stick);
-        self.gradient(-self.bound_slope * limit, side * limit)
+        let limit =
+            2.0 * self.model.constants.tangential_modulus * self.model.bound_slope * self.room_outside(stick);
+        self.gradient(-self.model.bound_slope * limit, side * limit)
     }
 
     /// Of [`Self::wear_volume`].
     pub fn wear_volume_gradient(&self) -> Gradient {
-        self.dissipated_energy_gradient().times(self.constants.wear_per_work)
+        self.dissipated_energy_gradient().times(self.model.constants.wear_per_work)
     }
 
     /// Of [`Self::wear_volumes`].
     pub fn wear_volumes_gradient(&self) -> [Gradient; 2] {
         let work = self.dissipated_energy_gradient();
-        self.parameters.wear_per_work_of_bodies().map(|per_work| work.times(per_work))
+        self.model.parameters.wear_per_work_of_bodies().map(|per_work| work.times(per_work))
     }
 
     /// Of [`Self::wear_depth`]: dw = (k/σ₀) |τ| ds at the deepest point, where a slip δ of all springs outside c moves the
@@ -231,14 +238,14 @@ impl FrettingContact {
             let share = if stick < r { FRAC_2_PI * (stick / r).acos() } else { 0.0 };
             let share = if stick == 0.0 { 1.0 } else { share };
             let traction = (side * self.shear_traction_at(r)).max(0.0);
-            if traction.is_finite() { self.constants.wear_per_work * traction * share } else { 0.0 }
+            if traction.is_finite() { self.model.constants.wear_per_work * traction * share } else { 0.0 }
         };
         let rate = match self.deepest() {
             Some(r) => rate(r),
             None => self.reached_radii().into_iter().map(rate).fold(0.0, f64::max),
         };
-        let rate = if self.wear.is_some() { rate } else { 0.0 };
-        self.gradient(-self.bound_slope * rate, side * rate)
+        let rate = if self.state.wear.is_some() { rate } else { 0.0 };
+        self.gradient(-self.model.bound_slope * rate, side * rate)
     }
 
     /// Radius of the deepest worn point, m, once something has worn.
@@ -250,7 +257,7 @@ impl FrettingContact {
 
     /// Of [`Self::max_pressure`], by central differences in the depth: it is one of many places that move with the edge.
     pub fn max_pressure_gradient(&self) -> Gradient {
-        let Contact { radius, depth, load, .. } = self.contact;
+        let Contact { radius, depth, load, .. } = self.state.contact;
         if radius == 0.0 {
             return Gradient::default();
         }
@@ -262,7 +269,8 @@ impl FrettingContact {
             1.0 / self.surface.image_slope(radius)
         };
         let pressure = |change: f64| {
-            let moved = Contact { depth: depth + change, radius: radius + growth * change, ..self.contact };
+            let moved =
+                Contact { depth: depth + change, radius: radius + growth * change, ..self.state.contact };
             self.max_pressure_in(&moved)
         };
         self.gradient((pressure(step) - pressure(-step)) / (2.0 * step), 0.0)
@@ -272,37 +280,39 @@ impl FrettingContact {
     pub fn work_per_cycle(&self, amplitude: f64) -> f64 {
         let mut copy = self.clone();
         let amplitude = copy.own_amplitude(amplitude);
-        4.0 * copy.quarter(&self.contact, amplitude).1
+        4.0 * copy.quarter(&self.state.contact, amplitude).1
     }
 
     /// Volume that one cycle of this amplitude (m) wears, m³.
     pub fn wear_volume_per_cycle(&self, amplitude: f64) -> f64 {
-        self.constants.wear_per_work * self.work_per_cycle(amplitude)
+        self.model.constants.wear_per_work * self.work_per_cycle(amplitude)
     }
 
     /// Volumes that one cycle of this amplitude (m) wears off body 1 and body 2, m³.
     pub fn wear_volumes_per_cycle(&self, amplitude: f64) -> [f64; 2] {
         let work = self.work_per_cycle(amplitude);
-        self.parameters.wear_per_work_of_bodies().map(|per_work| per_work * work)
+        self.model.parameters.wear_per_work_of_bodies().map(|per_work| per_work * work)
     }
 
     /// Depth by which one cycle of this amplitude (m) wears the deepest point: dw/dN = 4 (kμ/σ₀) p s there, with the surface
     /// slip s = (2/π) ∫ (U₀ − b(x))⁺ dx/√(r² − x²) from 0 to r, b = m (d − g).
     pub fn wear_depth_per_cycle(&self, amplitude: f64) -> f64 {
-        if self.wear.is_none() || self.contact.is_open() {
+        if self.state.wear.is_none() || self.state.contact.is_open() {
             return 0.0;
         }
-        let amplitude = if self.compliance > 0.0 { self.clone().own_amplitude(amplitude) } else { amplitude };
-        let per_length = self.constants.wear_per_work * self.constants.friction_coefficient;
-        let room = |x: f64| self.bound_slope * (self.contact.depth - self.surface.image(x)).max(0.0);
-        let bound_depth = self.contact.depth - amplitude / self.bound_slope;
+        let amplitude =
+            if self.model.compliance > 0.0 { self.clone().own_amplitude(amplitude) } else { amplitude };
+        let per_length = self.model.constants.wear_per_work * self.model.constants.friction_coefficient;
+        let room =
+            |x: f64| self.model.bound_slope * (self.state.contact.depth - self.surface.image(x)).max(0.0);
+        let bound_depth = self.state.contact.depth - amplitude / self.model.bound_slope;
         let stick = if bound_depth > self.surface.tip() {
-            self.surface.radius_of_image(bound_depth, 0.0, self.contact.radius)
+            self.surface.radius_of_image(bound_depth, 0.0, self.state.contact.radius)
         } else {
             0.0
         };
         let rate = |r: f64| {
-            if r < stick || r >= self.contact.radius {
+            if r < stick || r >= self.state.contact.radius {
                 return 0.0;
             }
             let start = if r > 0.0 { (stick / r).asin() } else { 0.0 };

@@ -38,21 +38,22 @@ impl FrettingContact {
     /// [`Self::advance_to`] at the present coefficient of friction.
     pub(super) fn advance_on_line(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         let (value, displacement) = self.checked(normal, displacement)?;
-        if self.planar.is_some() {
+        if self.state.planar.is_some() {
             return self.advance_in_plane(normal, [displacement, self.drive_displacement_y()]);
         }
-        if self.compliance > 0.0 {
+        if self.model.compliance > 0.0 {
             return self.advance_drive(value, displacement);
         }
-        if value == self.contact.control && displacement == self.displacement {
-            self.counters.steps += 1;
+        if value == self.state.contact.control && displacement == self.state.displacement {
+            self.state.counters.steps += 1;
             return Ok(());
         }
         if self.slides_to(value, displacement) {
-            self.counters.steps += 1;
+            self.state.counters.steps += 1;
             return Ok(());
         }
-        let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
+        let line =
+            Line { from: (self.state.contact.control, self.state.displacement), to: (value, displacement) };
         let walked = if self.pieces(&line) == 1 {
             self.walk(value, displacement, 1)
         } else {
@@ -61,7 +62,7 @@ impl FrettingContact {
             self.transaction(|this| this.walk_line(&line))
         };
         walked.map_err(|error| self.told_of_step(error, displacement))?;
-        self.counters.steps += 1;
+        self.state.counters.steps += 1;
         Ok(())
     }
 
@@ -70,7 +71,7 @@ impl FrettingContact {
         match error {
             // cycles have a finite amplitude: this was a slide
             Error::TooMuchWear { amplitude: f64::INFINITY, .. } | Error::WearOutrun { .. } => {
-                Error::WearOutrun { from: self.displacement, displacement }
+                Error::WearOutrun { from: self.state.displacement, displacement }
             }
             other => other,
         }
@@ -84,7 +85,7 @@ impl FrettingContact {
             let pieces = self.pieces(part);
             for k in 1..=pieces {
                 let (value, displacement) =
-                    if self.wear.is_some() { part.at(k, pieces) } else { part.at_root(k, pieces) };
+                    if self.state.wear.is_some() { part.at(k, pieces) } else { part.at_root(k, pieces) };
                 self.walk(value, displacement, 1)?;
             }
         }
@@ -93,7 +94,7 @@ impl FrettingContact {
 
     /// Pieces that the change of load along a line asks for.
     fn pieces(&self, line: &Line) -> u32 {
-        match (&self.wear, self.constants.force_control) {
+        match (&self.state.wear, self.model.constants.force_control) {
             (Some(_), _) => self.even_pieces(line),
             (None, true) => self.pieces_by(line, f64::sqrt, ROOT_SHARE),
             // the bound changes evenly: all is exact
@@ -145,39 +146,47 @@ impl FrettingContact {
 
     /// Sign of the way to a displacement.
     pub(super) fn direction_to(&self, displacement: f64) -> f64 {
-        if displacement == self.displacement { 0.0 } else { (displacement - self.displacement).signum() }
+        if displacement == self.state.displacement {
+            0.0
+        } else {
+            (displacement - self.state.displacement).signum()
+        }
     }
 
     /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where it exceeds that.
     pub(super) fn exceeds_limit(&self, volume: f64, contact: &Contact, stick_radius: f64) -> Option<f64> {
-        let tolerance = if stick_radius > 0.0 { STROKE } else { 1.0 } * self.parameters.tolerance;
+        let tolerance = if stick_radius > 0.0 { STROKE } else { 1.0 } * self.model.parameters.tolerance;
         wear::exceeds_limit(volume, tolerance, &self.surface, contact, stick_radius)
     }
 
     fn walk_on(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
-        let to = if value == self.contact.control { self.contact } else { self.solve_contact(value)? };
-        let spare = std::mem::take(&mut self.spare);
+        let to =
+            if value == self.state.contact.control { self.state.contact } else { self.solve_contact(value)? };
+        let spare = std::mem::take(&mut self.memory.springs);
         let mut slips = self.take_slips();
         let path = self.path_to(to, displacement);
-        let (springs, half_work) = self.springs.walk(&path, spare, slips.as_mut());
-        let work = 2.0 * self.constants.tangential_modulus * half_work;
-        self.counters.spring_walks += 1;
-        self.counters.contact_solutions += u64::from(value != self.contact.control);
+        let (springs, half_work) = self.state.springs.walk(&path, spare, slips.as_mut());
+        let work = 2.0 * self.model.constants.tangential_modulus * half_work;
+        self.state.counters.spring_walks += 1;
+        self.state.counters.contact_solutions += u64::from(value != self.state.contact.control);
         self.keep_slips(slips);
-        if self.wear.is_none() || work <= 0.0 {
+        if self.state.wear.is_none() || work <= 0.0 {
             self.arrive(to, displacement, springs, work);
             return Ok(());
         }
-        let inner = springs.stick_radius(&to, self.bound_slope, displacement);
-        let volume = self.constants.wear_per_work * work;
+        let inner = springs.stick_radius(&to, self.model.bound_slope, displacement);
+        let volume = self.model.constants.wear_per_work * work;
         if let Some(ratio) = self.exceeds_limit(volume, &to, inner)
             && (splits > 0 || (ratio > MOST_PIECES && self.outwears(work)))
         {
             if splits == 0 {
-                return Err(Error::WearOutrun { from: self.displacement, displacement });
+                return Err(Error::WearOutrun { from: self.state.displacement, displacement });
             }
             let pieces = ratio.ceil().min(MOST_PIECES) as u32;
-            let line = Line { from: (self.contact.control, self.displacement), to: (value, displacement) };
+            let line = Line {
+                from: (self.state.contact.control, self.state.displacement),
+                to: (value, displacement),
+            };
             return self.transaction(|this| {
                 (1..=pieces).try_for_each(|k| {
                     let (value, displacement) = line.at(k, pieces);
@@ -205,7 +214,7 @@ impl FrettingContact {
 
     /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact could follow.
     pub(super) fn outwears(&self, work: f64) -> bool {
-        let ratio = self.exceeds_limit(self.constants.wear_per_work * work, &self.contact, 0.0);
+        let ratio = self.exceeds_limit(self.model.constants.wear_per_work * work, &self.state.contact, 0.0);
         ratio.is_some_and(|ratio| ratio > MOST_PIECES)
     }
 
@@ -213,14 +222,14 @@ impl FrettingContact {
     pub(super) fn path_to(&self, to: Contact, displacement: f64) -> Path<'_> {
         Path {
             surface: &self.surface,
-            control: self.parameters.normal_control,
-            bound_slope: self.bound_slope,
-            start_slope: self.start_slope,
-            from: self.contact,
+            control: self.model.parameters.normal_control,
+            bound_slope: self.model.bound_slope,
+            start_slope: self.model.start_slope,
+            from: self.state.contact,
             to,
-            start: self.displacement,
+            start: self.state.displacement,
             end: displacement,
-            sampling: 1.0 / self.parameters.resolution as f64,
+            sampling: 1.0 / self.model.parameters.resolution as f64,
         }
     }
 
@@ -231,26 +240,26 @@ impl FrettingContact {
             self.view.take();
         }
         let direction = self.direction_to(displacement);
-        if self.contact.is_open() || (direction != 0.0 && direction != self.direction) {
+        if self.state.contact.is_open() || (direction != 0.0 && direction != self.state.direction) {
             self.begin_stroke();
         }
-        self.spare = std::mem::replace(&mut self.springs, springs);
+        self.memory.springs = std::mem::replace(&mut self.state.springs, springs);
         if direction != 0.0 {
-            self.direction = direction;
+            self.state.direction = direction;
         }
-        self.contact = to;
-        self.displacement = displacement;
-        self.reach = self.reach.max(to.radius);
-        self.work += work;
+        self.state.contact = to;
+        self.state.displacement = displacement;
+        self.state.reach = self.state.reach.max(to.radius);
+        self.state.work += work;
     }
 
     /// Contact of the present surface at another value of the control.
     pub(super) fn contact_at(&mut self, value: f64) -> Result<Contact, Error> {
-        self.counters.contact_solutions += 1;
+        self.state.counters.contact_solutions += 1;
         self.solve_contact(value)
     }
 
     pub(super) fn solve_contact(&self, value: f64) -> Result<Contact, Error> {
-        self.surface.contact(self.parameters.normal_control, value, self.force_scale())
+        self.surface.contact(self.model.parameters.normal_control, value, self.force_scale())
     }
 }

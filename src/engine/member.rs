@@ -1,34 +1,13 @@
-//! A contact as one of many: what is the same in all of them is shared, and a change of several
-//! contacts can be taken back where one of them refuses it.
+//! A contact as one of many: what is the same in all of them is shared.
 
-use super::axes::Axes;
-use super::{FrettingContact, Snapshot};
+use super::model::Model;
+use super::{FrettingContact, Memory};
 use crate::error::Error;
-use crate::friction::{SlipPiece, Springs};
 use crate::parameters::Parameters;
 use crate::profile::Profile;
 use crate::surface::{Contact, Surface, TransformCache};
-use crate::wear::{Constants, WearBacklog};
 use std::mem::swap;
 use std::sync::Arc;
-
-/// Buffers that a step needs and that hold nothing between two steps.
-#[derive(Debug, Default)]
-pub(crate) struct WorkMemory {
-    spare: Springs,
-    undo: Springs,
-    backlog: WearBacklog,
-    slips: Vec<SlipPiece>,
-}
-
-/// A state to return to. It shares the nodes of the worn profile with the contact.
-#[derive(Debug, Clone)]
-pub(crate) struct Mark {
-    parameters: Arc<Parameters>,
-    constants: Constants,
-    surface: Surface,
-    state: Snapshot,
-}
 
 /// Normal force (N) and contact radius (m) of an unworn profile at an indentation depth, m.
 ///
@@ -51,19 +30,18 @@ fn load_of(surface: &Surface, parameters: &Parameters, depth: f64) -> Result<(f6
 impl FrettingContact {
     /// A contact of parameters that have been validated, with its own profile in place of theirs.
     pub(crate) fn with_profile(parameters: Arc<Parameters>, profile: Arc<Profile>) -> Self {
-        let modulus = parameters.materials.tangential_modulus();
-        Self::on_surface(parameters, Surface::shared(profile), (Axes::CIRCLE, modulus))
+        Self::on_surface(Model::of_revolution(parameters), Surface::shared(profile))
     }
 
     /// Parameters that are equal to those of other contacts but for what the contact has itself.
     pub(crate) fn share_parameters(&mut self, parameters: &Arc<Parameters>) {
-        self.parameters = parameters.clone();
+        self.model.parameters = parameters.clone();
     }
 
     /// Places a body that has not touched yet, at a depth (m) above the other body.
     pub(crate) fn place_apart(&mut self, depth: f64, [x, y]: [f64; 2]) {
-        self.contact = Contact { control: depth, depth, radius: 0.0, load: 0.0 };
-        (self.displacement, self.displacement_y) = (x, y);
+        self.state.contact = Contact { control: depth, depth, radius: 0.0, load: 0.0 };
+        (self.state.displacement, self.state.displacement_y) = (x, y);
     }
 
     /// Indentation depth at which the worn body touches, m.
@@ -76,12 +54,12 @@ impl FrettingContact {
     /// # Errors
     /// As [`Self::advance_to`].
     pub(crate) fn load_at(&self, depth: f64) -> Result<(f64, f64), Error> {
-        if depth == self.contact.control {
-            return Ok((self.normal_reaction(), self.contact.radius));
+        if depth == self.state.contact.control {
+            return Ok((self.normal_reaction(), self.state.contact.radius));
         }
         match self.surface.load_in_cell(depth) {
             Some((load, radius)) => Ok((self.force_scale() * load, radius)),
-            None => load_of(&self.surface, &self.parameters, depth),
+            None => load_of(&self.surface, &self.model.parameters, depth),
         }
     }
 
@@ -92,34 +70,11 @@ impl FrettingContact {
         self.surface.worn().map_or(0.0, depth)
     }
 
-    /// Takes the buffers of a step from where they are kept, or puts them back there.
-    pub(crate) fn exchange_memory(&mut self, memory: &mut WorkMemory) {
-        swap(&mut self.spare, &mut memory.spare);
-        swap(&mut self.undo, &mut memory.undo);
-        if let Some(wear) = &mut self.wear {
-            swap(&mut wear.undo, &mut memory.backlog);
-            swap(&mut wear.slips, &mut memory.slips);
-            // the tables of the transforms are those of one profile
-            wear.transforms = TransformCache::default();
-        }
-    }
-
-    /// A mark of the present state.
-    pub(crate) fn mark(&self) -> Mark {
-        Mark {
-            parameters: self.parameters.clone(),
-            constants: self.constants,
-            surface: self.surface.clone(),
-            state: self.state(),
-        }
-    }
-
-    /// Goes back to a mark of this contact.
-    pub(crate) fn return_to(&mut self, mark: &Mark) {
-        self.parameters = mark.parameters.clone();
-        self.constants = mark.constants;
-        (self.bound_slope, self.start_slope) = (mark.constants.bound_slope(), mark.constants.bound_slope());
-        self.surface = mark.surface.clone();
-        self.take_state(&mark.state);
+    /// Takes the memory of a step from where it is kept, or puts it back there.
+    pub(crate) fn exchange_memory(&mut self, memory: &mut Memory) {
+        // tables are those of one profile; those of the mesh serve all, but live as long as they are kept
+        self.memory.transforms = TransformCache::default();
+        swap(&mut self.memory, memory);
+        swap(&mut self.memory.mesh, &mut memory.mesh);
     }
 }

@@ -19,7 +19,7 @@ use crate::friction::{PlanarPath, PlanarRow, Resting, Samples, SlipPiece, Spring
 use crate::range;
 use crate::surface::Contact;
 use serde::{Deserialize, Serialize};
-use std::mem::{replace, swap, take};
+use std::mem::{replace, take};
 
 /// Samples of the row for each cell of the resolution, across the contact.
 const SAMPLES_PER_CELL: usize = 2;
@@ -35,23 +35,18 @@ const MOST_WEAR: f64 = 1e4;
 const Y: &str = "tangential_displacement_y";
 
 /// What a contact has besides once it has moved along y.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Planar {
     pub(super) row: PlanarRow,
     /// Direction of the last movement, a unit vector.
     pub(super) direction: Vector,
-    /// A former row, kept for its memory.
-    #[serde(skip)]
-    spare: PlanarRow,
-    /// The row before a change that may fail, likewise.
-    #[serde(skip)]
-    undo: PlanarRow,
 }
 
 impl Planar {
-    /// A copy without memory kept for later.
-    pub(super) fn saved(&self) -> Self {
-        Self { row: self.row.clone(), spare: PlanarRow::default(), undo: PlanarRow::default(), ..*self }
+    /// Takes over another one, in memory that is there already.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.row.copy_from(&other.row);
+        self.direction = other.direction;
     }
 }
 
@@ -71,23 +66,23 @@ impl FrettingContact {
     /// [`Self::advance_to_planar`] at the present coefficient of friction.
     pub(super) fn advance_in_plane(&mut self, normal: f64, displacement: Vector) -> Result<(), Error> {
         let [x, y] = displacement;
-        if y == self.drive_displacement_y() && self.planar.is_none() {
+        if y == self.drive_displacement_y() && self.state.planar.is_none() {
             return self.advance_on_line(normal, x);
         }
         let (value, _) = self.checked(normal, x)?;
         range::input(Y, y)?;
-        if value == self.contact.control && displacement == self.drive_place() {
-            self.counters.steps += 1;
+        if value == self.state.contact.control && displacement == self.drive_place() {
+            self.state.counters.steps += 1;
             return Ok(());
         }
-        let line = Line { from: (self.contact.control, 0.0), to: (value, 1.0) };
-        if !(self.contact.is_open() && value <= self.touch_control()) {
+        let line = Line { from: (self.state.contact.control, 0.0), to: (value, 1.0) };
+        if !(self.state.contact.is_open() && value <= self.touch_control()) {
             // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
             self.solve_contact(value)?;
         }
-        self.planar_transaction(|this| this.walk_line_in_plane(&line, displacement))
+        self.transaction(|this| this.walk_line_in_plane(&line, displacement))
             .map_err(|error| self.told_of_step(error, x))?;
-        self.counters.steps += 1;
+        self.state.counters.steps += 1;
         Ok(())
     }
 
@@ -101,7 +96,7 @@ impl FrettingContact {
                 let (value, share) = part.at(k, pieces);
                 let at = |k: usize| from[k] + share * (to[k] - from[k]);
                 let place = if share == 1.0 { to } else { [at(0), at(1)] };
-                if self.compliance == 0.0 {
+                if self.model.compliance == 0.0 {
                     self.walk_in_plane(value, place)?;
                 } else {
                     self.follow_drive(value, place)?;
@@ -118,54 +113,28 @@ impl FrettingContact {
     pub fn start_at_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
         range::input(Y, displacement[1])?;
         self.start_at(normal, displacement[0])?;
-        self.displacement_y = displacement[1];
+        self.state.displacement_y = displacement[1];
         Ok(())
     }
 
     /// Displacement along x and y, m.
     pub(super) fn place(&self) -> Vector {
-        [self.displacement, self.displacement_y]
-    }
-
-    /// Runs a change in the plane; where it fails, the state is as before.
-    fn planar_transaction(
-        &mut self,
-        change: impl FnOnce(&mut Self) -> Result<(), Error>,
-    ) -> Result<(), Error> {
-        let before = self.displacement_y;
-        let Some(planar) = self.planar.as_mut().filter(|_| self.wear.is_none()) else {
-            let copy = self.clone();
-            return change(self).inspect_err(|_| *self = copy);
-        };
-        let mut row = take(&mut planar.undo);
-        row.copy_from(&planar.row);
-        let direction = planar.direction;
-        let result = self.transaction(change);
-        if result.is_err() {
-            self.displacement_y = before;
-            let planar = self.planar.get_or_insert_default();
-            swap(&mut planar.row, &mut row);
-            planar.direction = direction;
-        }
-        if let Some(planar) = &mut self.planar {
-            planar.undo = row;
-        }
-        result
+        [self.state.displacement, self.state.displacement_y]
     }
 
     /// Walks one piece of a line.
     fn walk_in_plane(&mut self, value: f64, place: Vector) -> Result<(), Error> {
-        if self.contact.is_open() && value <= self.touch_control() {
+        if self.state.contact.is_open() && value <= self.touch_control() {
             self.walk(value, place[0], 1)?;
-            self.displacement_y = place[1];
+            self.state.displacement_y = place[1];
             return Ok(());
         }
-        if self.planar.is_none() {
+        if self.state.planar.is_none() {
             self.enter_plane()?;
         }
-        if self.turns_in_plane(place) && self.turns_to_update(-self.direction) {
+        if self.turns_in_plane(place) && self.turns_to_update(-self.state.direction) {
             self.bounded(Self::absorb_backlog)?;
-            if self.planar.is_none() {
+            if self.state.planar.is_none() {
                 // the body has worn free
                 self.enter_plane()?;
             }
@@ -182,34 +151,34 @@ impl FrettingContact {
     /// Takes the row of knots over into one of vectors, after what the line so far has worn has been taken off.
     fn enter_plane(&mut self) -> Result<(), Error> {
         self.absorb_backlog()?;
-        if self.direction == 0.0 {
+        if self.state.direction == 0.0 {
             self.begin_stroke();
         }
-        let [_, y] = self.axes.for_springs(self.place());
-        let row = PlanarRow::of_line(&self.springs, &self.surface, y, self.samples());
-        self.springs = Springs::default();
-        let direction = [if self.direction < 0.0 { -1.0 } else { 1.0 }, 0.0];
-        self.planar = Some(Box::new(Planar { row, direction, ..Planar::default() }));
+        let [_, y] = self.model.axes.for_springs(self.place());
+        let row = PlanarRow::of_line(&self.state.springs, &self.surface, y, self.samples());
+        self.state.springs = Springs::default();
+        let direction = [if self.state.direction < 0.0 { -1.0 } else { 1.0 }, 0.0];
+        self.state.planar = Some(Box::new(Planar { row, direction }));
         Ok(())
     }
 
     /// Samples across the contact.
     pub(super) fn samples(&self) -> Samples {
-        Samples(SAMPLES_PER_CELL * self.parameters.resolution)
+        Samples(SAMPLES_PER_CELL * self.model.parameters.resolution)
     }
 
     /// The path from the present state to a contact and a place.
     fn planar_path(&self, to: Contact, place: Vector) -> PlanarPath<'_> {
         PlanarPath {
             surface: &self.surface,
-            control: self.parameters.normal_control,
-            bound_slope: self.bound_slope,
-            start_slope: self.start_slope,
-            from: self.contact,
+            control: self.model.parameters.normal_control,
+            bound_slope: self.model.bound_slope,
+            start_slope: self.model.start_slope,
+            from: self.state.contact,
             to,
-            stiffness_ratio: self.axes.stiffness_ratio,
-            start: self.axes.for_springs(self.place()),
-            end: self.axes.for_springs(place),
+            stiffness_ratio: self.model.axes.stiffness_ratio,
+            start: self.model.axes.for_springs(self.place()),
+            end: self.model.axes.for_springs(place),
             samples: self.samples(),
         }
     }
@@ -221,7 +190,7 @@ impl FrettingContact {
         spare: PlanarRow,
         slips: Option<&mut Vec<SlipPiece>>,
     ) -> (PlanarRow, f64) {
-        match &self.planar {
+        match &self.state.planar {
             Some(planar) => planar.row.walk(path, spare, slips),
             None => PlanarRow::default().walk(path, spare, slips),
         }
@@ -229,16 +198,17 @@ impl FrettingContact {
 
     /// Contact, row and work of friction (J) at the end of a piece.
     fn try_in_plane(&mut self, value: f64, place: Vector) -> Result<PlanarEnd, Error> {
-        let to = if value == self.contact.control { self.contact } else { self.contact_at(value)? };
-        let spare = self.planar.as_mut().map(|planar| take(&mut planar.spare)).unwrap_or_default();
+        let to =
+            if value == self.state.contact.control { self.state.contact } else { self.contact_at(value)? };
+        let spare = take(&mut self.memory.planar);
         let mut slips = self.take_slips();
         let path = self.planar_path(to, place);
         let (row, half_work) = self.walked_in_plane(&path, spare, slips.as_mut());
         self.keep_slips(slips);
-        self.counters.spring_walks += 1;
-        let work = 2.0 * self.constants.tangential_modulus * half_work;
+        self.state.counters.spring_walks += 1;
+        let work = 2.0 * self.model.constants.tangential_modulus * half_work;
         if !work.is_finite() {
-            let normal = if self.constants.force_control { value * self.force_scale() } else { value };
+            let normal = if self.model.constants.force_control { value * self.force_scale() } else { value };
             return Err(Error::NotFinite { what: "the work of friction", normal, displacement: place[0] });
         }
         Ok(PlanarEnd { to, row, work })
@@ -248,18 +218,18 @@ impl FrettingContact {
     /// each of which the profile follows.
     fn slip_in_plane(&mut self, value: f64, place: Vector, halvings: u32) -> Result<(), Error> {
         let end = self.try_in_plane(value, place)?;
-        if self.wear.is_some() && end.work > 0.0 {
-            let volume = self.constants.wear_per_work * end.work;
+        if self.state.wear.is_some() && end.work > 0.0 {
+            let volume = self.model.constants.wear_per_work * end.work;
             let far = self.exceeds_limit(volume, &end.to, WIDE * end.to.radius).is_some();
             let whole = self.exceeds_limit(volume, &end.to, 0.0).unwrap_or(0.0);
             if whole > MOST_WEAR || (halvings == 0 && self.outwears(end.work)) {
-                return Err(Error::WearOutrun { from: self.displacement, displacement: place[0] });
+                return Err(Error::WearOutrun { from: self.state.displacement, displacement: place[0] });
             }
             let middle = [0, 1].map(|k| 0.5 * (self.place()[k] + place[k]));
             if far && halvings > 0 && middle != place && middle != self.place() {
-                let between = 0.5 * (self.contact.control + value);
+                let between = 0.5 * (self.state.contact.control + value);
                 for (value, place) in [(between, middle), (value, place)] {
-                    if self.planar.is_none() {
+                    if self.state.planar.is_none() {
                         self.enter_plane()?;
                     }
                     self.slip_in_plane(value, place, halvings - 1)?;
@@ -281,19 +251,19 @@ impl FrettingContact {
     pub(super) fn rest_in_plane(&mut self, to: Contact) {
         let stored = self.stored_energy();
         let (displacement, samples) = (self.place(), self.samples());
-        let Some(planar) = &mut self.planar else { return };
+        let Some(planar) = &mut self.state.planar else { return };
         planar.row = planar.row.rested(&Resting {
             surface: &self.surface,
-            contacts: (&self.contact, &to),
-            bound_slope: self.bound_slope,
+            contacts: (&self.state.contact, &to),
+            bound_slope: self.model.bound_slope,
             displacement,
             samples,
         });
-        self.contact = to;
-        self.reach = self.reach.max(to.radius);
+        self.state.contact = to;
+        self.state.reach = self.state.reach.max(to.radius);
         self.lose_to_friction(stored - self.stored_energy());
         if to.is_open() {
-            self.planar = None;
+            self.state.planar = None;
         }
     }
 
@@ -301,10 +271,10 @@ impl FrettingContact {
     /// Returns the energy that they lose, J.
     pub(super) fn slip_back_in_plane(&mut self) -> f64 {
         let stored = self.stored_energy();
-        let path = self.planar_path(self.contact, self.place());
-        let Some(planar) = &self.planar else { return 0.0 };
+        let path = self.planar_path(self.state.contact, self.place());
+        let Some(planar) = &self.state.planar else { return 0.0 };
         let (row, _) = planar.row.walk(&path, PlanarRow::default(), None);
-        if let Some(planar) = &mut self.planar {
+        if let Some(planar) = &mut self.state.planar {
             planar.row = row;
         }
         (stored - self.stored_energy()).max(0.0)
@@ -312,13 +282,13 @@ impl FrettingContact {
 
     /// Takes over the state at the end of a piece. Where the bodies have parted, the next contact begins on a line.
     fn arrive_in_plane(&mut self, end: PlanarEnd, place: Vector) {
-        let moved = [place[0] - self.displacement, place[1] - self.displacement_y];
+        let moved = [place[0] - self.state.displacement, place[1] - self.state.displacement_y];
         let length = moved[0].hypot(moved[1]);
-        if self.contact.is_open() || self.turns_in_plane(place) {
+        if self.state.contact.is_open() || self.turns_in_plane(place) {
             self.begin_stroke();
         }
-        if let Some(planar) = &mut self.planar {
-            planar.spare = replace(&mut planar.row, end.row);
+        if let Some(planar) = &mut self.state.planar {
+            self.memory.planar = replace(&mut planar.row, end.row);
             if length > 0.0 {
                 planar.direction = [moved[0] / length, moved[1] / length];
             }
@@ -327,14 +297,14 @@ impl FrettingContact {
             self.view.take();
         }
         if moved[0] != 0.0 {
-            self.direction = moved[0].signum();
+            self.state.direction = moved[0].signum();
         }
-        self.contact = end.to;
-        self.work += end.work;
-        [self.displacement, self.displacement_y] = place;
-        self.reach = self.reach.max(end.to.radius);
+        self.state.contact = end.to;
+        self.state.work += end.work;
+        [self.state.displacement, self.state.displacement_y] = place;
+        self.state.reach = self.state.reach.max(end.to.radius);
         if end.to.is_open() {
-            self.planar = None;
+            self.state.planar = None;
         }
     }
 }

@@ -13,7 +13,7 @@ impl FrettingContact {
     /// Tangential displacement U of the body in the contact, m; in cyclic loading its amplitude. Where there is a rig stiffness,
     /// [`Self::drive_displacement`] is that of the drive.
     pub fn displacement(&self) -> f64 {
-        self.displacement
+        self.state.displacement
     }
 
     /// Tangential force T = 2G* ∫ u dx along x that the moving body exerts on the substrate, N; |T| ≤ μF_N.
@@ -21,33 +21,34 @@ impl FrettingContact {
         if let Some(force) = self.force_in_plane() {
             return force[0];
         }
-        let force =
-            2.0 * self.constants.tangential_modulus * self.springs.deflection_integral(self.displacement);
-        let limit = self.constants.friction_coefficient * self.normal_reaction();
+        let force = 2.0
+            * self.model.constants.tangential_modulus
+            * self.state.springs.deflection_integral(self.state.displacement);
+        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
         force.clamp(-limit, limit)
     }
 
     /// Normal force F_N, N; 0 where the bodies are apart.
     pub fn normal_reaction(&self) -> f64 {
-        self.force_scale() * self.contact.load
+        self.force_scale() * self.state.contact.load
     }
 
     /// Indentation depth d, m; under force control of separated bodies, that of first touch.
     pub fn indentation_depth(&self) -> f64 {
-        self.contact.depth
+        self.state.contact.depth
     }
 
     /// Contact radius a, m. Of an ellipse with the semi-axes [`Self::contact_semi_axes`] it is
     /// √(a b), the radius of the circle of the same area.
     pub fn contact_radius(&self) -> f64 {
-        self.axes.size * self.contact.radius
+        self.model.axes.size * self.state.contact.radius
     }
 
     /// Stick radius c, m: inner edge of the outer annulus in which all springs are at their friction bound on one
     /// side; 0 in gross slip, a in full stick. In an ellipse the stick region has the shape of the
     /// contact, and this is the radius of the circle of its area.
     pub fn stick_radius(&self) -> f64 {
-        self.axes.size * self.stick_edge()
+        self.model.axes.size * self.stick_edge()
     }
 
     /// The stick radius of the equivalent sphere, m.
@@ -55,12 +56,16 @@ impl FrettingContact {
         if let Some(standing) = self.standing() {
             return standing.stick_radius();
         }
-        self.springs.stick_radius(&self.contact, self.constants.bound_slope(), self.displacement)
+        self.state.springs.stick_radius(
+            &self.state.contact,
+            self.model.constants.bound_slope(),
+            self.state.displacement,
+        )
     }
 
     /// Work of friction so far, J.
     pub fn dissipated_energy(&self) -> f64 {
-        self.work
+        self.state.work
     }
 
     /// Volume (k₁/σ₁ + k₂/σ₂) W that both bodies have lost so far, m³: the exact integral of the wear law, at every instant. Each part of the work counts by
@@ -72,14 +77,14 @@ impl FrettingContact {
 
     /// Volumes worn off body 1 and body 2 so far, m³; their sum is [`Self::wear_volume`].
     pub fn wear_volumes(&self) -> [f64; 2] {
-        let per_work = self.parameters.wear_per_work_of_bodies();
-        let work = self.work - self.former.work;
-        [0, 1].map(|body| self.former.volumes[body] + per_work[body] * work)
+        let per_work = self.model.parameters.wear_per_work_of_bodies();
+        let work = self.state.work - self.state.former.work;
+        [0, 1].map(|body| self.state.former.volumes[body] + per_work[body] * work)
     }
 
     /// ∂F_N/∂d = 2E*a, N/m.
     pub fn normal_stiffness(&self) -> f64 {
-        self.force_scale() * self.contact.radius
+        self.force_scale() * self.state.contact.radius
     }
 
     /// ∂T/∂U for going on in the direction of the last movement, N/m: 2G* times the length of springs that stick.
@@ -87,20 +92,23 @@ impl FrettingContact {
         if let Some(stiffness) = self.stiffness_in_plane() {
             return stiffness;
         }
-        let (stick, side) =
-            self.springs.slip_zone(&self.contact, self.constants.bound_slope(), self.displacement);
-        let sticking = if side * self.direction < 0.0 { self.contact.radius } else { stick };
-        2.0 * self.constants.tangential_modulus * sticking
+        let (stick, side) = self.state.springs.slip_zone(
+            &self.state.contact,
+            self.model.constants.bound_slope(),
+            self.state.displacement,
+        );
+        let sticking = if side * self.state.direction < 0.0 { self.state.contact.radius } else { stick };
+        2.0 * self.model.constants.tangential_modulus * sticking
     }
 
     /// Stick, partial slip, gross slip or separated.
     pub fn slip_state(&self) -> SlipState {
         let stick = self.stick_edge();
-        if self.contact.is_open() {
+        if self.state.contact.is_open() {
             SlipState::Separated
         } else if stick <= 0.0 {
             SlipState::GrossSlip
-        } else if stick < self.contact.radius {
+        } else if stick < self.state.contact.radius {
             SlipState::PartialSlip
         } else {
             SlipState::Stick
@@ -113,13 +121,13 @@ impl FrettingContact {
     /// In an ellipse a radius r stands for the points of the ellipse of the shape of the contact
     /// whose area is π r²: the pressure is the same at all of them, and so is the traction.
     pub fn probe_radii(&self) -> [f64; PROBES] {
-        let fixed = self.parameters.probe_radius_max.min(self.surface.profile().outer_radius());
-        Self::radii_up_to(if fixed > 0.0 { fixed } else { self.axes.size * self.reach })
+        let fixed = self.model.parameters.probe_radius_max.min(self.surface.profile().outer_radius());
+        Self::radii_up_to(if fixed > 0.0 { fixed } else { self.model.axes.size * self.state.reach })
     }
 
     /// 64 radii over all that has ever been in contact, m.
     pub(super) fn reached_radii(&self) -> [f64; PROBES] {
-        Self::radii_up_to(self.axes.size * self.reach)
+        Self::radii_up_to(self.model.axes.size * self.state.reach)
     }
 
     fn radii_up_to(outer: f64) -> [f64; PROBES] {
@@ -128,7 +136,7 @@ impl FrettingContact {
 
     /// Height f of the unworn profile at radius r, m; for an ellipse that of its equivalent sphere.
     pub fn unworn_height_at(&self, r: f64) -> f64 {
-        self.surface.profile().height(self.axes.inner(r))
+        self.surface.profile().height(self.model.axes.inner(r))
     }
 
     /// Height f of the worn profile at radius r, m: the unworn profile and the worn depth of both
@@ -141,14 +149,14 @@ impl FrettingContact {
     /// where that is not known: without wear it is not gathered, and after a change of a wear
     /// coefficient the depths of before and after it are added up.
     pub fn energy_density_at(&self, r: f64) -> Option<f64> {
-        let known = self.wear.is_some() && !self.former.mixed;
-        known.then(|| self.worn_depth_at(r) / self.constants.wear_per_work)
+        let known = self.state.wear.is_some() && !self.state.former.mixed;
+        known.then(|| self.worn_depth_at(r) / self.model.constants.wear_per_work)
     }
 
     /// 1-D image g of the profile at x, m, as the contact sees it now; for an ellipse that of its
     /// equivalent sphere.
     pub fn image_at(&self, x: f64) -> f64 {
-        self.surface.image(self.axes.inner(x))
+        self.surface.image(self.model.axes.inner(x))
     }
 
     /// Worn depth w at radius r, the sum of both bodies, m.
@@ -170,18 +178,18 @@ impl FrettingContact {
     /// Σ |∫A dA − W| over all profile updates of a transient history, J: what the transforms of
     /// slip and pressure, whose product is the work per area A, miss of the springs' work W.
     pub fn transform_defect(&self) -> f64 {
-        self.wear.as_ref().map_or(0.0, |wear| wear.defect)
+        self.state.wear.as_ref().map_or(0.0, |wear| wear.defect)
     }
 
     /// Work that was left out since its sign would heal the profile, J.
     pub fn clipped_work(&self) -> f64 {
-        self.wear.as_ref().map_or(0.0, |wear| wear.clipped)
+        self.state.wear.as_ref().map_or(0.0, |wear| wear.clipped)
     }
 
     /// The profile with the backlog taken off, made when first read; where it cannot be, that of
     /// the last update.
     pub(super) fn view(&self) -> Option<&Nodes> {
-        self.wear.as_ref()?;
+        self.state.wear.as_ref()?;
         if self.view.get().is_none() {
             let mut copy = self.clone();
             if copy.close_backlog().is_ok()
@@ -196,7 +204,7 @@ impl FrettingContact {
 
     /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn cone or flat.
     pub fn pressure_at(&self, r: f64) -> f64 {
-        self.axes.stress(self.pressure_in(&self.contact, self.axes.inner(r)))
+        self.model.axes.stress(self.pressure_in(&self.state.contact, self.model.axes.inner(r)))
     }
 
     fn pressure_in(&self, contact: &Contact, r: f64) -> f64 {
@@ -206,7 +214,7 @@ impl FrettingContact {
         }
         let jump = (contact.depth - self.surface.image(a)).max(0.0);
         let edge = if a >= self.surface.profile().outer_radius() { jump / transform::leg(a, r) } else { 0.0 };
-        self.constants.normal_modulus / PI * (self.slope_integral(r, a) + edge)
+        self.model.constants.normal_modulus / PI * (self.slope_integral(r, a) + edge)
     }
 
     /// Tangential traction τ at radius r, Pa, along x (eq. (17)).
@@ -214,7 +222,7 @@ impl FrettingContact {
         if let Some(traction) = self.traction_in_plane(r) {
             return traction[0];
         }
-        let (a, r) = (self.contact.radius, self.axes.inner(r));
+        let (a, r) = (self.state.contact.radius, self.model.axes.inner(r));
         if r >= a {
             return 0.0;
         }
@@ -222,7 +230,7 @@ impl FrettingContact {
         let r = if self.slope_integral(r, a).is_finite() { r } else { r + 1e-9 * a };
         // u is linear in g between the knots: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²)
         let mut sum = 0.0;
-        for pair in self.springs.knots().windows(2) {
+        for pair in self.state.springs.knots().windows(2) {
             let (inner, outer) = (&pair[0], &pair[1]);
             let rise = outer.place.image - inner.place.image;
             if outer.place.x <= r || rise <= LEAST_RISE || inner.origin == outer.origin {
@@ -232,12 +240,12 @@ impl FrettingContact {
             let integral = self.slope_integral(r, outer.place.x) - self.slope_integral(r, from);
             sum += (outer.origin - inner.origin) / rise * integral;
         }
-        if let Some(edge) = self.springs.knots().last()
+        if let Some(edge) = self.state.springs.knots().last()
             && a >= self.surface.profile().outer_radius()
         {
-            sum += (self.displacement - edge.origin) / transform::leg(a, r);
+            sum += (self.state.displacement - edge.origin) / transform::leg(a, r);
         }
-        self.axes.stress(self.constants.tangential_modulus / PI * sum)
+        self.model.axes.stress(self.model.constants.tangential_modulus / PI * sum)
     }
 
     /// ∫ from r to a of g' dx/√(x² − r²) of the present image.
@@ -258,7 +266,7 @@ impl FrettingContact {
     /// Largest pressure, Pa, among the axis, the middles of even cells across the contact and the nodes of the wear;
     /// singular points are passed over, so that the value stays finite.
     pub fn max_pressure(&self) -> f64 {
-        self.max_pressure_in(&self.contact)
+        self.max_pressure_in(&self.state.contact)
     }
 
     /// The same in a contact of this surface.
@@ -267,11 +275,11 @@ impl FrettingContact {
         if a == 0.0 {
             return 0.0;
         }
-        let n = self.parameters.resolution;
+        let n = self.model.parameters.resolution;
         let even = (0..n).map(|i| a * (i as f64 + 0.5) / n as f64);
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
         let radii = std::iter::once(0.0).chain(even).chain(nodes.iter().copied());
         let most = radii.map(|r| self.pressure_in(contact, r)).filter(|p| p.is_finite()).fold(0.0, f64::max);
-        self.axes.stress(most)
+        self.model.axes.stress(most)
     }
 }

@@ -27,7 +27,7 @@ impl FrettingContact {
     /// [`Error::Parameter`] for a coefficient out of its range, or that would switch friction or wear on or off; those of
     /// [`Self::advance_to`].
     pub fn retune(&mut self, friction_coefficient: f64, wear_coefficient: f64) -> Result<(), Error> {
-        self.retune_bodies(friction_coefficient, [wear_coefficient, self.parameters.wear_coefficient_2])
+        self.retune_bodies(friction_coefficient, [wear_coefficient, self.model.parameters.wear_coefficient_2])
     }
 
     /// [`Self::retune`] with the wear coefficients of body 1 and body 2. The volumes that the
@@ -40,7 +40,7 @@ impl FrettingContact {
         friction_coefficient: f64,
         wear_coefficients: [f64; 2],
     ) -> Result<(), Error> {
-        let old = &self.parameters;
+        let old = &self.model.parameters;
         let [wear_coefficient, wear_coefficient_2] = wear_coefficients;
         let new =
             Parameters { friction_coefficient, wear_coefficient, wear_coefficient_2, ..(**old).clone() };
@@ -58,22 +58,23 @@ impl FrettingContact {
         if new == **old {
             return Ok(());
         }
-        let mut constants = self.constants;
-        constants.friction_coefficient = new.friction_coefficient_after(self.work);
+        let mut constants = self.model.constants;
+        constants.friction_coefficient = new.friction_coefficient_after(self.state.work);
         constants.wear_per_work = new.wear_per_work();
         let bound_slope = constants.bound_slope();
         self.view.take();
         self.transaction(|this| {
             this.close_backlog()?;
-            let former_wear_per_work = this.constants.wear_per_work;
-            let mixed = this.former.mixed
+            let former_wear_per_work = this.model.constants.wear_per_work;
+            let mixed = this.state.former.mixed
                 || (former_wear_per_work != constants.wear_per_work && this.wear_volume() > 0.0);
-            this.former = FormerWear { volumes: this.wear_volumes(), work: this.work, mixed };
-            this.parameters = Arc::new(new);
-            (this.constants, this.bound_slope, this.start_slope) = (constants, bound_slope, bound_slope);
-            let work = if this.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
-            this.counters.spring_walks += 1;
-            if let Some(wear) = &mut this.wear {
+            this.state.former = FormerWear { volumes: this.wear_volumes(), work: this.state.work, mixed };
+            this.model.parameters = Arc::new(new);
+            (this.model.constants, this.model.bound_slope, this.model.start_slope) =
+                (constants, bound_slope, bound_slope);
+            let work = if this.state.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
+            this.state.counters.spring_walks += 1;
+            if let Some(wear) = &mut this.state.wear {
                 // a volume, told as the work that wears it
                 wear.deferred_work *= former_wear_per_work / constants.wear_per_work;
                 (wear.expected, wear.next_step) = (None, None);
@@ -86,9 +87,12 @@ impl FrettingContact {
     /// Springs beyond a bound that has become another slip back to it where the body stands. Returns the energy that they lose, J.
     fn slip_back(&mut self) -> f64 {
         let stored = self.stored_energy();
-        let (springs, _) =
-            self.springs.walk(&self.path_to(self.contact, self.displacement), Springs::default(), None);
-        self.springs = springs;
+        let (springs, _) = self.state.springs.walk(
+            &self.path_to(self.state.contact, self.state.displacement),
+            Springs::default(),
+            None,
+        );
+        self.state.springs = springs;
         (stored - self.stored_energy()).max(0.0)
     }
 }

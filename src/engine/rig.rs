@@ -32,70 +32,53 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 impl FrettingContact {
     /// Displacement of the drive: U + T/k_rig, m. It is [`Self::displacement`] where the rig is rigid.
     pub fn drive_displacement(&self) -> f64 {
-        if self.compliance == 0.0 {
-            return self.displacement;
+        if self.model.compliance == 0.0 {
+            return self.state.displacement;
         }
-        self.displacement + self.compliance * self.tangential_force()
+        self.state.displacement + self.model.compliance * self.tangential_force()
     }
 
     /// [`Self::advance_to`] with the displacement of a drive.
     pub(super) fn advance_drive(&mut self, value: f64, drive: f64) -> Result<(), Error> {
-        if !(value == self.contact.control && self.slides_after(drive)) {
-            if value != self.contact.control {
+        if !(value == self.state.contact.control && self.slides_after(drive)) {
+            if value != self.state.contact.control {
                 // refused with the caller's number, not with that of a piece
                 self.solve_contact(value)?;
             }
             self.transaction(|this| this.walk_with_drive(value, drive))?;
         }
-        self.counters.steps += 1;
+        self.state.counters.steps += 1;
         Ok(())
     }
 
     /// Follows the drive under an unchanged load by slip of outer springs alone; `false`, with nothing changed, if it takes a
     /// walk.
     fn slides_after(&mut self, drive: f64) -> bool {
-        if self.contact.is_open() {
+        if self.state.contact.is_open() {
             return false;
         }
-        let mut row = std::mem::take(&mut self.undo);
-        row.copy_from(&self.springs);
-        let Self { displacement, direction, work, counters, .. } = *self;
-        let strokes = self.stroke.mark();
-        let deferred_work = self.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
-        if let Some(wear) = &mut self.wear {
-            wear.undo.copy_from(&wear.backlog);
-        }
-        let value = self.contact.control;
+        let value = self.state.contact.control;
         let side = self.pull(drive).signum();
-        let mut arrived = false;
-        for _ in 0..MOST_WALKS {
-            let Some(target) = self.next_place(drive, side) else {
-                arrived = true;
-                break;
-            };
-            if !self.slides_to(value, target) {
-                break;
+        let followed = self.transaction(|this| {
+            for _ in 0..MOST_WALKS {
+                match this.next_place(drive, side) {
+                    None => return Ok(()),
+                    Some(target) if this.slides_to(value, target) => {}
+                    Some(_) => break,
+                }
             }
-        }
-        if !arrived {
-            std::mem::swap(&mut self.springs, &mut row);
-            (self.displacement, self.direction, self.work) = (displacement, direction, work);
-            self.counters = counters;
-            self.stroke.go_back(strokes);
-            if let Some(wear) = &mut self.wear {
-                std::mem::swap(&mut wear.backlog, &mut wear.undo);
-                wear.deferred_work = deferred_work;
-            }
-        }
-        self.undo = row;
-        arrived
+            Err(())
+        });
+        followed.is_ok()
     }
 
     fn walk_with_drive(&mut self, value: f64, drive: f64) -> Result<(), Error> {
         let start = self.drive_displacement();
         let still = (drive - start).abs() <= ROUNDING * (drive.abs() + start.abs());
-        let line =
-            Line { from: (self.contact.control, if still { drive } else { start }), to: (value, drive) };
+        let line = Line {
+            from: (self.state.contact.control, if still { drive } else { start }),
+            to: (value, drive),
+        };
         for part in line.split_at(self.touch_control()).iter().flatten() {
             let pieces = self.even_pieces(part);
             for k in 1..=pieces {
@@ -108,14 +91,14 @@ impl FrettingContact {
 
     fn walk_piece(&mut self, value: f64, drive: f64) -> Result<(), Error> {
         let mut side = self.pull(drive).signum();
-        if value != self.contact.control || self.contact.is_open() {
+        if value != self.state.contact.control || self.state.contact.is_open() {
             let displacement = self.equilibrium(value, drive)?;
-            let updates = self.counters.profile_updates;
+            let updates = self.state.counters.profile_updates;
             self.walk(value, displacement, 1)?;
-            if self.counters.profile_updates == updates {
+            if self.state.counters.profile_updates == updates {
                 return Ok(());
             }
-            side = self.direction;
+            side = self.state.direction;
         }
         for _ in 0..MOST_WALKS {
             let Some(target) = self.next_place(drive, side) else { return Ok(()) };
@@ -126,13 +109,13 @@ impl FrettingContact {
 
     /// How far the drive is ahead of equilibrium, D − U − T/k_rig, m; 0 where that is rounding.
     fn pull(&self, drive: f64) -> f64 {
-        let limit = self.constants.friction_coefficient * self.normal_reaction();
-        self.pull_on((drive, self.displacement), self.tangential_force(), limit)
+        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
+        self.pull_on((drive, self.state.displacement), self.tangential_force(), limit)
     }
 
     fn pull_on(&self, (drive, displacement): (f64, f64), force: f64, limit: f64) -> f64 {
-        let pull = drive - displacement - self.compliance * force;
-        let scale = drive.abs() + displacement.abs() + self.compliance * limit;
+        let pull = drive - displacement - self.model.compliance * force;
+        let scale = drive.abs() + displacement.abs() + self.model.compliance * limit;
         if pull.abs() <= ROUNDING * scale { 0.0 } else { pull }
     }
 
@@ -143,73 +126,81 @@ impl FrettingContact {
         if !moves {
             return None;
         }
-        let (stick, zone) = self.springs.slip_zone(&self.contact, self.bound_slope, self.displacement);
-        let sticking = if zone * side < 0.0 { self.contact.radius } else { stick };
-        let newton = pull / (1.0 + self.compliance * 2.0 * self.constants.tangential_modulus * sticking);
-        let limit = self.constants.friction_coefficient * self.normal_reaction();
-        let gross_slip = side * (drive - self.displacement) - self.compliance * limit;
-        let target = self.displacement + side * newton.max(gross_slip);
-        (target != self.displacement).then_some(target)
+        let (stick, zone) = self.state.springs.slip_zone(
+            &self.state.contact,
+            self.model.bound_slope,
+            self.state.displacement,
+        );
+        let sticking = if zone * side < 0.0 { self.state.contact.radius } else { stick };
+        let newton =
+            pull / (1.0 + self.model.compliance * 2.0 * self.model.constants.tangential_modulus * sticking);
+        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
+        let gross_slip = side * (drive - self.state.displacement) - self.model.compliance * limit;
+        let target = self.state.displacement + side * newton.max(gross_slip);
+        (target != self.state.displacement).then_some(target)
     }
 
     /// Displacement of the body that balances the drive after a straight line to another load.
     fn equilibrium(&mut self, value: f64, drive: f64) -> Result<f64, Error> {
         let to = self.solve_contact(value)?;
-        self.counters.contact_solutions += 1;
+        self.state.counters.contact_solutions += 1;
         if to.is_open() {
             return Ok(drive);
         }
-        let row_modulus = 2.0 * self.constants.tangential_modulus;
-        let limit = self.constants.friction_coefficient * to.load * self.force_scale();
+        let row_modulus = 2.0 * self.model.constants.tangential_modulus;
+        let limit = self.model.constants.friction_coefficient * to.load * self.force_scale();
         let mut walks = 0;
-        let mut spare = std::mem::take(&mut self.spare);
+        let mut spare = std::mem::take(&mut self.memory.springs);
         let mut pull = |displacement: f64| {
             let path = self.path_to(to, displacement);
-            let (row, _) = self.springs.walk(&path, std::mem::take(&mut spare), None);
+            let (row, _) = self.state.springs.walk(&path, std::mem::take(&mut spare), None);
             walks += 1;
             let force = row_modulus * row.deflection_integral(displacement);
             spare = row;
             self.pull_on((drive, displacement), force, limit)
         };
-        let here = self.displacement;
+        let here = self.state.displacement;
         let first = pull(here);
         // all springs stick there at most, and none there
-        let stiffest = row_modulus * to.radius.max(self.contact.radius);
-        let ends = (here + first / (1.0 + self.compliance * stiffest), here + first);
+        let stiffest = row_modulus * to.radius.max(self.state.contact.radius);
+        let ends = (here + first / (1.0 + self.model.compliance * stiffest), here + first);
         let displacement = if first == 0.0 { here } else { roots::of_falling(ends, pull) };
-        self.counters.spring_walks += walks;
-        self.spare = spare;
+        self.state.counters.spring_walks += walks;
+        self.memory.springs = spare;
         Ok(displacement)
     }
 
     /// Amplitude of the drive (m) in steady cycles of the contact itself at the present load: U₀ + T₀/k_rig.
     pub(super) fn drive_amplitude(&mut self, own: f64) -> f64 {
-        if self.compliance == 0.0 {
+        if self.model.compliance == 0.0 {
             return own;
         }
-        let contact = self.contact;
+        let contact = self.state.contact;
         let (springs, _) = self.quarter(&contact, own);
-        own + self.compliance * 2.0 * self.constants.tangential_modulus * springs.deflection_integral(own)
+        own + self.model.compliance
+            * 2.0
+            * self.model.constants.tangential_modulus
+            * springs.deflection_integral(own)
     }
 
     /// Amplitude of the contact itself in steady cycles of a drive (m) at the present load: the same law from rest.
     pub(super) fn own_amplitude(&mut self, drive: f64) -> f64 {
-        if self.compliance == 0.0 || self.contact.is_open() {
+        if self.model.compliance == 0.0 || self.state.contact.is_open() {
             return drive;
         }
-        let contact = self.contact;
-        let row_modulus = 2.0 * self.constants.tangential_modulus;
-        let limit = self.constants.friction_coefficient * self.normal_reaction();
-        let mut amplitude = (drive - self.compliance * limit).max(0.0);
+        let contact = self.state.contact;
+        let row_modulus = 2.0 * self.model.constants.tangential_modulus;
+        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
+        let mut amplitude = (drive - self.model.compliance * limit).max(0.0);
         for _ in 0..MOST_WALKS {
             let (mut force, mut stick) = (0.0, contact.radius);
             if amplitude > 0.0 {
                 let (springs, _) = self.quarter(&contact, amplitude);
                 force = row_modulus * springs.deflection_integral(amplitude);
-                stick = springs.stick_radius(&contact, self.bound_slope, amplitude);
+                stick = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
             }
             let pull = self.pull_on((drive, amplitude), force, limit);
-            let next = amplitude + pull / (1.0 + self.compliance * row_modulus * stick);
+            let next = amplitude + pull / (1.0 + self.model.compliance * row_modulus * stick);
             let moves = next > amplitude && next.is_finite();
             if !moves {
                 break;

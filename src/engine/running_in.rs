@@ -36,7 +36,7 @@ const CONVERGED: f64 = 1e-13;
 impl FrettingContact {
     /// Coefficient of friction at the present, that of [`Self::dissipated_energy`].
     pub fn friction_coefficient_now(&self) -> f64 {
-        self.constants.friction_coefficient
+        self.model.constants.friction_coefficient
     }
 
     /// dμ/dW = (μ_end − μ)/W_r, 1/J.
@@ -44,8 +44,8 @@ impl FrettingContact {
         if !self.runs_in() {
             return 0.0;
         }
-        let Parameters { friction_coefficient_final, running_in_energy, .. } = *self.parameters;
-        (friction_coefficient_final - self.constants.friction_coefficient) / running_in_energy
+        let Parameters { friction_coefficient_final, running_in_energy, .. } = *self.model.parameters;
+        (friction_coefficient_final - self.model.constants.friction_coefficient) / running_in_energy
     }
 
     /// Of [`Self::friction_coefficient_now`].
@@ -61,54 +61,56 @@ impl FrettingContact {
 
     /// Whether friction depends on what has been dissipated.
     pub(super) fn runs_in(&self) -> bool {
-        self.parameters.running_in_energy > 0.0
+        self.model.parameters.running_in_energy > 0.0
     }
 
     /// Takes the coefficient of friction that belongs to the dissipated energy.
     pub(super) fn follow_running_in(&mut self) {
         if self.runs_in() {
-            self.set_friction(self.parameters.friction_coefficient_after(self.work));
-            self.start_slope = self.bound_slope;
+            self.set_friction(self.model.parameters.friction_coefficient_after(self.state.work));
+            self.model.start_slope = self.model.bound_slope;
         }
     }
 
     /// m = μE*/G* after an energy (J) has been dissipated.
     pub(super) fn bound_slope_after(&self, energy: f64) -> f64 {
-        let friction_coefficient = self.parameters.friction_coefficient_after(energy);
-        Constants { friction_coefficient, ..self.constants }.bound_slope()
+        let friction_coefficient = self.model.parameters.friction_coefficient_after(energy);
+        Constants { friction_coefficient, ..self.model.constants }.bound_slope()
     }
 
     fn set_friction(&mut self, coefficient: f64) {
-        self.constants.friction_coefficient = coefficient;
-        self.bound_slope = self.constants.bound_slope();
+        self.model.constants.friction_coefficient = coefficient;
+        self.model.bound_slope = self.model.constants.bound_slope();
     }
 
     /// Energy (J) that a part of a line may dissipate: x = ΔW/W_r of (μ_end − μ) x²/12 = ε μ, the
     /// error of the trapezoidal rule.
     fn energy_of_part(&self, accuracy: f64) -> f64 {
-        let mu = self.constants.friction_coefficient;
-        let difference = (self.parameters.friction_coefficient_final - mu).abs() / mu;
+        let mu = self.model.constants.friction_coefficient;
+        let difference = (self.model.parameters.friction_coefficient_final - mu).abs() / mu;
         if difference <= RUN_IN {
             return f64::INFINITY;
         }
-        self.parameters.running_in_energy * (12.0 * accuracy / difference).sqrt().max(SHORTEST)
+        self.model.parameters.running_in_energy * (12.0 * accuracy / difference).sqrt().max(SHORTEST)
     }
 
     /// A copy that does not wear, for trials.
     fn without_wear(&self) -> Self {
-        Self { wear: None, ..self.clone() }
+        let mut copy = self.clone();
+        copy.state.wear = None;
+        copy
     }
 
     /// [`Self::advance_to_planar`] with friction that runs in.
     pub(super) fn run_in_to(&mut self, normal: f64, target: [f64; 2]) -> Result<(), Error> {
-        let scale = if self.constants.force_control { self.force_scale() } else { 1.0 };
-        let start = (self.contact.control * scale, self.drive_place());
+        let scale = if self.model.constants.force_control { self.force_scale() } else { 1.0 };
+        let start = (self.state.contact.control * scale, self.drive_place());
         let mut now = self.clone();
         let (mut done, mut stretch) = (0.0, 1.0);
         while done < 1.0 {
             let mut rest = now.without_wear();
             rest.advance_in_plane(normal, target)?;
-            let work = rest.work - now.work;
+            let work = rest.state.work - now.state.work;
             let most = now.energy_of_part(ACCURACY);
             // from rest the work rises with the third power of the way at the most
             let cubic = if work > most { (most / work).cbrt() } else { 1.0 };
@@ -120,7 +122,7 @@ impl FrettingContact {
                 let place = [at(start.1[0], target[0]), at(start.1[1], target[1])];
                 let control = at(start.0, normal);
                 let end = now.run_in_part(|this| this.advance_in_plane(control, place))?;
-                let gained = end.work - now.work;
+                let gained = end.state.work - now.state.work;
                 let is_rough = gained > 2.0 * most && done + part > done;
                 if !is_rough {
                     stretch = if gained < 0.25 * most { 2.0 * stretch } else { 1.0 };
@@ -131,20 +133,20 @@ impl FrettingContact {
             }
             now.absorb_after_drift()?;
         }
-        now.counters.steps = self.counters.steps + 1;
+        now.state.counters.steps = self.state.counters.steps + 1;
         *self = now;
         Ok(())
     }
 
     /// The contact after a part of a step, with the coefficient of friction of its end.
     fn run_in_part(&self, advance: impl Fn(&mut Self) -> Result<(), Error>) -> Result<Self, Error> {
-        let mut coefficient = self.constants.friction_coefficient;
+        let mut coefficient = self.model.constants.friction_coefficient;
         let mut iterations = 0;
         loop {
             let mut next = self.clone();
             next.set_friction(coefficient);
             advance(&mut next)?;
-            let found = self.parameters.friction_coefficient_after(next.work);
+            let found = self.model.parameters.friction_coefficient_after(next.state.work);
             iterations += 1;
             if (found - coefficient).abs() <= CONVERGED * found || iterations == MOST_ITERATIONS {
                 next.follow_running_in();
@@ -157,9 +159,9 @@ impl FrettingContact {
     /// Wears the backlog off where it spans too much of the running in: it is worn at one
     /// coefficient.
     fn absorb_after_drift(&mut self) -> Result<(), Error> {
-        let Some(wear) = &self.wear else { return Ok(()) };
-        let before = self.parameters.friction_coefficient_after(self.work - wear.backlog.work);
-        if (self.constants.friction_coefficient / before - 1.0).abs() <= DRIFT {
+        let Some(wear) = &self.state.wear else { return Ok(()) };
+        let before = self.model.parameters.friction_coefficient_after(self.state.work - wear.backlog.work);
+        if (self.model.constants.friction_coefficient / before - 1.0).abs() <= DRIFT {
             return Ok(());
         }
         self.bounded(Self::close_backlog)?;
@@ -172,12 +174,12 @@ impl FrettingContact {
         let mut now = self.clone();
         // refuses what cannot be done, and finds contact
         now.advance_equal_cycles(normal, amplitude, if cycles > 0.0 { 0.0 } else { cycles })?;
-        let accuracy = if now.wear.is_some() { ACCURACY_WITH_WEAR } else { ACCURACY };
+        let accuracy = if now.state.wear.is_some() { ACCURACY_WITH_WEAR } else { ACCURACY };
         let mut left = cycles;
         while left > 0.0 {
             let mut one = now.without_wear();
             one.advance_equal_cycles(normal, amplitude, 1.0)?;
-            let work = one.work - now.work;
+            let work = one.state.work - now.state.work;
             let most = now.energy_of_part(accuracy);
             let part = if left * work > most { (most / work).min(left) } else { left };
             now =
@@ -187,7 +189,7 @@ impl FrettingContact {
         // the body stands at its amplitude with the friction of the end
         now.follow_running_in();
         now.advance_equal_cycles(normal, amplitude, 0.0)?;
-        now.counters.steps = self.counters.steps + 1;
+        now.state.counters.steps = self.state.counters.steps + 1;
         *self = now;
         Ok(())
     }
@@ -199,10 +201,10 @@ impl FrettingContact {
         advance: impl Fn(&mut Self, f64) -> Result<(), Error>,
     ) -> Result<Self, Error> {
         let half = |half: &mut Self| advance(half, 0.5 * cycles);
-        let middle = self.without_wear().run_in_part(half)?.constants.friction_coefficient;
+        let middle = self.without_wear().run_in_part(half)?.model.constants.friction_coefficient;
         let mut next = self.clone();
         next.set_friction(middle);
-        next.start_slope = next.bound_slope;
+        next.model.start_slope = next.model.bound_slope;
         advance(&mut next, cycles)?;
         next.follow_running_in();
         Ok(next)

@@ -30,8 +30,8 @@ impl FrettingContact {
         loop {
             let refused = match self.wear_by(value, (sliding, None), left, None) {
                 Ok(work) => {
-                    self.work += work;
-                    self.contact = self.contact_at(value)?;
+                    self.state.work += work;
+                    self.state.contact = self.contact_at(value)?;
                     return Ok(());
                 }
                 Err(refused @ (Error::TooMuchWear { .. } | Error::NotFinite { .. })) => refused,
@@ -39,7 +39,7 @@ impl FrettingContact {
             };
             while chunks < next_trial && left > 0.0 {
                 // held in depth, a body may wear until it is free
-                if self.contact.is_open() {
+                if self.state.contact.is_open() {
                     return Ok(());
                 }
                 let (amount, work) = self.chunk(sliding, left);
@@ -47,14 +47,14 @@ impl FrettingContact {
                 if hopeless || chunks == MOST_CHUNKS {
                     return Err(refused);
                 }
-                let contact = self.contact;
-                let law = SlipAtDepth::of_motion(sliding, amount, contact.depth, self.bound_slope);
+                let contact = self.state.contact;
+                let law = SlipAtDepth::of_motion(sliding, amount, contact.depth, self.model.bound_slope);
                 match self.absorb_law(&[law], work, contact.radius) {
                     Err(Error::WearOutrun { .. }) => return Err(refused),
                     other => other?,
                 }
-                self.work += work;
-                self.contact = self.contact_at(value)?;
+                self.state.work += work;
+                self.state.contact = self.contact_at(value)?;
                 left -= amount;
                 chunks += 1;
             }
@@ -67,17 +67,17 @@ impl FrettingContact {
 
     /// As much of a steady motion as one update may take off (cycles or metres), and its work, J.
     fn chunk(&mut self, sliding: Sliding, left: f64) -> (f64, f64) {
-        let contact = self.contact;
+        let contact = self.state.contact;
         let (unit_work, stick) = match sliding {
-            Sliding::Onward => (self.constants.friction_coefficient * self.normal_reaction(), 0.0),
+            Sliding::Onward => (self.model.constants.friction_coefficient * self.normal_reaction(), 0.0),
             Sliding::Cycles(amplitude) => {
                 let (springs, quarter_work) = self.quarter(&contact, amplitude);
-                let stick = springs.stick_radius(&contact, self.bound_slope, amplitude);
+                let stick = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
                 (4.0 * quarter_work, stick)
             }
         };
-        let volume = self.constants.wear_per_work * unit_work * left;
-        let tolerance = self.parameters.tolerance;
+        let volume = self.model.constants.wear_per_work * unit_work * left;
+        let tolerance = self.model.parameters.tolerance;
         let ratio = share_of_room(volume, (STROKE * tolerance, tolerance), &self.surface, &contact, stick);
         // what is no number has to stop the loop
         let amount = if ratio <= 1.0 { left } else { left / ratio };
@@ -87,41 +87,42 @@ impl FrettingContact {
     /// Puts the slipping springs where a steady cycle has them at its end, on a surface that has just worn. Those that stuck
     /// all the time keep what they remember: the cycle need not be about the place where they are relaxed.
     pub(super) fn rest_at_reversal(&mut self, amplitude: f64, stick_before: f64) {
-        let contact = self.contact;
+        let contact = self.state.contact;
         let (mut springs, _) = self.quarter(&contact, amplitude);
-        let front = springs.stick_radius(&self.contact, self.constants.bound_slope(), amplitude);
-        springs.moved_by(self.direction, amplitude, self.displacement);
-        self.springs.take_outer(front.min(stick_before), &springs);
+        let front = springs.stick_radius(&self.state.contact, self.model.constants.bound_slope(), amplitude);
+        springs.moved_by(self.state.direction, amplitude, self.state.displacement);
+        self.state.springs.take_outer(front.min(stick_before), &springs);
     }
 
     /// Displacement at which all springs slip, on a line at constant load that goes on so far beyond it that the wear
     /// matters.
     pub(super) fn onset_of_long_slide(&self, value: f64, displacement: f64) -> Option<f64> {
-        self.wear.as_ref()?;
-        if value != self.contact.control || self.contact.is_open() {
+        self.state.wear.as_ref()?;
+        if value != self.state.contact.control || self.state.contact.is_open() {
             return None;
         }
-        let move_on = displacement - self.displacement;
-        let slack = 2.0 * self.constants.bound_slope() * (self.contact.depth - self.surface.tip());
+        let move_on = displacement - self.state.displacement;
+        let slack =
+            2.0 * self.model.constants.bound_slope() * (self.state.contact.depth - self.surface.tip());
         // a body worn flat slips everywhere at once
         if slack <= 0.0 || move_on.abs() <= 2.0 * slack {
             return None;
         }
-        let friction = self.constants.friction_coefficient * self.normal_reaction();
-        let volume = self.constants.wear_per_work * friction * (move_on.abs() - slack);
-        self.exceeds_limit(volume, &self.contact, 0.0)?;
-        Some(self.displacement + slack * (1.0 + 1e-9) * move_on.signum())
+        let friction = self.model.constants.friction_coefficient * self.normal_reaction();
+        let volume = self.model.constants.wear_per_work * friction * (move_on.abs() - slack);
+        self.exceeds_limit(volume, &self.state.contact, 0.0)?;
+        Some(self.state.displacement + slack * (1.0 + 1e-9) * move_on.signum())
     }
 
     /// Slides on at constant load, all springs slipping already, to a displacement.
     pub(super) fn slide_on(&mut self, displacement: f64) -> Result<(), Error> {
         self.absorb_backlog()?;
-        let value = self.contact.control;
-        let moved = displacement - self.displacement;
+        let value = self.state.contact.control;
+        let moved = displacement - self.state.displacement;
         self.wear_steadily(value, Sliding::Onward, moved.abs())?;
-        let to = self.contact;
+        let to = self.state.contact;
         let (mut springs, _) = self.quarter(&to, 0.0);
-        springs.follow_bound((0.0, moved.signum()), &to, self.constants.bound_slope(), displacement);
+        springs.follow_bound((0.0, moved.signum()), &to, self.model.constants.bound_slope(), displacement);
         self.arrive(to, displacement, springs, 0.0);
         Ok(())
     }

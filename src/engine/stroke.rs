@@ -8,11 +8,13 @@
 //! (2/π) ∫ s dx/√(r² − x²) from 0 to r.
 
 use super::FrettingContact;
+use super::state::State;
 use crate::friction::Vector;
 use crate::quadrature::GAUSS_3;
 use crate::surface::Surface;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
+use std::mem::{swap, take};
 
 /// Longest panel of the quadrature over the angle θ, x = r sin θ. The three-point rule on it is
 /// exact to 1e-10 for the image of a smooth body.
@@ -29,17 +31,14 @@ pub(super) struct StrokeStart {
     depth: f64,
 }
 
-/// The present stroke.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Stroke {
-    pub(super) start: StrokeStart,
-    /// The start of the one before, for a change that fails, and kept for its memory.
-    former: StrokeStart,
-    /// How often one has begun.
-    begun: u64,
-}
-
 impl StrokeStart {
+    /// Takes over another one, in memory that is there already.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        let mut origins = take(&mut self.origins);
+        origins.clone_from(&other.origins);
+        *self = Self { origins, ..*other };
+    }
+
     /// Numbers that springs can have, at most so many.
     pub(super) fn is_sound(&self, most: usize) -> bool {
         let finite = |vector: &Vector| vector.iter().all(|value| value.is_finite());
@@ -51,51 +50,34 @@ impl StrokeStart {
     }
 }
 
-impl Stroke {
-    pub(super) fn since(start: StrokeStart) -> Self {
-        Self { start, ..Self::default() }
-    }
-
-    /// Number of strokes so far, to go back to with [`Self::go_back`].
-    pub(super) fn mark(&self) -> u64 {
-        self.begun
-    }
-
-    /// Undoes the last beginning, if there was one since a mark.
-    pub(super) fn go_back(&mut self, mark: u64) {
-        if self.begun != mark {
-            std::mem::swap(&mut self.start, &mut self.former);
-            self.begun = mark;
-        }
-    }
-
-    fn next(&mut self) -> &mut StrokeStart {
-        std::mem::swap(&mut self.start, &mut self.former);
-        self.begun += 1;
-        self.start.origins.clear();
-        &mut self.start
-    }
-}
-
 impl FrettingContact {
     /// A stroke begins where the body stands.
     pub(super) fn begin_stroke(&mut self) {
-        let (place, depth) = (self.axes.for_springs(self.place()), self.contact.depth);
-        let start = self.stroke.next();
-        (start.place, start.depth) = (place, depth);
-        match &self.planar {
-            Some(planar) => start.origins.extend(planar.row.knots().iter().map(|k| (k.place.x, k.origin))),
-            None => {
-                start.origins.extend(self.springs.knots().iter().map(|k| (k.place.x, [k.origin, place[1]])));
-            }
+        let place = self.model.axes.for_springs(self.place());
+        self.next_stroke(place);
+        let State { stroke, springs, planar, .. } = &mut self.state;
+        match planar {
+            Some(planar) => stroke.origins.extend(planar.row.knots().iter().map(|k| (k.place.x, k.origin))),
+            None => stroke.origins.extend(springs.knots().iter().map(|k| (k.place.x, [k.origin, place[1]]))),
         }
     }
 
     /// Steady cycles are given by their first quarter, from relaxed springs at displacement 0.
     pub(super) fn begin_quarter(&mut self) {
-        let (place, depth) = (self.axes.for_springs([0.0, self.displacement_y]), self.contact.depth);
-        let start = self.stroke.next();
-        (start.place, start.depth) = (place, depth);
+        self.next_stroke(self.model.axes.for_springs([0.0, self.state.displacement_y]));
+    }
+
+    /// A stroke begins with relaxed springs. [`Self::undo_stroke`] takes that back.
+    fn next_stroke(&mut self, place: Vector) {
+        self.undo_stroke();
+        let stroke = &mut self.state.stroke;
+        (stroke.place, stroke.depth) = (place, self.state.contact.depth);
+        stroke.origins.clear();
+    }
+
+    /// Goes on with the stroke before the present one. Only the last beginning can be undone.
+    pub(super) fn undo_stroke(&mut self) {
+        swap(&mut self.state.stroke, &mut self.memory.stroke);
     }
 
     /// Slip of the surface at radius r since the present stroke began, m: from one reversal to the
@@ -107,16 +89,16 @@ impl FrettingContact {
     /// now. Springs that came into contact during the stroke are taken to have touched along a
     /// straight line of depth and displacement.
     pub fn slip_amplitude_at(&self, r: f64) -> f64 {
-        let r = self.axes.inner(r);
-        if self.contact.is_open() || r > self.contact.radius {
+        let r = self.model.axes.inner(r);
+        if self.state.contact.is_open() || r > self.state.contact.radius {
             return 0.0;
         }
-        let [_, place_y] = self.axes.for_springs(self.place());
-        let now: Vec<(f64, Vector)> = match &self.planar {
+        let [_, place_y] = self.model.axes.for_springs(self.place());
+        let now: Vec<(f64, Vector)> = match &self.state.planar {
             Some(planar) => planar.row.knots().iter().map(|k| (k.place.x, k.origin)).collect(),
-            None => self.springs.knots().iter().map(|k| (k.place.x, [k.origin, place_y])).collect(),
+            None => self.state.springs.knots().iter().map(|k| (k.place.x, [k.origin, place_y])).collect(),
         };
-        let start = &self.stroke.start;
+        let start = &self.state.stroke;
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
         let kinks = now.iter().chain(&start.origins).map(|knot| knot.0).chain(nodes.iter().copied());
         let mut angles: Vec<f64> =
@@ -141,13 +123,14 @@ impl FrettingContact {
                 }
             }
         }
-        FRAC_2_PI * sum[0].hypot(sum[1] / self.axes.stiffness_ratio)
+        FRAC_2_PI * sum[0].hypot(sum[1] / self.model.axes.stiffness_ratio)
     }
 
     /// Origin of a spring that was not in contact when the stroke began, or of a relaxed one.
     fn touched_at(&self, image: f64) -> Vector {
-        let start = &self.stroke.start;
-        let (place, rise) = (self.axes.for_springs(self.place()), self.contact.depth - start.depth);
+        let start = &self.state.stroke;
+        let (place, rise) =
+            (self.model.axes.for_springs(self.place()), self.state.contact.depth - start.depth);
         let share = if rise > 0.0 { ((image - start.depth) / rise).clamp(0.0, 1.0) } else { 0.0 };
         [0, 1].map(|i| start.place[i] + share * (place[i] - start.place[i]))
     }

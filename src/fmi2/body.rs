@@ -163,7 +163,7 @@ impl Body {
             (Self::One(contact), SavedBody::One(parameters, snapshot))
                 if contact.parameters() == parameters =>
             {
-                contact.reinstate(snapshot)?;
+                contact.reinstate(snapshot);
             }
             (Self::Many(interface), SavedBody::Many(parameters, summits, snapshot))
                 if interface.parameters() == parameters && interface.summits() == summits =>
@@ -194,9 +194,9 @@ impl SavedBody {
             Self::One(parameters, snapshot) => {
                 let mut contact = FrettingContact::new(parameters.clone())?;
                 if checked {
-                    contact.restore(snapshot)?
+                    contact.restore(snapshot)?;
                 } else {
-                    contact.reinstate(snapshot)?
+                    contact.reinstate(snapshot);
                 }
                 Ok(Body::One(contact))
             }

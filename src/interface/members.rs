@@ -5,7 +5,7 @@
 
 use super::Pose;
 use super::summit::Summit;
-use crate::engine::{FrettingContact, Mark, WorkMemory, unworn_load};
+use crate::engine::{FrettingContact, Mark, Memory, unworn_load};
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
@@ -241,13 +241,13 @@ impl Members {
     /// Changes every slot; the first refusal in order is returned.
     fn each(
         &mut self,
-        change: impl Fn(usize, &mut Slot, &mut WorkMemory) -> Result<(), Error> + Sync,
+        change: impl Fn(usize, &mut Slot, &mut Memory) -> Result<(), Error> + Sync,
     ) -> Result<(), Error> {
         #[cfg(feature = "threads")]
         if self.in_threads && self.slots.len() > CHUNK {
             use rayon::prelude::*;
             let change_all = |(chunk, slots): (usize, &mut [Slot])| {
-                let mut memory = WorkMemory::default();
+                let mut memory = Memory::default();
                 let mut slots = slots.iter_mut().enumerate();
                 slots.try_for_each(|(k, slot)| change(chunk * CHUNK + k, slot, &mut memory))
             };
@@ -255,7 +255,7 @@ impl Members {
                 self.slots.par_chunks_mut(CHUNK).enumerate().map(change_all).collect();
             return results.into_iter().collect();
         }
-        let mut memory = WorkMemory::default();
+        let mut memory = Memory::default();
         let mut slots = self.slots.iter_mut().enumerate();
         slots.try_for_each(|(index, slot)| change(index, slot, &mut memory))
     }

@@ -95,7 +95,7 @@ impl Interface {
                     return Err(refuse(Error::Snapshot(problem)));
                 }
             } else {
-                contact.reinstate(state)?;
+                contact.reinstate(state);
             }
             self.members.put(index, Some(contact));
         }

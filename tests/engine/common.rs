@@ -120,9 +120,10 @@ pub(crate) fn uniform(random: &mut StdRng, low: f64, high: f64) -> f64 {
 /// The whole state of a contact, without the counters: these also count work that ended in an
 /// error.
 pub(crate) fn state(contact: &FrettingContact) -> serde_json::Value {
-    let mut state = serde_json::to_value(contact.snapshot()).expect("a snapshot is serialisable");
-    state.as_object_mut().expect("a snapshot is a record").remove("counters").expect("it has counters");
-    state
+    let mut snapshot = serde_json::to_value(contact.snapshot()).expect("a snapshot is serialisable");
+    let state = snapshot["state"].as_object_mut().expect("the state is a record");
+    state.remove("counters").expect("it has counters");
+    snapshot
 }
 
 /// A body that wears, with c₀ = 0.4 a₀; its N₀ is `seed_cycles`.

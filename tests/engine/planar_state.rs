@@ -118,11 +118,11 @@ fn impossible_states_are_refused() {
     contact.advance_to_planar(FORCE, [1e-6, 1e-6]).unwrap();
     let sound = serde_json::to_value(contact.snapshot()).unwrap();
     let changes: [(&str, serde_json::Value); 5] = [
-        ("/planar/row/spacing", (-1.0).into()),
-        ("/planar/row/knots/3/origin/1", 1.0.into()),
-        ("/planar/row/knots/3/place/x", 1.0.into()),
-        ("/planar/row/knots/0/place/x", 1e-9.into()),
-        ("/planar/direction/0", 2.0.into()),
+        ("/state/planar/row/spacing", (-1.0).into()),
+        ("/state/planar/row/knots/3/origin/1", 1.0.into()),
+        ("/state/planar/row/knots/3/place/x", 1.0.into()),
+        ("/state/planar/row/knots/0/place/x", 1e-9.into()),
+        ("/state/planar/direction/0", 2.0.into()),
     ];
     for (place, value) in changes {
         let mut changed = sound.clone();

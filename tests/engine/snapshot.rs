@@ -184,7 +184,7 @@ fn a_state_with_work_between_bodies_apart_is_refused() {
     };
     assert_eq!(taken(saved.clone()), Ok(()));
     let mut changed = saved;
-    let work = changed.pointer_mut("/wear/backlog/work").expect("the state has this part");
+    let work = changed.pointer_mut("/state/wear/backlog/work").expect("the state has this part");
     *work = 1e-9.into();
     let refusal = taken(changed).unwrap_err().to_string();
     assert!(refusal.contains("what is still to wear"), "{refusal}");

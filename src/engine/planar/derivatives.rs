@@ -20,7 +20,9 @@ impl FrettingContact {
 
     /// ∂T_y/∂U_y while nothing slips along y, N/m.
     fn sticking_stiffness_y(&self) -> f64 {
-        2.0 * self.constants.tangential_modulus * self.axes.stiffness_ratio * self.contact.radius
+        2.0 * self.model.constants.tangential_modulus
+            * self.model.axes.stiffness_ratio
+            * self.state.contact.radius
     }
 
     /// Of [`Self::tangential_force_y`].
@@ -29,21 +31,24 @@ impl FrettingContact {
             return gradient;
         }
         let stiffness = self.sticking_stiffness_y();
-        Gradient { displacement_y: stiffness / (1.0 + self.compliance * stiffness), ..Gradient::default() }
+        Gradient {
+            displacement_y: stiffness / (1.0 + self.model.compliance * stiffness),
+            ..Gradient::default()
+        }
     }
 
     /// Of [`Self::displacement_y`].
     pub fn displacement_y_gradient(&self) -> Gradient {
-        if self.planar.is_some() {
+        if self.state.planar.is_some() {
             return self.gradient_in_plane(0.0, [0.0, 1.0]);
         }
         let stiffness = self.sticking_stiffness_y();
-        Gradient { displacement_y: 1.0 / (1.0 + self.compliance * stiffness), ..Gradient::default() }
+        Gradient { displacement_y: 1.0 / (1.0 + self.model.compliance * stiffness), ..Gradient::default() }
     }
 
     /// Of the displacement along x.
     pub(in crate::engine) fn displacement_gradient_in_plane(&self) -> Option<Gradient> {
-        self.planar.is_some().then(|| self.gradient_in_plane(0.0, [1.0, 0.0]))
+        self.state.planar.is_some().then(|| self.gradient_in_plane(0.0, [1.0, 0.0]))
     }
 
     /// Of one component of the force.
@@ -65,18 +70,18 @@ impl FrettingContact {
             return Some(Gradient::default());
         };
         let per_room = 1.0 / (fall * self.surface.image_slope(standing.stick_radius() * (1.0 - 1e-9)));
-        let gradient = self.gradient_in_plane(-self.bound_slope * per_room, pull.map(|n| n * per_room));
-        Some(gradient.times(self.axes.size))
+        let gradient = self.gradient_in_plane(-self.model.bound_slope * per_room, pull.map(|n| n * per_room));
+        Some(gradient.times(self.model.axes.size))
     }
 
     /// By differences ahead, along each direction the way that the motion goes.
     pub(in crate::engine) fn stiffness_gradient_in_plane(&self) -> Option<Gradient> {
         let (place, ahead) = (self.place(), self.direction_in_plane());
         let now = self.stiffness_in_plane()?;
-        let planar = self.planar.as_ref()?;
+        let planar = self.state.planar.as_ref()?;
         let change = |control: f64, moved: Vector, step: f64| {
-            let to = if control == self.contact.control {
-                self.contact
+            let to = if control == self.state.contact.control {
+                self.state.contact
             } else {
                 self.solve_contact(control).ok()?
             };
@@ -87,21 +92,22 @@ impl FrettingContact {
                 row: &row,
                 surface: &self.surface,
                 contact: &to,
-                bound_slope: self.bound_slope,
-                stiffness_ratio: self.axes.stiffness_ratio,
-                displacement: self.axes.for_springs(end),
+                bound_slope: self.model.bound_slope,
+                stiffness_ratio: self.model.axes.stiffness_ratio,
+                displacement: self.model.axes.for_springs(end),
             };
             let [x, y] = ahead;
             let [[xx, xy], [yx, yy]] = standing.tangent(ahead).stiffness;
-            let stiffness =
-                2.0 * self.constants.tangential_modulus * (x * (xx * x + xy * y) + y * (yx * x + yy * y));
+            let stiffness = 2.0
+                * self.model.constants.tangential_modulus
+                * (x * (xx * x + xy * y) + y * (yx * x + yy * y));
             Some((stiffness - now) / step)
         };
-        let length = STEP * self.bound_slope * self.contact.depth.abs();
+        let length = STEP * self.model.bound_slope * self.state.contact.depth.abs();
         let way = |k: usize| if ahead[k] < 0.0 { -length } else { length };
-        let control = self.contact.control;
+        let control = self.state.contact.control;
         let step = STEP * control.abs();
-        let scale = if self.constants.force_control { 1.0 / self.force_scale() } else { 1.0 };
+        let scale = if self.model.constants.force_control { 1.0 / self.force_scale() } else { 1.0 };
         let gradient = Gradient {
             normal: change(control + step, [0.0; 2], step)? * scale,
             displacement: change(control, [way(0), 0.0], way(0))?,
@@ -114,7 +120,7 @@ impl FrettingContact {
     /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest in the present direction.
     pub(in crate::engine) fn wear_depth_gradient_in_plane(&self) -> Option<Gradient> {
         let (standing, ahead) = (self.standing()?, self.direction_in_plane());
-        let per_work = if self.wear.is_some() { self.constants.wear_per_work } else { 0.0 };
+        let per_work = if self.state.wear.is_some() { self.model.constants.wear_per_work } else { 0.0 };
         let rates = |r: f64| {
             let traction = self.traction_in_plane(r).unwrap_or_default();
             let [x, y, depth] = standing.surface_slip(r, ahead).map(|slip| {

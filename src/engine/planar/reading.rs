@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 impl FrettingContact {
     /// Tangential displacement of the body along y, m.
     pub fn displacement_y(&self) -> f64 {
-        self.displacement_y
+        self.state.displacement_y
     }
 
     /// Tangential force along y that the moving body exerts on the substrate, N. With that along x it has the length μF_N at
@@ -25,10 +25,10 @@ impl FrettingContact {
 
     /// Both components of the force, N, where the body has moved along y.
     pub(in crate::engine) fn force_in_plane(&self) -> Option<Vector> {
-        let planar = self.planar.as_ref()?;
-        let integral = planar.row.deflection_integral(self.axes.for_springs(self.place()));
-        let force = integral.map(|u| 2.0 * self.constants.tangential_modulus * u);
-        let limit = self.constants.friction_coefficient * self.normal_reaction();
+        let planar = self.state.planar.as_ref()?;
+        let integral = planar.row.deflection_integral(self.model.axes.for_springs(self.place()));
+        let force = integral.map(|u| 2.0 * self.model.constants.tangential_modulus * u);
+        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
         let size = force[0].hypot(force[1]);
         // of a size that is rounding, too
         Some(if size > limit { force.map(|part| part / size * limit) } else { force })
@@ -36,24 +36,24 @@ impl FrettingContact {
 
     /// The row where it stands.
     pub(in crate::engine) fn standing(&self) -> Option<Standing<'_>> {
-        self.planar.as_ref().map(|planar| Standing {
+        self.state.planar.as_ref().map(|planar| Standing {
             row: &planar.row,
             surface: &self.surface,
-            contact: &self.contact,
-            bound_slope: self.bound_slope,
-            stiffness_ratio: self.axes.stiffness_ratio,
-            displacement: self.axes.for_springs(self.place()),
+            contact: &self.state.contact,
+            bound_slope: self.model.bound_slope,
+            stiffness_ratio: self.model.axes.stiffness_ratio,
+            displacement: self.model.axes.for_springs(self.place()),
         })
     }
 
     /// Direction of the last movement, a unit vector.
     pub(in crate::engine) fn direction_in_plane(&self) -> Vector {
-        self.planar.as_ref().map_or([1.0, 0.0], |planar| planar.direction)
+        self.state.planar.as_ref().map_or([1.0, 0.0], |planar| planar.direction)
     }
 
     /// Derivatives of the whole row for going on in the present direction, by displacement and depth.
     pub(in crate::engine) fn tangent_in_plane(&self) -> Option<Tangent> {
-        let row = 2.0 * self.constants.tangential_modulus;
+        let row = 2.0 * self.model.constants.tangential_modulus;
         Some(self.standing()?.tangent(self.direction_in_plane()).scaled(row))
     }
 
@@ -67,8 +67,8 @@ impl FrettingContact {
 
     /// Tangential traction at radius r, Pa: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²) by components.
     pub(in crate::engine) fn traction_in_plane(&self, r: f64) -> Option<Vector> {
-        let knots = self.planar.as_ref()?.row.knots();
-        let (a, r) = (self.contact.radius, self.axes.inner(r));
+        let knots = self.state.planar.as_ref()?.row.knots();
+        let (a, r) = (self.state.contact.radius, self.model.axes.inner(r));
         if r >= a {
             return Some([0.0; 2]);
         }
@@ -89,23 +89,23 @@ impl FrettingContact {
         if let Some(edge) = knots.last()
             && a >= self.surface.profile().outer_radius()
         {
-            let place = self.axes.for_springs(self.place());
+            let place = self.model.axes.for_springs(self.place());
             for k in 0..2 {
                 sum[k] += (place[k] - edge.origin[k]) / transform::leg(a, r);
             }
         }
-        Some(sum.map(|part| self.axes.stress(self.constants.tangential_modulus / PI * part)))
+        Some(sum.map(|part| self.model.axes.stress(self.model.constants.tangential_modulus / PI * part)))
     }
 
     /// Elastic energy of the springs, J.
     pub(in crate::engine) fn stored_energy(&self) -> f64 {
-        let integral = match &self.planar {
+        let integral = match &self.state.planar {
             Some(planar) => {
-                let place = self.axes.for_springs(self.place());
-                planar.row.energy_integral(place, self.axes.stiffness_ratio)
+                let place = self.model.axes.for_springs(self.place());
+                planar.row.energy_integral(place, self.model.axes.stiffness_ratio)
             }
-            None => self.springs.energy_integral(self.displacement),
+            None => self.state.springs.energy_integral(self.state.displacement),
         };
-        self.constants.tangential_modulus * integral
+        self.model.constants.tangential_modulus * integral
     }
 }

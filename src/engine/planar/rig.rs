@@ -73,10 +73,10 @@ fn distance(point: Vector, (from, to): (Vector, Vector)) -> f64 {
 impl FrettingContact {
     /// Displacement of the drive along y: U_y + T_y/k_rig, m. It is [`Self::displacement_y`] where the rig is rigid.
     pub fn drive_displacement_y(&self) -> f64 {
-        if self.compliance == 0.0 {
-            return self.displacement_y;
+        if self.model.compliance == 0.0 {
+            return self.state.displacement_y;
         }
-        self.displacement_y + self.compliance * self.tangential_force_y()
+        self.state.displacement_y + self.model.compliance * self.tangential_force_y()
     }
 
     /// Where the drive stands, m.
@@ -90,7 +90,7 @@ impl FrettingContact {
             // what holds the body holds no force then
             return self.walk_in_plane(value, drive);
         }
-        if self.planar.is_none() {
+        if self.state.planar.is_none() {
             self.enter_plane()?;
         }
         let place = self.balance(value, drive)?;
@@ -105,27 +105,27 @@ impl FrettingContact {
         halvings: u32,
     ) -> Result<(), Error> {
         let (from, here) = (self.drive_place(), self.place());
-        let halfway = 0.5 * (self.contact.control + value);
+        let halfway = 0.5 * (self.state.contact.control + value);
         if halvings > 0 && halfway > self.touch_control() && drive != from {
             let half = middle(from, drive);
             let between = self.balance(halfway, half)?;
-            let near = BENT * self.bound_slope * self.contact.depth.abs()
-                + ROUNDING * self.scale_of(drive, &self.contact);
+            let near = BENT * self.model.bound_slope * self.state.contact.depth.abs()
+                + ROUNDING * self.scale_of(drive, &self.state.contact);
             if distance(between, (here, place)) > near {
                 self.follow_to(halfway, (half, between), halvings - 1)?;
                 let place = self.balance(value, drive)?;
                 return self.follow_to(value, (drive, place), halvings - 1);
             }
         }
-        let updates = self.counters.profile_updates;
+        let updates = self.state.counters.profile_updates;
         self.walk_in_plane(value, place)?;
         for _ in 0..MOST_MORE {
-            if self.counters.profile_updates == updates || self.planar.is_none() {
+            if self.state.counters.profile_updates == updates || self.state.planar.is_none() {
                 break;
             }
             let off = difference(drive, self.drive_place());
             let [x, y] = self.direction_in_plane();
-            if off[0] * x + off[1] * y <= NEARLY * self.scale_of(drive, &self.contact) {
+            if off[0] * x + off[1] * y <= NEARLY * self.scale_of(drive, &self.state.contact) {
                 break;
             }
             let place = self.balance(value, drive)?;
@@ -136,18 +136,19 @@ impl FrettingContact {
 
     /// Size of the lengths that are compared in an equilibrium, m.
     fn scale_of(&self, drive: Vector, to: &Contact) -> f64 {
-        let limit = self.constants.friction_coefficient * to.load * self.force_scale();
-        size(drive) + size(self.place()) + self.compliance * limit
+        let limit = self.model.constants.friction_coefficient * to.load * self.force_scale();
+        size(drive) + size(self.place()) + self.model.compliance * limit
     }
 
     /// Place of the body that balances the drive after a straight way to it and to another load.
     fn balance(&mut self, value: f64, drive: Vector) -> Result<Vector, Error> {
-        let to = if value == self.contact.control { self.contact } else { self.contact_at(value)? };
+        let to =
+            if value == self.state.contact.control { self.state.contact } else { self.contact_at(value)? };
         if to.is_open() {
             return Ok(drive);
         }
         let least = BALANCED * self.scale_of(drive, &to);
-        let mut spare = self.planar.as_mut().map(|planar| take(&mut planar.spare)).unwrap_or_default();
+        let mut spare = take(&mut self.memory.planar);
         let mut place = self.place();
         let (mut off, mut slope) = self.pull_in_plane((drive, place), &to, &mut spare);
         let mut walks = 1;
@@ -173,10 +174,8 @@ impl FrettingContact {
             let Some(next) = next.filter(|next| *next != place) else { break };
             place = next;
         }
-        self.counters.spring_walks += u64::from(walks);
-        if let Some(planar) = &mut self.planar {
-            planar.spare = spare;
-        }
+        self.state.counters.spring_walks += u64::from(walks);
+        self.memory.planar = spare;
         Ok(place)
     }
 
@@ -190,16 +189,16 @@ impl FrettingContact {
     ) -> (Vector, Matrix) {
         let path = self.planar_path(*to, place);
         let (row, _) = self.walked_in_plane(&path, take(spare), None);
-        let modulus = self.compliance * 2.0 * self.constants.tangential_modulus;
-        let springs_at = self.axes.for_springs(place);
+        let modulus = self.model.compliance * 2.0 * self.model.constants.tangential_modulus;
+        let springs_at = self.model.axes.for_springs(place);
         let force = row.deflection_integral(springs_at);
         let ahead = difference(drive, self.drive_place());
         let standing = Standing {
             row: &row,
             surface: &self.surface,
             contact: to,
-            bound_slope: self.bound_slope,
-            stiffness_ratio: self.axes.stiffness_ratio,
+            bound_slope: self.model.bound_slope,
+            stiffness_ratio: self.model.axes.stiffness_ratio,
             displacement: springs_at,
         };
         let stiffness = standing.tangent(ahead).stiffness;
@@ -210,11 +209,13 @@ impl FrettingContact {
 
     /// The derivatives of a quantity by the drive where those by the body are given: d**U** = (1 + K/k_rig)⁻¹ (d**D** − ∂**T**/∂n dn/k_rig).
     pub(super) fn behind_the_rig_in_plane(&self, of: Gradient) -> Gradient {
-        let Some(tangent) = self.tangent_in_plane().filter(|_| self.compliance > 0.0) else { return of };
-        let matrix = one_and(self.compliance, tangent.stiffness);
+        let Some(tangent) = self.tangent_in_plane().filter(|_| self.model.compliance > 0.0) else {
+            return of;
+        };
+        let matrix = one_and(self.model.compliance, tangent.stiffness);
         let transposed = [[matrix[0][0], matrix[1][0]], [matrix[0][1], matrix[1][1]]];
         let by_place = solved(&transposed, [of.displacement, of.displacement_y]).unwrap_or_default();
-        let by_normal = tangent.by_depth.map(|part| self.compliance * part * self.depth_per_normal());
+        let by_normal = tangent.by_depth.map(|part| self.model.compliance * part * self.depth_per_normal());
         Gradient {
             normal: of.normal - by_place[0] * by_normal[0] - by_place[1] * by_normal[1],
             displacement: by_place[0],

@@ -28,12 +28,12 @@ impl FrettingContact {
         drive: f64,
         cycles: f64,
     ) -> Result<f64, Error> {
-        if self.constants.force_control {
+        if self.model.constants.force_control {
             let sliding = Sliding::Cycles(self.own_amplitude(drive));
             match self.wear_by(value, (sliding, Some(drive)), cycles, None) {
                 Ok(work) => {
-                    self.work += work;
-                    self.contact = self.contact_at(value)?;
+                    self.state.work += work;
+                    self.state.contact = self.contact_at(value)?;
                     return Ok(self.own_amplitude(drive));
                 }
                 Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {}
@@ -50,7 +50,7 @@ impl FrettingContact {
     /// # Errors
     /// As [`Self::wear_steadily`].
     fn wear_in_stretches(&mut self, value: f64, drive: f64, cycles: f64) -> Result<f64, Error> {
-        let tolerance = self.parameters.tolerance;
+        let tolerance = self.model.parameters.tolerance;
         let (mut left, mut stretch) = (cycles, cycles);
         let mut amplitude = self.own_amplitude(drive);
         for _ in 0..MOST_TRIALS {
@@ -103,8 +103,8 @@ impl FrettingContact {
 
     /// Back to another state; work is counted all the same.
     fn go_back(&mut self, before: Self) {
-        let counters = self.counters;
+        let counters = self.state.counters;
         *self = before;
-        self.counters = counters;
+        self.state.counters = counters;
     }
 }

@@ -1,8 +1,9 @@
 //! Whether a saved state that may come from anywhere is one that a contact could be in.
 
-use super::{Snapshot, WearSnapshot};
+use super::Snapshot;
 use crate::engine::FrettingContact;
 use crate::engine::planar::Planar;
+use crate::engine::state::WearState;
 use crate::friction::{Knot, PlanarKnot, Springs, difference};
 use crate::surface::{Contact, Place, Surface};
 use crate::wear::Sliding;
@@ -74,44 +75,44 @@ fn is_placed(place: &Place, surface: &Surface, outermost: &Place) -> bool {
 impl Snapshot {
     /// The first thing that is wrong with this state for a contact with `target`'s parameters.
     pub(super) fn problem(&self, target: &FrettingContact) -> Option<&'static str> {
-        let resolution = target.parameters.resolution;
+        let resolution = target.model.parameters.resolution;
         let most = MOST_KNOTS * resolution;
-        let numbers = amount(self.reach)
-            && self.displacement.is_finite()
-            && self.displacement_y.is_finite()
-            && is_sign(self.direction)
-            && amount(self.work)
-            && self.former.volumes.iter().all(|volume| amount(*volume))
-            && amount(self.former.work)
-            && self.former.work <= self.work;
+        let numbers = amount(self.state.reach)
+            && self.state.displacement.is_finite()
+            && self.state.displacement_y.is_finite()
+            && is_sign(self.state.direction)
+            && amount(self.state.work)
+            && self.state.former.volumes.iter().all(|volume| amount(*volume))
+            && amount(self.state.former.work)
+            && self.state.former.work <= self.state.work;
         if !(numbers
-            && self.reach >= self.contact.radius
-            && self.reach <= target.surface.profile().outer_radius())
+            && self.state.reach >= self.state.contact.radius
+            && self.state.reach <= target.surface.profile().outer_radius())
         {
             return Some("displacement, work or reach are out of range");
         }
-        if !self.stroke.is_sound(most) {
+        if !self.state.stroke.is_sound(most) {
             return Some("the springs at the last reversal are out of order");
         }
-        if !self.coating.is_sound() {
+        if !self.state.coating.is_sound() {
             return Some("the cycles at which the coating wore through are out of range");
         }
-        if !is_contact(&self.contact) {
+        if !is_contact(&self.state.contact) {
             return Some("the contact is no contact");
         }
         let mut surface = target.surface.unworn();
         if let Some(nodes) = &self.nodes {
-            if self.wear.is_none() || !nodes.is_sound(surface.profile(), resolution) {
+            if self.state.wear.is_none() || !nodes.is_sound(surface.profile(), resolution) {
                 return Some("the worn profile is not one");
             }
             surface.set_worn(Some(nodes.clone()));
         }
-        let mut outermost = surface.place(self.reach);
-        let Contact { depth, load, .. } = self.contact;
+        let mut outermost = surface.place(self.state.reach);
+        let Contact { depth, load, .. } = self.state.contact;
         outermost.image = outermost.image.abs().max(depth.abs());
         outermost.load = outermost.load.abs().max(load);
-        outermost.square = outermost.square.abs().max(depth * depth * self.reach);
-        if !is_row(&self.springs, &surface, &outermost, most) {
+        outermost.square = outermost.square.abs().max(depth * depth * self.state.reach);
+        if !is_row(&self.state.springs, &surface, &outermost, most) {
             return Some("springs are out of order or off the profile");
         }
         if !self.rests_on(&surface, target) {
@@ -121,6 +122,7 @@ impl Snapshot {
             return Some("springs reach beyond their friction bound or the contact");
         }
         if !self
+            .state
             .planar
             .as_ref()
             .is_none_or(|planar| self.is_planar(planar, &surface, (&outermost, most), target))
@@ -129,7 +131,7 @@ impl Snapshot {
                 "springs in the plane are out of order, off the profile or beyond their friction bound",
             );
         }
-        match &self.wear {
+        match &self.state.wear {
             Some(wear) if !wear.is_sound() => Some("what is still to wear is out of range"),
             _ => None,
         }
@@ -138,16 +140,16 @@ impl Snapshot {
     /// Whether the saved contact is the one that its load makes. The radius may be uncertain where wear has left the image
     /// flat up to the edge, and both radius and depth where the load is next to none.
     fn rests_on(&self, surface: &Surface, target: &FrettingContact) -> bool {
-        let saved = &self.contact;
-        let (control, scale) = (target.parameters.normal_control, target.force_scale());
+        let saved = &self.state.contact;
+        let (control, scale) = (target.model.parameters.normal_control, target.force_scale());
         // before the first load the depth is that of first touch
         let Ok(contact) = surface.contact(control, saved.control, scale) else { return false };
-        let least_depth = NEXT_TO_NONE * surface.place(self.reach).image.abs();
+        let least_depth = NEXT_TO_NONE * surface.place(self.state.reach).image.abs();
         let scale = contact.depth.abs().max(saved.depth.abs()).max(least_depth);
         contact.is_open() == saved.is_open()
             && near(contact.depth, saved.depth, scale)
             && close(contact.load, saved.load)
-            && (contact.radius - saved.radius).abs() <= 1e-2 * contact.radius + CLOSE * self.reach
+            && (contact.radius - saved.radius).abs() <= 1e-2 * contact.radius + CLOSE * self.state.reach
     }
 
     fn is_planar(
@@ -157,10 +159,10 @@ impl Snapshot {
         (outermost, most): (&Place, usize),
         target: &FrettingContact,
     ) -> bool {
-        let Contact { depth, radius, .. } = self.contact;
-        let place = target.axes.for_springs([self.displacement, self.displacement_y]);
+        let Contact { depth, radius, .. } = self.state.contact;
+        let place = target.model.axes.for_springs([self.state.displacement, self.state.displacement_y]);
         let knots = planar.row.knots();
-        let slope = target.bound_slope_after(self.work);
+        let slope = target.bound_slope_after(self.state.work);
         let slack = CLOSE * (slope * depth.abs() + place[0].abs() + place[1].abs());
         let within = |knot: &PlanarKnot| {
             let bound = slope * (depth - knot.place.image).max(0.0);
@@ -168,7 +170,7 @@ impl Snapshot {
             x.hypot(y) <= bound + slack && is_placed(&knot.place, surface, outermost)
         };
         let [x, y] = planar.direction;
-        !self.contact.is_open()
+        !self.state.contact.is_open()
             && knots.len() <= most
             && knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x)
             && knots.first().is_some_and(|knot| knot.place.x == 0.0)
@@ -179,22 +181,23 @@ impl Snapshot {
     }
 
     fn obeys_friction(&self, target: &FrettingContact) -> bool {
-        let Contact { depth, radius, .. } = self.contact;
-        if self.contact.is_open() || self.planar.is_some() {
-            return self.springs.knots().is_empty();
+        let Contact { depth, radius, .. } = self.state.contact;
+        if self.state.contact.is_open() || self.state.planar.is_some() {
+            return self.state.springs.knots().is_empty();
         }
-        let slope = target.bound_slope_after(self.work);
-        let slack = CLOSE * (slope * depth.abs() + self.displacement.abs());
+        let slope = target.bound_slope_after(self.state.work);
+        let slack = CLOSE * (slope * depth.abs() + self.state.displacement.abs());
         let within = |knot: &Knot| {
             let bound = slope * (depth - knot.place.image).max(0.0);
-            knot.place.x <= radius * (1.0 + CLOSE) && (self.displacement - knot.origin).abs() <= bound + slack
+            knot.place.x <= radius * (1.0 + CLOSE)
+                && (self.state.displacement - knot.origin).abs() <= bound + slack
         };
-        let reaches = self.springs.knots().last().is_some_and(|knot| close(knot.place.x, radius));
-        reaches && self.springs.knots().iter().all(within)
+        let reaches = self.state.springs.knots().last().is_some_and(|knot| close(knot.place.x, radius));
+        reaches && self.state.springs.knots().iter().all(within)
     }
 }
 
-impl WearSnapshot {
+impl WearState {
     fn is_sound(&self) -> bool {
         self.backlog.is_sound()
             && self.deferred_work.is_finite()

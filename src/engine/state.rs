@@ -1,0 +1,163 @@
+//! The state of a contact: plain data from which it goes on. Together with the nodes of the worn
+//! profile it is what a [`super::Snapshot`] holds.
+//!
+//! A change that may fail half way is run as a [`FrettingContact::transaction`], which returns to
+//! the state before. A single walk along a line computes the new state first and then takes it
+//! over, so that it needs none.
+
+use super::FrettingContact;
+use super::coating::Coating;
+use super::model::Model;
+use super::planar::Planar;
+use super::retune::FormerWear;
+use super::stroke::StrokeStart;
+use crate::counters::Counters;
+use crate::friction::Springs;
+use crate::surface::{Contact, Surface};
+use crate::wear::{Sliding, WearBacklog};
+use serde::{Deserialize, Serialize};
+use std::mem::take;
+
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct State {
+    pub(super) contact: Contact,
+    pub(super) springs: Springs,
+    pub(super) displacement: f64,
+    /// Displacement along y, m.
+    pub(super) displacement_y: f64,
+    /// Present once the body has moved along y in contact; it then takes the place of `springs`.
+    pub(super) planar: Option<Box<Planar>>,
+    /// Sign of the last movement along x, 0 before the first.
+    pub(super) direction: f64,
+    /// Work of friction, J.
+    pub(super) work: f64,
+    /// The start of the present stroke.
+    pub(super) stroke: StrokeStart,
+    /// What has worn before the coefficients were last changed.
+    pub(super) former: FormerWear,
+    /// Largest contact radius so far, m.
+    pub(super) reach: f64,
+    /// Present only where wear is computed.
+    pub(super) wear: Option<Box<WearState>>,
+    pub(super) coating: Coating,
+    pub(super) counters: Counters,
+}
+
+/// What wear needs besides the surface.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct WearState {
+    pub(super) backlog: WearBacklog,
+    /// Volume that may wear before the profile follows, m³.
+    pub(super) limit: f64,
+    /// Work whose wear is deferred to a later update, J; below 0 where the profile has worn by
+    /// more.
+    pub(super) deferred_work: f64,
+    /// The motion that the last backlog was.
+    pub(super) expected: Option<Sliding>,
+    /// How much the next step of a steady motion should span, and of which.
+    pub(super) next_step: Option<(Sliding, f64)>,
+    /// Σ of the differences between the work at the nodes and that of the springs, J.
+    pub(super) defect: f64,
+    /// Work whose wear would have healed the profile, J.
+    pub(super) clipped: f64,
+}
+
+impl State {
+    /// Bodies apart above a surface, at displacement 0.
+    pub(super) fn apart(surface: &Surface, model: &Model) -> Self {
+        let touch = surface.tip();
+        let control = if model.constants.force_control { 0.0 } else { touch };
+        Self {
+            contact: Contact { control, depth: touch, radius: 0.0, load: 0.0 },
+            springs: Springs::default(),
+            displacement: 0.0,
+            displacement_y: 0.0,
+            planar: None,
+            direction: 0.0,
+            work: 0.0,
+            stroke: StrokeStart::default(),
+            former: FormerWear::default(),
+            reach: 0.0,
+            wear: model.wears().then(Box::default),
+            coating: Coating::default(),
+            counters: Counters::default(),
+        }
+    }
+
+    /// Takes over another state, in memory that is there already.
+    fn copy_from(&mut self, other: &Self) {
+        let (mut springs, mut stroke) = (take(&mut self.springs), take(&mut self.stroke));
+        springs.copy_from(&other.springs);
+        stroke.copy_from(&other.stroke);
+        let planar = copied(self.planar.take(), &other.planar, Planar::copy_from);
+        let wear = copied(self.wear.take(), &other.wear, WearState::copy_from);
+        *self = Self { springs, stroke, planar, wear, ..*other };
+    }
+}
+
+impl WearState {
+    fn copy_from(&mut self, other: &Self) {
+        let mut backlog = take(&mut self.backlog);
+        backlog.copy_from(&other.backlog);
+        *self = Self { backlog, ..*other };
+    }
+}
+
+/// What is in `from`, copied to memory that is there already.
+fn copied<T: Clone>(to: Option<Box<T>>, from: &Option<Box<T>>, copy: impl Fn(&mut T, &T)) -> Option<Box<T>> {
+    match (to, from) {
+        (Some(mut to), Some(from)) => {
+            copy(&mut to, from);
+            Some(to)
+        }
+        (_, from) => from.clone(),
+    }
+}
+
+/// A state to return to, with all that it holds for. It shares parameters and nodes with the contact.
+#[derive(Debug, Clone)]
+pub(crate) struct Mark {
+    model: Model,
+    surface: Surface,
+    state: State,
+}
+
+impl FrettingContact {
+    /// A mark of the present state.
+    pub(crate) fn mark(&self) -> Mark {
+        Mark { model: self.model.clone(), surface: self.surface.clone(), state: self.state.clone() }
+    }
+
+    /// Goes back to a mark of this contact.
+    pub(crate) fn return_to(&mut self, mark: &Mark) {
+        (self.model, self.surface) = (mark.model.clone(), mark.surface.clone());
+        self.take_state(&mark.state);
+    }
+
+    /// Takes over a state. The memory stays: tables know the nodes that they were made for.
+    pub(super) fn take_state(&mut self, state: &State) {
+        self.state.copy_from(state);
+        self.view.take();
+    }
+
+    /// Runs a change; where it fails, the state is as before.
+    pub(super) fn transaction<T, E>(
+        &mut self,
+        change: impl FnOnce(&mut Self) -> Result<T, E>,
+    ) -> Result<T, E> {
+        let before = match self.memory.before.take() {
+            Some(mut mark) => {
+                (mark.model, mark.surface) = (self.model.clone(), self.surface.clone());
+                mark.state.copy_from(&self.state);
+                mark
+            }
+            None => Box::new(self.mark()),
+        };
+        let result = change(self);
+        if result.is_err() {
+            self.return_to(&before);
+        }
+        self.memory.before = Some(before);
+        result
+    }
+}
