@@ -17,9 +17,18 @@ fn explicit(start: Vector, motion: Vector, (first, last): (f64, f64), steps: usi
     (u, slip, work)
 }
 
-fn polar(size: f64, angle: f64) -> Vector {
+pub(super) fn polar(size: f64, angle: f64) -> Vector {
     [size * angle.cos(), size * angle.sin()]
 }
+
+/// Lines along the spring itself: its deflection at the start, the motion, and the bound at both ends.
+pub(super) const ALONG_THE_SPRING: [(f64, f64, (f64, f64)); 5] = [
+    (0.3, 2.0, (1.0, 1.4)),
+    (-1.0, 2.5, (1.0, 0.6)),
+    (-0.5, 0.1, (1.0, 0.2)),
+    (1.0, -4.0, (1.0, 1.1)),
+    (0.0, 1.0, (0.0, 0.4)),
+];
 
 /// Starts inside and on the bound, at any angle to the motion, with a bound that stays, rises and falls.
 fn lines() -> Vec<(Vector, Vector, (f64, f64))> {
@@ -107,13 +116,7 @@ fn a_slipping_spring_turns_by_the_closed_form() {
 #[test]
 fn along_its_own_line_a_spring_is_the_scalar_one_whatever_the_bound_does() {
     for angle in [0.0, 1.0, PI, -2.0] {
-        for (start, way, bounds) in [
-            (0.3, 2.0, (1.0, 1.4)),
-            (-1.0, 2.5, (1.0, 0.6)),
-            (-0.5, 0.1, (1.0, 0.2)),
-            (1.0, -4.0, (1.0, 1.1)),
-            (0.0, 1.0, (0.0, 0.4)),
-        ] {
+        for (start, way, bounds) in ALONG_THE_SPRING {
             let moved = move_spring(polar(start, angle), polar(way, angle), bounds, 1.0, 0.0);
             let trial: f64 = start + way;
             let expected = trial.clamp(-bounds.1, bounds.1);
