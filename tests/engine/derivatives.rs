@@ -205,8 +205,7 @@ fn derivatives_agree_on_a_worn_profile() {
 /// In gross slip the deepest point of a ball is its middle, which wears by Archard's law with the pressure there.
 #[test]
 fn the_depth_of_wear_grows_by_the_law_at_the_deepest_point() {
-    let mut contact = contact(Parameters { profile: BALL, ..Parameters::default() });
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(Parameters { profile: BALL, ..Parameters::default() });
     to(&mut contact, FORCE, 1e-3);
     let per_work = contact.parameters().wear_coefficient / contact.parameters().hardness;
     let gradient = contact.wear_depth_gradient();

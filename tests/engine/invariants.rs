@@ -30,15 +30,9 @@ fn normal(profile: &Profile, control: NormalControl, random: &mut StdRng) -> f64
         chance if chance < 0.3 => 10f64.powf(uniform(random, -4.0, 2.0)),
         _ => uniform(random, 1.0, FORCE),
     };
-    match control {
-        NormalControl::Force => force,
-        // d of a force under the unworn profile; a table is one of a sphere
-        NormalControl::Indentation if force <= 0.0 => force * 1e-8,
-        NormalControl::Indentation => {
-            let analytic = if matches!(profile, Profile::Table(_)) { &BALL } else { profile };
-            exact(analytic, force).normal.depth()
-        }
-    }
+    // a table is one of a sphere
+    let analytic = if matches!(profile, Profile::Table(_)) { &BALL } else { profile };
+    normal_input(analytic, control, force)
 }
 
 /// Everything that can be read is finite and inside its bounds.

@@ -13,9 +13,7 @@ use fretting_contact::{FrettingContact, Parameters, Profile, SlipState};
 const LIMIT: f64 = MU * FORCE;
 
 fn at_resolution(profile: &Profile, resolution: usize) -> FrettingContact {
-    let mut contact = contact(Parameters { resolution, ..without_wear(profile.clone()) });
-    contact.start_at(FORCE, 0.0).expect("the load is carried");
-    contact
+    started(Parameters { resolution, ..without_wear(profile.clone()) })
 }
 
 /// Rounding only: 1e-9 of μF_N, where 1e-4 would do.
@@ -64,8 +62,7 @@ fn motions_far_below_full_slip_are_elastic() {
             for share in [1e-10, 1e-13, 1e-15, 3e-16, 1e-17, 1e-30, 1e-200] {
                 let parameters = Parameters { wear_coefficient, ..without_wear(profile.clone()) };
                 let stiffness = 2.0 * parameters.materials.tangential_modulus();
-                let mut contact = contact(parameters);
-                contact.start_at(FORCE, 0.0).expect("the load is carried");
+                let mut contact = started(parameters);
                 for place in [1.0, -1.0, 0.5] {
                     let u = place * share * full;
                     to(&mut contact, FORCE, u);

@@ -1,6 +1,8 @@
 //! Motion in both tangential directions: its limits on a line, orbits, energy.
 
-use crate::common::{self, BALL, BLUNTED, CONE, FORCE, MU, PUNCH, ROUNDED, contact, pressed, without_wear};
+use crate::common::{
+    self, BALL, BLUNTED, CONE, FORCE, MU, PUNCH, ROUNDED, contact, pressed, started, without_wear,
+};
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile, SlipState};
 use std::f64::consts::TAU;
 
@@ -180,8 +182,7 @@ fn the_first_motion_along_y_takes_over_what_the_line_has_left() {
 #[test]
 fn bodies_that_part_begin_on_a_line_again() {
     for wear in [0.0, 3.2e-4] {
-        let mut contact = contact(Parameters { wear_coefficient: wear, ..Parameters::default() });
-        contact.start_at(FORCE, 0.0).unwrap();
+        let mut contact = started(Parameters { wear_coefficient: wear, ..Parameters::default() });
         contact.advance_to_planar(FORCE, [1e-6, 1e-6]).unwrap();
         contact.advance_to_planar(-10.0, [2e-6, 3e-6]).unwrap();
         assert_eq!(contact.slip_state(), SlipState::Separated);
@@ -266,14 +267,13 @@ fn extremes_are_refused_or_computed() {
         [(0.0, rigid), (3.2e-4, rigid), (0.0, 1e7), (3.2e-4, 1e7), (0.0, 1e-60), (0.0, 1e59)]
     {
         for profile in PROFILES {
-            let mut contact = contact(Parameters {
+            let mut contact = started(Parameters {
                 profile,
                 wear_coefficient,
                 rig_stiffness,
                 resolution: if rig_stiffness == rigid { 64 } else { 16 },
                 ..Parameters::default()
             });
-            contact.start_at(FORCE, 0.0).unwrap();
             contact.advance_to_planar(FORCE, [1e-6, 1e-7]).unwrap();
             for load in [FORCE, 1e-300, 1e40] {
                 for x in values {

@@ -1,7 +1,7 @@
 //! Derivatives of the worn depth for a contact that moves in both tangential directions: by Archard's law at the deepest
 //! point, and against the same motion along x.
 
-use crate::common::{BALL, CONE, FORCE, MU, PUNCH, close_to, contact, exact, without_wear};
+use crate::common::{BALL, CONE, FORCE, MU, PUNCH, close_to, contact, exact, started, without_wear};
 use fretting_contact::{FrettingContact, Gradient, Parameters};
 
 /// A direction that is neither axis.
@@ -15,8 +15,7 @@ fn along(place: f64) -> [f64; 2] {
 /// wears until springs are at their bound again.
 #[test]
 fn the_middle_of_a_ball_wears_by_the_law() {
-    let mut contact = contact(Parameters { profile: BALL, ..Parameters::default() });
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(Parameters { profile: BALL, ..Parameters::default() });
     for k in 1..=20 {
         contact.advance_to_planar(FORCE, along(5e-5 * f64::from(k))).unwrap();
     }
@@ -78,19 +77,16 @@ fn depth_grows_as_on_the_line_along_x() {
 fn without_wear_or_slip_the_depth_stays() {
     let still = |contact: &FrettingContact| assert_eq!(contact.wear_depth_gradient(), Gradient::default());
     for profile in [BALL, PUNCH] {
-        let mut plain = contact(without_wear(profile.clone()));
-        plain.start_at(FORCE, 0.0).unwrap();
+        let mut plain = started(without_wear(profile.clone()));
         plain.advance_to_planar(FORCE, [1e-6, 1e-6]).unwrap();
         still(&plain);
     }
     // the whole contact of a punch sticks up to full slip
-    let mut punch = contact(Parameters { profile: PUNCH, ..Parameters::default() });
-    punch.start_at(FORCE, 0.0).unwrap();
+    let mut punch = started(Parameters { profile: PUNCH, ..Parameters::default() });
     punch.advance_to_planar(FORCE, along(0.9 * exact(&PUNCH, FORCE).full_slip())).unwrap();
     still(&punch);
     assert_eq!(punch.stick_radius_gradient(), Gradient::default(), "no front moves");
-    let mut line = contact(Parameters { profile: PUNCH, ..Parameters::default() });
-    line.start_at(FORCE, 0.0).unwrap();
+    let mut line = started(Parameters { profile: PUNCH, ..Parameters::default() });
     punch.advance_to_planar(FORCE, along(1.1 * exact(&PUNCH, FORCE).full_slip())).unwrap();
     line.advance_to(FORCE, 1.1 * exact(&PUNCH, FORCE).full_slip()).unwrap();
     // its rim is the deepest place, where the pressure is no number: no rate is told, as on the line

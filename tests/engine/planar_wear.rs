@@ -12,8 +12,7 @@ fn begin(parameters: &Parameters, life: f64, cells: usize) -> (FrettingContact, 
     let wear_per_work = PI * a * a * d / (life * 0.6 * MU * FORCE * start.full_slip());
     let parameters =
         Parameters { wear_coefficient: wear_per_work * parameters.hardness, ..parameters.clone() };
-    let mut contact = contact(parameters);
-    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    let contact = started(parameters);
     let radius = a * a / d;
     let row = WearingRow::new(|x| x * x / radius, (2.0 * a, cells), (E_STAR, G_STAR), (MU, wear_per_work));
     let mut row = PlanarWearingRow::new(row);
@@ -146,12 +145,11 @@ fn the_profile_has_worn_by_the_work_of_friction() {
         let (a, d) = (start.normal.radius(), start.normal.depth());
         let wear_per_work = PI * a * a * d / (300.0 * 0.6 * MU * FORCE * start.full_slip());
         let hardness = Parameters::default().hardness;
-        let mut contact = contact(Parameters {
+        let mut contact = started(Parameters {
             profile: profile.clone(),
             wear_coefficient: wear_per_work * hardness,
             ..Parameters::default()
         });
-        contact.start_at(FORCE, 0.0).unwrap();
         let mut random = seeded(3);
         for k in 1..=200 {
             let mut up_to = |most: f64| start.full_slip() * uniform(&mut random, -most, most);

@@ -15,8 +15,7 @@ fn begin(parameters: &Parameters, cells: usize) -> (FrettingContact, WearingRow)
     let wear_per_work = std::f64::consts::PI * a * a * d / (300.0 * 0.6 * MU * FORCE * start.full_slip());
     let parameters =
         Parameters { wear_coefficient: wear_per_work * parameters.hardness, ..parameters.clone() };
-    let mut contact = contact(parameters);
-    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    let contact = started(parameters);
     let radius = a * a / d;
     let mut row =
         WearingRow::new(|x| x * x / radius, (2.0 * a, cells), (E_STAR, G_STAR), (MU, wear_per_work));
@@ -151,13 +150,12 @@ fn a_flat_punch_to_and_fro_in_gross_slip() {
     let wear_per_work =
         PI * start.normal.radius().powi(2) * start.normal.depth() / (60.0 * MU * FORCE * full);
     for (resolution, seed) in [(32, 2), (64, 0), (64, 6)] {
-        let mut contact = contact(Parameters {
+        let mut contact = started(Parameters {
             profile: PUNCH,
             wear_coefficient: wear_per_work * Parameters::default().hardness,
             resolution,
             ..Parameters::default()
         });
-        contact.start_at(FORCE, 0.0).unwrap();
         let mut random = seeded(seed);
         for _ in 0..200 {
             let (place, load) = (uniform(&mut random, -3.0, 3.0), uniform(&mut random, 0.7, 1.3));

@@ -32,8 +32,7 @@ fn sizes_beyond_what_is_computed_with_are_refused() {
 
 #[test]
 fn loads_and_contacts_beyond_what_is_computed_with_are_refused() {
-    let mut ball = contact(without_wear(BALL));
-    ball.start_at(FORCE, 0.0).unwrap();
+    let mut ball = started(without_wear(BALL));
     let before = state(&ball);
     for refusal in [
         ball.advance_to(1e61, 0.0),

@@ -17,8 +17,7 @@ fn unworn_heights_are_those_of_the_profile() {
         (Profile::Table(sampled_sphere(401)), |r| r * r / 0.02),
     ];
     for (profile, height) in cases {
-        let mut contact = contact(Parameters { profile: profile.clone(), ..Parameters::default() });
-        contact.start_at(FORCE, 0.0).unwrap();
+        let mut contact = started(Parameters { profile: profile.clone(), ..Parameters::default() });
         // wear is no part of it
         to(&mut contact, FORCE, 1e-4);
         for r in [0.0, 3e-5, 1e-4, 2e-4, 3.5e-4] {
@@ -37,8 +36,7 @@ fn unworn_heights_are_those_of_the_profile() {
 fn the_depth_that_a_first_cycle_wears_has_the_closed_form_in_gross_slip() {
     let exact = exact(&BALL, FORCE);
     let (a, full) = (exact.normal.radius(), exact.full_slip());
-    let mut contact = contact(Parameters::default());
-    contact.start_at(FORCE, 0.0).unwrap();
+    let contact = started(Parameters::default());
     let per_work = contact.parameters().wear_coefficient / contact.parameters().hardness;
     let most_pressure = 1.5 * FORCE / (std::f64::consts::PI * a * a);
     for amplitude in [1.0 + 1e-9, 1.2, 3.0] {

@@ -172,8 +172,7 @@ fn forces(ratio: f64, targets: &[(f64, f64)], steps: usize) -> Vec<f64> {
     let compliance = 1.0 / (ratio * 2.0 * G_STAR * exact(&BALL, FORCE).normal.radius());
     // fine enough for the samples of springs that touch not to show
     let parameters = Parameters { rig_stiffness: 1.0 / compliance, resolution: 1024, ..without_wear(BALL) };
-    let mut contact = contact(parameters);
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(parameters);
     let reach = exact(&BALL, FORCE).full_slip() + compliance * LIMIT;
     let mut from = (FORCE, 0.0);
     let walk = |&(normal, share): &(f64, f64)| {
@@ -484,8 +483,7 @@ fn a_refused_step_changes_nothing() {
             rig_stiffness: 1e7,
             ..Parameters::default()
         };
-        let mut contact = contact(parameters);
-        contact.start_at(FORCE, 0.0).unwrap();
+        let mut contact = started(parameters);
         to(&mut contact, FORCE, 4e-6);
         let before = state(&contact);
         contact.advance_to(1e9, -2e-6).unwrap_err();

@@ -2,8 +2,8 @@
 //! a sweep over six decades of load. No wear here.
 
 use crate::common::{self, *};
+use fretting_contact::reference::PlainSpringRow;
 use fretting_contact::reference::tangential::oblique_rise;
-use fretting_contact::reference::{NormalContact, PlainSpringRow};
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
 use rand::rngs::StdRng;
 
@@ -131,11 +131,7 @@ impl History {
             chance if chance < 0.3 => 10f64.powf(uniform(random, -3.0, 2.0)),
             _ => uniform(random, 0.0, MOST),
         };
-        match control {
-            NormalControl::Force => force,
-            NormalControl::Indentation if force <= 0.0 => force * 1e-8,
-            NormalControl::Indentation => NormalContact::at_force(shape(profile), E_STAR, force).depth(),
-        }
+        normal_input(profile, control, force)
     }
 
     fn contact(&self) -> FrettingContact {

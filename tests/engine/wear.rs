@@ -50,6 +50,13 @@ fn assert_stick_unworn(contact: &FrettingContact, what: &str) {
     assert!(contact.worn_depth_at(1.05 * c) > 0.0, "{what}: not worn outside c");
 }
 
+/// Compares the worn volume with that of a table, within 2 %.
+fn assert_volume(contact: &FrettingContact, scene: &Problem, volume: f64, what: &str) {
+    let measured = contact.wear_volume() / scene.volume_unit();
+    println!("{what}: V = {measured:.5} against {volume}, {:+.2e}", measured / volume - 1.0);
+    close_to(measured, volume, 0.02, &format!("{what}: V"));
+}
+
 /// The volume, step by step; the stick radius does not move.
 #[test]
 fn steps_at_constant_depth_follow_the_table() {
@@ -61,12 +68,7 @@ fn steps_at_constant_depth_follow_the_table() {
         let target = (cycles * LIFE as f64).round() as usize;
         cycle(&scene, &mut contact, target - done, STEPS);
         done = target;
-        let measured = contact.wear_volume() / scene.volume_unit();
-        println!(
-            "stepping, parabola at {cycles}: V = {measured:.5} against {volume}, {:+.2e}",
-            measured / volume - 1.0
-        );
-        close_to(measured, volume, 0.02, &format!("V at {cycles}"));
+        assert_volume(&contact, &scene, volume, &format!("stepping, parabola at {cycles}"));
         let mut top = contact.clone();
         to(&mut top, scene.normal, scene.amplitude);
         close_to(top.stick_radius(), c, 1e-9, &format!("c at {cycles}"));
@@ -104,12 +106,7 @@ fn whole_cycles_at_constant_depth_follow_the_table() {
             .advance_cycles(scene.normal, scene.amplitude, (cycles - done) * scene.seed_cycles())
             .expect("cycles");
         done = cycles;
-        let measured = contact.wear_volume() / scene.volume_unit();
-        println!(
-            "cycles, parabola at {cycles}: V = {measured:.5} against {volume}, {:+.2e}",
-            measured / volume - 1.0
-        );
-        close_to(measured, volume, 0.02, &format!("V at {cycles}"));
+        assert_volume(&contact, &scene, volume, &format!("cycles, parabola at {cycles}"));
         close_to(contact.stick_radius(), c, 1e-9, "c");
         assert_stick_unworn(&contact, "parabola, cycles");
     }
@@ -214,9 +211,7 @@ fn whole_cycles_at_constant_force_follow_the_tables() {
 fn sliding(profile: Profile, length: f64, most: f64, path: f64) -> FrettingContact {
     let hardness = 8e9;
     let wear_coefficient = most * length / (E_STAR * path) / MU * hardness;
-    let mut contact = contact(Parameters { profile, wear_coefficient, hardness, ..Parameters::default() });
-    contact.start_at(FORCE, 0.0).expect("the load is carried");
-    contact
+    started(Parameters { profile, wear_coefficient, hardness, ..Parameters::default() })
 }
 
 /// Under a flat punch all springs slip at once, at U = u_max; from there on V = κ F_N s.
@@ -280,8 +275,7 @@ fn a_sphere_in_gross_slip_wears_at_the_centre_as_tabulated() {
 fn a_contact_that_sticks_makes_no_nodes_and_no_transforms() {
     // a flat punch sticks as a whole
     let full = exact(&PUNCH, FORCE).full_slip();
-    let mut punch = contact(Parameters { profile: PUNCH, ..Parameters::default() });
-    punch.start_at(FORCE, 0.0).expect("the load is carried");
+    let mut punch = started(Parameters { profile: PUNCH, ..Parameters::default() });
     for k in 0..200 {
         to(&mut punch, FORCE, 0.9 * full * f64::from(k % 9 - 4) / 4.0);
     }
