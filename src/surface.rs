@@ -1,7 +1,7 @@
 //! The worn profile: the analytic unworn one plus the image of the wear on a set of nodes.
 //!
 //! The 1-D image is g = g₀ + h. g₀ is the unworn profile's closed form; h, the image of the worn depth w, is piecewise
-//! linear in X = x² between the nodes, so w = descent(h) has the square-root cusps of worn profiles built in and g can
+//! linear in X = x² between the nodes, so w, the inverse Abel transform of h, has the square-root cusps of worn profiles built in and g can
 //! take the steep fronts that wear leaves. Without wear there are no nodes at all.
 
 mod depth_volume;

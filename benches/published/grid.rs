@@ -40,7 +40,7 @@ pub(crate) struct Grid {
     /// Line force at the springs → traction at the radii.
     pub(crate) traction: Rows,
     /// Displacement of the springs → that of the surface at the radii.
-    pub(crate) descent: Rows,
+    pub(crate) inverse: Rows,
 }
 
 impl Grid {
@@ -48,9 +48,9 @@ impl Grid {
         let springs: Vec<f64> = (0..count).map(|i| spacing * i as f64).collect();
         let shift = if scheme == Scheme::Staggered { 0.5 } else { 0.0 };
         let radii: Vec<f64> = (0..count).map(|j| spacing * (j as f64 + shift)).collect();
-        let (image, traction, descent): (Row, Row, Row) = match scheme {
-            Scheme::Staggered => (staggered::image, staggered::traction, staggered::descent),
-            Scheme::Causal => (causal::image, causal::traction, causal::descent),
+        let (image, traction, inverse): (Row, Row, Row) = match scheme {
+            Scheme::Staggered => (staggered::image, staggered::traction, staggered::inverse),
+            Scheme::Causal => (causal::image, causal::traction, causal::inverse),
         };
         let rows = |row: Row| Rows::new((0..count).map(|i| row(i, count, spacing)));
         Self {
@@ -58,7 +58,7 @@ impl Grid {
             spacing,
             image: rows(image),
             traction: rows(traction),
-            descent: rows(descent),
+            inverse: rows(inverse),
             springs,
             radii,
         }
@@ -135,7 +135,7 @@ mod staggered {
         (j, row)
     }
 
-    pub(super) fn descent(j: usize, count: usize, _: f64) -> (usize, Vec<f64>) {
+    pub(super) fn inverse(j: usize, count: usize, _: f64) -> (usize, Vec<f64>) {
         let r = j as f64 + 0.5;
         let mut row = vec![0.0; (j + 2).min(count)];
         for i in 0..=j.min(count - 2) {
@@ -181,7 +181,7 @@ mod causal {
         (i, row)
     }
 
-    pub(super) fn descent(i: usize, _: usize, _: f64) -> (usize, Vec<f64>) {
+    pub(super) fn inverse(i: usize, _: usize, _: f64) -> (usize, Vec<f64>) {
         if i == 0 {
             return (0, vec![1.0]);
         }

@@ -235,7 +235,7 @@ impl Published {
         let per_work = self.problem.parameters.wear_per_work() * self.problem.start.modulus;
         let mut changed = false;
         for j in inner..self.edge {
-            let slip = self.grid.descent.dot(j, &self.slip, first, j + 2);
+            let slip = self.grid.inverse.dot(j, &self.slip, first, j + 2);
             let traction = self.grid.traction.dot(j, &self.springs, j, self.edge);
             // wear never heals
             let worn = (per_work * traction * slip).max(0.0);

@@ -268,7 +268,7 @@ impl FrettingContact {
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape
         // and takes that volume
         let mut depth = update.depth;
-        let mut image = transforms.ascend(&depth);
+        let mut image = transforms.abel(&depth);
         let volume = nodes.volume(&depth);
         let target = per_work * work;
         let scale = if volume > 0.0 { (target / volume).min(MOST_SCALE) } else { 0.0 };
@@ -312,7 +312,7 @@ impl FrettingContact {
             let (transforms, made) = self.memory.transforms.get(nodes);
             self.state.counters.transform_tables += u64::from(made);
             self.state.counters.descent_transforms += 1;
-            left = nodes.without_mesh(transforms.descend(nodes.worn_image()));
+            left = nodes.without_mesh(transforms.inverse_abel(nodes.worn_image()));
         }
         let deepest = law.iter().map(|law| law.depth).fold(0.0, f64::max);
         if let Some(spread) = left.spread_at_rim(deepest, profile) {

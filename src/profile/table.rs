@@ -1,7 +1,7 @@
 //! A profile given by points (r, f), for instance from a profilometer.
 //!
 //! The image is taken piecewise linear in x² between the radii of the points, such that the profile it belongs to
-//! passes through every point (the descent transform of [`crate::transform`], solved node by node). The points of a
+//! passes through every point (the inverse Abel transform of [`crate::transform`], solved node by node). The points of a
 //! sphere so give the image of that sphere exactly, and everything else follows in closed form on each piece.
 //!
 //! For n points the image costs O(n) operations, and whatever is asked of it afterwards O(log n).

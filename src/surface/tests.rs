@@ -66,10 +66,10 @@ fn nothing_to_adapt_leaves_the_nodes() {
 fn extension_keeps_the_profile_unworn_outside() {
     let mut nodes = worn_nodes();
     let end = nodes.x()[nodes.last()];
-    let inside = crate::transform::descent_at(nodes.x(), nodes.worn_image(), 1.5e-4);
+    let inside = crate::transform::inverse_at(nodes.x(), nodes.worn_image(), 1.5e-4);
     nodes.adapt(&ball(), 1.5 * end, (1e-4, FrontWay::Returns));
     assert!(nodes.x()[nodes.last()] > 1.5 * end);
-    let worn = |r: f64| crate::transform::descent_at(nodes.x(), nodes.worn_image(), r);
+    let worn = |r: f64| crate::transform::inverse_at(nodes.x(), nodes.worn_image(), r);
     assert!((worn(1.5e-4) - inside).abs() < 1e-20, "inside nothing changes");
     let deepest = worn(1.9e-4);
     for &x in nodes.x().iter().filter(|x| **x > 1.001 * end) {

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 use std::ops::Range;
 
-/// What is piecewise linear in X = x² between the nodes of a descent transform.
+/// What is piecewise linear in X = x² between the nodes of an inverse Abel transform.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Density {
     /// k = v/x, with v = 0 inside the first node: for an annulus.
@@ -13,7 +13,7 @@ pub enum Density {
 }
 
 impl Density {
-    /// What is taken off all values before a descent and added after it: a constant v descends to itself, and so it does
+    /// What is taken off all values before an inverse transform and added after it: that of a constant v is v, and so it is
     /// to the last digit.
     pub(super) fn base(self, first: f64) -> f64 {
         match self {
@@ -25,7 +25,7 @@ impl Density {
 
 /// Adds the weights of k or v at the nodes `cells.start..=cells.end` in (1/π) ∫ k dX/√(Z − X), k = v/√X, over these
 /// cells, all of them below Z. `square` are the nodes X, `root` their square roots; one weight per node.
-pub(crate) fn add_descent(
+pub(crate) fn add_inverse(
     density: Density,
     square: &[f64],
     root: &[f64],

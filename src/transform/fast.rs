@@ -34,19 +34,19 @@ impl FastAbel {
         Self {
             density,
             nodes: nodes.len(),
-            outward: Sweep::descent(&tree, &pairs, density),
+            outward: Sweep::inverse(&tree, &pairs, density),
             inward: Sweep::pressure(&tree, &pairs),
         }
     }
 
-    /// Multiplications of one descent or ascent, and of one pressure.
+    /// Multiplications of one Abel transform or its inverse, and of one pressure.
     pub fn work(&self) -> (usize, usize) {
         (self.outward.work(), self.inward.work())
     }
 
     /// Descent s(Zᵢ) = (1/π) ∫ k dX/√(Zᵢ − X) from X₀ to Zᵢ = Xᵢ, with k = v/x ([`Density::Quotient`]) or v/√X
     /// ([`Density::Image`]) of the values given at the nodes.
-    pub fn descend(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+    pub fn inverse_abel(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         let base = self.density.base(values[0]);
         let (shifted, expansions) = scratch.parts(self.nodes);
         for (shifted, value) in shifted.iter_mut().zip(values) {
@@ -58,10 +58,10 @@ impl FastAbel {
         });
     }
 
-    /// The inverse of [`Self::descend`] by forward substitution: values whose descent is `s` at the nodes.
-    /// For [`Density::Quotient`], whose descent at the first node is 0 whatever the value there, `out[0]` has to be set
+    /// The inverse of [`Self::inverse_abel`] by forward substitution: values whose inverse transform is `s` at the nodes.
+    /// For [`Density::Quotient`], whose inverse transform at the first node is 0 whatever the value there, `out[0]` has to be set
     /// before and `s[0]` is not read; for [`Density::Image`] `out[0]` becomes `s[0]`.
-    pub fn ascend(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+    pub fn abel(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         if self.density == Density::Image {
             out[0] = s[0];
         }
@@ -74,14 +74,14 @@ impl FastAbel {
         });
     }
 
-    /// Writes a functional Σ fⱼ vⱼ of the values in their descents, Σ fᵢ' sᵢ, in place: the transpose of [`Self::ascend`].
+    /// Writes a functional Σ fⱼ vⱼ of the values as one of their inverse transforms, Σ fᵢ' sᵢ, in place: the transpose of [`Self::abel`].
     /// For [`Density::Quotient`] the first entry becomes the weight of the value at the first node.
-    pub fn ascend_transposed(&self, functional: &mut [f64], scratch: &mut Scratch) {
+    pub fn abel_transposed(&self, functional: &mut [f64], scratch: &mut Scratch) {
         let total: f64 = functional.iter().sum();
         let (_, expansions) = scratch.parts(self.nodes);
         self.outward.solve_transposed(functional, expansions);
         if self.density == Density::Image {
-            // a constant descends to itself
+            // the inverse transform of a constant is itself
             functional[0] = total - functional[1..].iter().sum::<f64>();
         }
     }

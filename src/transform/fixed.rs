@@ -42,14 +42,14 @@ impl FixedImage {
         let square: Vec<f64> = x.iter().map(|x| x * x).collect();
         let tree = Tree::new(&square);
         let mut image = vec![0.0; heights.len()];
-        Sweep::descent(&tree, &tree.pairs(), Density::Image).run(
+        Sweep::inverse(&tree, &tree.pairs(), Density::Image).run(
             &mut image,
             &mut Expansions::default(),
             |target, image| image[target.index] = target.solve(heights[target.index] - heights[0], image),
         );
         let outside = tree.gather(Edge::Outer, |block, sums| {
             let mut values = image[tree.blocks[block].start..].iter();
-            tree.descent_moments(Density::Image, block, |row| {
+            tree.inverse_moments(Density::Image, block, |row| {
                 add_scaled(values.next().copied().unwrap_or_default(), &row, sums);
             });
         });

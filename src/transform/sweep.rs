@@ -84,8 +84,8 @@ impl Target<'_> {
 }
 
 impl Sweep {
-    /// The descent, from inside outward; values at the nodes.
-    pub(super) fn descent(tree: &Tree, pairs: &Pairs, density: Density) -> Self {
+    /// The inverse Abel transform, from inside outward; values at the nodes.
+    pub(super) fn inverse(tree: &Tree, pairs: &Pairs, density: Density) -> Self {
         let pair = |&(outer, inner): &(usize, usize)| (outer, inner);
         Builder {
             tree,
@@ -96,9 +96,9 @@ impl Sweep {
             sweep: Self::empty(tree.blocks.len(), 1),
         }
         .build(
-            |block, sink| tree.descent_moments(density, block, sink),
+            |block, sink| tree.inverse_moments(density, block, sink),
             |target, cells, weights| {
-                cell::add_descent(density, &tree.square, &tree.root, tree.square[target], cells, weights);
+                cell::add_inverse(density, &tree.square, &tree.root, tree.square[target], cells, weights);
             },
         )
     }

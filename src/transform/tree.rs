@@ -156,7 +156,7 @@ impl Tree {
     }
 
     /// Moments (1/π) ∫ L(τ) k dX of a block, seen from outside it, for each of its nodes' values, in rising order.
-    pub(super) fn descent_moments(&self, density: Density, block: usize, mut sink: impl FnMut(Row)) {
+    pub(super) fn inverse_moments(&self, density: Density, block: usize, mut sink: impl FnMut(Row)) {
         let mut inner = [0.0; ORDER];
         for j in self.blocks[block].start..self.blocks[block].end {
             let mut outer = [0.0; ORDER];

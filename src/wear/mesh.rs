@@ -1,8 +1,8 @@
 //! Meshes of the slipping region in shares of its width in X = x², with the transforms tabulated on them.
 //!
 //! On an annulus c ≤ x ≤ a with X = c² + L φ, L = a² − c², the transforms of data given at fixed shares φ depend on c
-//! and a by factors only: with v/x piecewise linear in X, descent is √L D̂ (v/x); with q piecewise linear in X, pressure is
-//! K̂ q / √L. On a disc (c = 0), where v/x would be singular, v itself is taken piecewise linear; its descent depends on
+//! and a by factors only: with v/x piecewise linear in X, the inverse Abel transform is √L D̂ (v/x); with q piecewise linear in X, pressure is
+//! K̂ q / √L. On a disc (c = 0), where v/x would be singular, v itself is taken piecewise linear; its inverse transform depends on
 //! ratios of radii, so that it needs no factor at all. Hence one set of tables serves every contact, load and time.
 //!
 //! φ = (p+1) ξᵖ − p ξᵖ⁺¹ at even ξ: cells shrink like ξᵖ⁻¹ towards the stick edge, where the image develops a jump and
@@ -48,7 +48,7 @@ pub(crate) struct UnitMesh {
 enum Transforms {
     Tables {
         /// Row i: D̂ᵢ₀ … D̂ᵢᵢ.
-        descent: Vec<f64>,
+        inverse: Vec<f64>,
         /// Row i: K̂ᵢᵢ … K̂ᵢₙ; its last column is that of a line which falls to zero at the last node.
         pressure: Vec<f64>,
     },
@@ -153,11 +153,11 @@ impl UnitMesh {
         let transforms = if halved && cells > COARSEST {
             Transforms::Fast(FastAbel::new(&share, density(region)))
         } else {
-            let descent = match region {
+            let inverse = match region {
                 Region::Annulus => annulus_table(&share),
                 Region::Disc => disc_table(&share),
             };
-            Transforms::Tables { descent, pressure: weights::pressure_table(&share) }
+            Transforms::Tables { inverse, pressure: weights::pressure_table(&share) }
         };
         let mut edge = vec![0.0; cells + 1];
         edge[cells] = 1.0;
@@ -218,33 +218,33 @@ impl UnitMesh {
     /// Tables of both transforms, where there are any.
     pub(crate) fn tables(&self) -> Option<Tables<'_>> {
         match &self.transforms {
-            Transforms::Tables { descent, pressure } => Some(Tables { cells: self.cells, descent, pressure }),
+            Transforms::Tables { inverse, pressure } => Some(Tables { cells: self.cells, inverse, pressure }),
             Transforms::Fast(_) => None,
         }
     }
 
     /// w = D̂ z.
-    pub(crate) fn descend(&self, z: &[f64], w: &mut [f64]) {
+    pub(crate) fn inverse_abel(&self, z: &[f64], w: &mut [f64]) {
         match &self.transforms {
-            Transforms::Tables { descent, .. } => {
+            Transforms::Tables { inverse, .. } => {
                 for i in 0..=self.cells {
-                    w[i] = dot(row_of(descent, i), &z[..=i]);
+                    w[i] = dot(row_of(inverse, i), &z[..=i]);
                 }
             }
-            Transforms::Fast(fast) => with_scratch(|scratch| fast.descend(z, w, scratch)),
+            Transforms::Fast(fast) => with_scratch(|scratch| fast.inverse_abel(z, w, scratch)),
         }
     }
 
     /// z with D̂ z = w; z₀ has to be set before on an annulus.
-    pub(crate) fn ascend(&self, w: &[f64], z: &mut [f64]) {
+    pub(crate) fn abel(&self, w: &[f64], z: &mut [f64]) {
         match &self.transforms {
-            Transforms::Tables { descent, .. } => {
+            Transforms::Tables { inverse, .. } => {
                 for i in self.first()..=self.cells {
-                    let row = row_of(descent, i);
+                    let row = row_of(inverse, i);
                     z[i] = (w[i] - dot(&row[..i], &z[..i])) / row[i];
                 }
             }
-            Transforms::Fast(fast) => with_scratch(|scratch| fast.ascend(w, z, scratch)),
+            Transforms::Fast(fast) => with_scratch(|scratch| fast.abel(w, z, scratch)),
         }
     }
 
@@ -253,7 +253,7 @@ impl UnitMesh {
         let n = self.cells;
         match &self.transforms {
             Transforms::Tables { pressure, .. } => {
-                let tables = Tables { cells: n, descent: &[], pressure };
+                let tables = Tables { cells: n, inverse: &[], pressure };
                 for i in 0..=n {
                     p[i] = dot(&tables.pressure_row(i)[..n - i], &q[i..n]);
                 }
@@ -278,15 +278,15 @@ impl UnitMesh {
         let first = self.first();
         let mut y = f;
         match &self.transforms {
-            Transforms::Tables { descent, .. } => {
+            Transforms::Tables { inverse, .. } => {
                 for i in (first..=self.cells).rev() {
-                    let row = row_of(descent, i);
+                    let row = row_of(inverse, i);
                     y[i] /= row[i];
                     let value = y[i];
                     y.iter_mut().zip(&row[..i]).for_each(|(y, weight)| *y -= value * weight);
                 }
             }
-            Transforms::Fast(fast) => with_scratch(|scratch| fast.ascend_transposed(&mut y, scratch)),
+            Transforms::Fast(fast) => with_scratch(|scratch| fast.abel_transposed(&mut y, scratch)),
         }
         let inner = if first == 1 { std::mem::take(&mut y[0]) } else { 0.0 };
         Functional { depth: y, inner }
@@ -297,14 +297,14 @@ impl UnitMesh {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tables<'a> {
     cells: usize,
-    descent: &'a [f64],
+    inverse: &'a [f64],
     pressure: &'a [f64],
 }
 
 impl<'a> Tables<'a> {
     /// D̂ᵢ₀ … D̂ᵢᵢ.
-    pub(crate) fn descent_row(self, i: usize) -> &'a [f64] {
-        row_of(self.descent, i)
+    pub(crate) fn inverse_row(self, i: usize) -> &'a [f64] {
+        row_of(self.inverse, i)
     }
 
     /// K̂ᵢᵢ … K̂ᵢₙ; the last column is that of a line which falls to zero at the last node.

@@ -1,7 +1,7 @@
 //! The slipping region of a contact while it wears under a steady motion, on a mesh that moves with the contact edge.
 //!
 //! One cycle of amplitude U₀ at constant load wears ∂w/∂N = 4 κ p s with κ = kμ/σ₀, the pressure p of q = d − g and the
-//! slip s = descent of σ = max(U₀ − m q, 0), m = μE*/G*. Here w̃ is the depth that belongs to the image inside the
+//! slip s, the inverse Abel transform of σ = max(U₀ − m q, 0), m = μE*/G*. Here w̃ is the depth that belongs to the image inside the
 //! region alone, h·1[x ≥ c]: what lies inside the stick radius c has no part in the rate of wear, and the depth at
 //! the contact edge a is zero, so that w̃(a) = −w_in(a), minus the depth there that belongs to the image inside. (Where the
 //! body is worn further out already, its wear so far counts as its shape, and w̃ is what comes on top.) The nodes move with
@@ -157,7 +157,7 @@ impl Patch {
             z[0] = self.inner_image(span);
         }
         let mut depth = vec![0.0; n + 1];
-        self.mesh.descend(&z, &mut depth);
+        self.mesh.inverse_abel(&z, &mut depth);
         if !self.rim {
             // the depth at the edge is known: the error of taking the image over must not all go to the last cell
             let error = self.edge_depth(area.sqrt()) - depth[n];
@@ -173,7 +173,7 @@ impl Patch {
         if !self.rim {
             depth[n] = 0.0;
         }
-        self.mesh.ascend(&depth, &mut z);
+        self.mesh.abel(&depth, &mut z);
         (self.mesh.first().max(from)..=n).fold(0.0, |most: f64, i| most.max((z[i] / rate.scale[i]).abs()))
     }
 

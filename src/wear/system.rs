@@ -3,7 +3,7 @@
 use super::edge::Edge;
 use super::{Constants, SlipFields};
 use crate::surface::{NodeTransforms, outer_weight};
-use crate::transform::{ascend_last, dot, pressure_weight};
+use crate::transform::{abel_last, dot, pressure_weight};
 
 /// The operator 1 + κ E* B P S⁻¹ on depths at the nodes `first` to the edge.
 pub(super) struct System<'a> {
@@ -43,7 +43,7 @@ impl<'a> System<'a> {
     pub(super) fn apply(&self, depth: &[f64]) -> Vec<f64> {
         let mut all = vec![0.0; self.x.len()];
         all[self.first..=self.edge.last].copy_from_slice(depth);
-        let image = &self.transforms.ascend(&all)[..=self.edge.last];
+        let image = &self.transforms.abel(&all)[..=self.edge.last];
         let relief = self.transforms.pressure(image);
         let sinking = self.mean.as_ref().map_or(0.0, |mean| dot(mean, image));
         let end = image[self.edge.last] - sinking;
@@ -150,7 +150,7 @@ fn wave_number(x: &[f64], i: usize) -> f64 {
         return 0.0;
     }
     // image that a depth of 1 at this node alone brings there
-    let image = if i == 0 { 1.0 } else { ascend_last(&x[i - 1..=i], &[0.0, 0.0], 1.0) };
+    let image = if i == 0 { 1.0 } else { abel_last(&x[i - 1..=i], &[0.0, 0.0], 1.0) };
     let outer = if i + 1 < x.len() { x[i + 1] } else { 2.0 * x[i] - x[i - 1] };
     pressure_weight(x[i], outer, x[i]) * image
 }

@@ -139,7 +139,7 @@ impl Solver<'_> {
         let mut trial = self.surface.clone();
         let mut start = 0.0;
         for iteration in 0..=MOST_NEWTON {
-            let change = self.transforms.ascend(&depth);
+            let change = self.transforms.abel(&depth);
             let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
             let contact = if depth.iter().all(|w| *w == 0.0) {
                 self.present

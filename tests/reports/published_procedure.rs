@@ -55,7 +55,7 @@ fn the_transforms_converge_to_their_closed_forms() {
                         let exact = 2.0 / PI * (1.0 - profile[i]).max(0.0).sqrt();
                         (grid.traction.dot(i, &load, 0, count) - exact).abs()
                     }),
-                    worst(&|i| (grid.descent.dot(i, &spring, 0, count) - 0.5 * profile[i]).abs()),
+                    worst(&|i| (grid.inverse.dot(i, &spring, 0, count) - 0.5 * profile[i]).abs()),
                 ]
             })
             .collect();

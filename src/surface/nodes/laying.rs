@@ -85,7 +85,7 @@ impl Nodes {
         nodes.extend_beyond(nodes.x[end], profile.outer_radius());
         for k in end + 1..nodes.x.len() {
             nodes.worn_image[k] =
-                transform::ascend_last(&nodes.x[..=k], &nodes.worn_image[..=k], nodes.depth[k]);
+                transform::abel_last(&nodes.x[..=k], &nodes.worn_image[..=k], nodes.depth[k]);
         }
         nodes.update_integrals(profile);
         nodes
@@ -124,7 +124,7 @@ impl Nodes {
         let image_of = |nodes: &Self| x.iter().map(|x| nodes.worn_part(*x).0).collect::<Vec<f64>>();
         let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<f64>>();
         let depth_of = |nodes: &Self, image: &[f64]| {
-            let mut depth = transforms.descend(image);
+            let mut depth = transforms.inverse_abel(image);
             // behind its last node nothing of a surface has worn, where lines cannot follow its image exactly
             let inside = x[..outside].partition_point(|x| *x < nodes.x[nodes.last()]);
             depth[..inside].iter_mut().for_each(|w| *w = w.max(0.0));
@@ -135,11 +135,11 @@ impl Nodes {
         let depth = sum(&depth_of(self, &base), &depth_of(others, &top));
         let mut worn_image = sum(&base, &top);
         if outside < x.len() {
-            let found = transforms.descend(&worn_image);
+            let found = transforms.inverse_abel(&worn_image);
             let mut missing: Vec<f64> =
                 depth.iter().zip(&found).map(|(depth, found)| depth - found).collect();
             missing[..outside].fill(0.0);
-            worn_image = sum(&worn_image, &transforms.ascend(&missing));
+            worn_image = sum(&worn_image, &transforms.abel(&missing));
         }
         let kept = thin_unless(&x, &worn_image, share, |_, _| false, met_by_lines(&x, &depth, share));
         Self::of_kept(&kept, [&x, &worn_image, &depth], self.resolution, profile)
@@ -217,7 +217,7 @@ impl Nodes {
             self.worn_load.push(f64::NAN);
             if self.worn_image.iter().any(|h| *h != 0.0) {
                 let last = self.last();
-                self.worn_image[last] = transform::ascend_last(&self.x, &self.worn_image, 0.0);
+                self.worn_image[last] = transform::abel_last(&self.x, &self.worn_image, 0.0);
             }
         }
     }

@@ -55,6 +55,6 @@ impl Nodes {
         unit[last] = 1.0;
         let more = (volume - self.worn_volume()) / self.volume(&unit);
         self.depth[last] = (self.depth[last] + more).max(0.0).min(self.depth[last]);
-        self.worn_image[last] = transform::ascend_last(&self.x, &self.worn_image, self.depth[last]);
+        self.worn_image[last] = transform::abel_last(&self.x, &self.worn_image, self.depth[last]);
     }
 }

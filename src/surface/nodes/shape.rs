@@ -20,7 +20,7 @@ impl Nodes {
         if r >= self.x[self.last()] {
             0.0
         } else {
-            transform::descent_at(&self.x, &self.worn_image, r).max(0.0)
+            transform::inverse_at(&self.x, &self.worn_image, r).max(0.0)
         }
     }
 

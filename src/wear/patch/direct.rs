@@ -57,11 +57,11 @@ impl Patch {
                     row[n - first] -= stiffness * mesh.rim[i] * softness[n];
                     uniform += mesh.rim[i];
                 }
-                let descent = &tables.descent_row(i)[first..];
-                for ((entry, weight), slips) in row.iter_mut().zip(descent).zip(&slipping) {
+                let inverse = &tables.inverse_row(i)[first..];
+                for ((entry, weight), slips) in row.iter_mut().zip(inverse).zip(&slipping) {
                     *entry += soft * weight * slips;
                 }
-                let moved = dot(descent, &sliding[..descent.len()]);
+                let moved = dot(inverse, &sliding[..inverse.len()]);
                 // the body sinks as it wears
                 let sinking = stiffness * uniform - soft * moved * lag;
                 if self.is_force() && self.rim {
@@ -78,8 +78,8 @@ impl Patch {
             if !self.rim && i > 0 {
                 for (weight, k) in mesh.drift[i].iter().zip(i - 1..) {
                     let speed = rate.area_rate * weight / span;
-                    for (entry, descent) in row.iter_mut().zip(&tables.descent_row(k)[first.min(k)..]) {
-                        *entry += speed * descent;
+                    for (entry, inverse) in row.iter_mut().zip(&tables.inverse_row(k)[first.min(k)..]) {
+                        *entry += speed * inverse;
                     }
                 }
             }
@@ -90,7 +90,7 @@ impl Patch {
         jacobian.iter_mut().for_each(|entry| *entry *= -gamma_step);
         for i in first..=n {
             let row = &mut jacobian[(i - first) * size..];
-            row.iter_mut().zip(&tables.descent_row(i)[first..]).for_each(|(entry, weight)| *entry += weight);
+            row.iter_mut().zip(&tables.inverse_row(i)[first..]).for_each(|(entry, weight)| *entry += weight);
         }
         let matrix = DMatrix::from_row_slice(size, size, &jacobian);
         Direct { lu: matrix.lu(), volume_row }
@@ -135,7 +135,7 @@ impl Patch {
         let mut full = vec![0.0; n + 1];
         full[first..].copy_from_slice(z);
         let mut depth = vec![0.0; n + 1];
-        self.mesh.descend(&full, &mut depth);
+        self.mesh.inverse_abel(&full, &mut depth);
         if !self.rim {
             depth[n] = 0.0;
         }

@@ -74,7 +74,7 @@ impl Patch {
         if mended {
             image.resize(self.cells() + 1, 0.0);
             let mut held = vec![0.0; self.cells() + 1];
-            self.mesh.descend(&image, &mut held);
+            self.mesh.inverse_abel(&image, &mut held);
             depth[1..=FRONT_CELLS].copy_from_slice(&held[1..=FRONT_CELLS]);
         }
         mended

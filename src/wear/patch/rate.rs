@@ -55,7 +55,7 @@ impl Patch {
         }
         let mut image = vec![0.0; n + 1];
         image[0] = self.inner_image(span);
-        mesh.ascend(&depth, &mut image);
+        mesh.abel(&depth, &mut image);
         let whole: Vec<f64> = (0..=n).map(|i| self.body.image(radius[i]) + image[i] / scale[i]).collect();
         let indentation = if !self.is_force() {
             self.motion.value
@@ -79,7 +79,7 @@ impl Patch {
         pressure.iter_mut().for_each(|p| *p /= span.sqrt());
         let scaled: Vec<f64> = slip.iter().zip(&scale).map(|(s, b)| s * b).collect();
         let mut surface_slip = vec![0.0; n + 1];
-        mesh.descend(&scaled, &mut surface_slip);
+        mesh.inverse_abel(&scaled, &mut surface_slip);
         let mut growth: Vec<f64> = (0..=n).map(|i| self.factor * pressure[i] * surface_slip[i]).collect();
         if !self.rim {
             growth[n] = 0.0;

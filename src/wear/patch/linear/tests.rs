@@ -105,7 +105,7 @@ fn largest(values: impl Iterator<Item = f64>) -> f64 {
 /// Largest image of depths.
 fn image(patch: &Patch, depth: &[f64]) -> f64 {
     let mut z = vec![0.0; depth.len()];
-    patch.mesh.ascend(depth, &mut z);
+    patch.mesh.abel(depth, &mut z);
     largest(z.into_iter())
 }
 

@@ -93,7 +93,7 @@ impl Level {
             let moved: Vec<f64> = slipping.iter().zip(&rate.scale).map(|(on, b)| on * b).collect();
             let (mut uniform, mut slid) = (vec![0.0; n + 1], vec![0.0; n + 1]);
             mesh.pressure(&vec![1.0; n + 1], patch.rim, &mut uniform);
-            mesh.descend(&moved, &mut slid);
+            mesh.inverse_abel(&moved, &mut slid);
             let by = if patch.rim {
                 Combination { width: root / a, last: 0.0 }
             } else {
@@ -175,7 +175,7 @@ impl Level {
     pub(super) fn change(&self, depth: &[f64]) -> Change {
         let (mesh, n) = (&*self.mesh, self.mesh.cells);
         let mut z = vec![0.0; n + 1];
-        mesh.ascend(depth, &mut z);
+        mesh.abel(depth, &mut z);
         let mut room: Vec<f64> = z.iter().zip(&self.softness).map(|(z, soft)| z * soft).collect();
         if !self.rim {
             room[n] = 0.0;
@@ -195,7 +195,7 @@ impl Level {
             Some(slipping) => {
                 let moved: Vec<f64> = z.iter().zip(slipping).map(|(z, on)| z * on).collect();
                 let mut slid = vec![0.0; n + 1];
-                mesh.descend(&moved, &mut slid);
+                mesh.inverse_abel(&moved, &mut slid);
                 soften(&slid);
             }
         }
