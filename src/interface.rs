@@ -116,7 +116,7 @@ impl Interface {
     /// An interface whose bodies are apart.
     ///
     /// # Errors
-    /// Those of [`FrettingContact::new`]; [`Error::ContactsTable`] for summits that are none;
+    /// Those of [`FrettingContact::new`]; [`Error::ContactsTable`] for summits that are not valid;
     /// [`Error::Parameter`] for what an interface does not have: a rig stiffness, an ellipse, a
     /// coating, friction that runs in.
     pub fn new(parameters: Parameters, summits: &[Summit]) -> Result<Self, Error> {

@@ -38,7 +38,7 @@ pub(crate) const MOST_CYCLES: f64 = 1e30;
 /// An image that rises by less, m, is flat: displacements of [`MOST_INPUT`] over it would be no number.
 pub(crate) const LEAST_RISE: f64 = 1e-240;
 
-/// A contact of a smaller radius, m, is none: the squares of radii, in which meshes are laid, would be none.
+/// Least radius of a contact, m: of smaller ones the squares, in which meshes are made, would be 0.
 pub(crate) const LEAST_RADIUS: f64 = 1e-120;
 
 const MOST_RADIUS: f64 = 1e60;

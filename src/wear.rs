@@ -2,7 +2,7 @@
 //!
 //! Between profile updates slip is gathered in one dimension ([`WearBacklog`]). A backlog is worn
 //! off by one implicit update ([`worn_depth`]) on nodes at rest, or, where it is nothing but equal
-//! cycles or sliding onward at constant load, by [`live`], on a mesh that moves with the contact
+//! cycles or sliding onward at constant load, by [`integrate`], on a mesh that moves with the contact
 //! edge.
 //!
 //! The update is linearly implicit: pressure falls where material goes, so with the pressure of the
@@ -19,17 +19,17 @@ mod backlog;
 mod edge;
 mod fields;
 mod krylov;
-mod laying;
 mod life;
 mod mesh;
 mod patch;
+mod remesh;
 mod rosenbrock;
 mod system;
 mod update;
 
 pub(crate) use backlog::{RepeatedMotion, SlipAtDepth, WearBacklog};
 pub(crate) use fields::SlipFields;
-pub(crate) use life::{Amount, Fineness, THINNING, live};
+pub(crate) use life::{Amount, IntegrationSettings, THINNING, integrate};
 pub(crate) use mesh::UnitMesh;
 pub(crate) use patch::{Motion, Rig, Sliding};
 pub(crate) use update::worn_depth;

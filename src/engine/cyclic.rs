@@ -1,7 +1,7 @@
 //! Cyclic loading: many displacement cycles at constant load in a few steps.
 //!
 //! Under constant load a steady cycle of amplitude U₀ wears ∂w/∂N = 4 κ p(r) s(r) with κ = kμ/σ₀ and s the descent of
-//! U₀ − min(U₀, b(x)), exact for a frozen profile. [`crate::wear::live`] integrates that; sliding on in one direction is the
+//! U₀ − min(U₀, b(x)), exact for a frozen profile. [`crate::wear::integrate`] integrates that; sliding on in one direction is the
 //! same with s = 1 per metre. Both serve the transient histories too, wherever these are nothing else.
 
 use super::FrettingContact;
@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::friction::{Path, Springs};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Amount, Fineness, Motion, Rig, Sliding, UnitMesh, live};
+use crate::wear::{Amount, IntegrationSettings, Motion, Rig, Sliding, UnitMesh, integrate};
 
 /// Most cells of the moving mesh.
 const MOST_CELLS: usize = 8192;
@@ -50,7 +50,7 @@ impl FrettingContact {
         self.view.take();
         let run =
             self.transaction(|this| this.placed(|this| this.run_cycles_on_coating(value, amplitude, cycles)));
-        run.map_err(|error| self.told_of_step(error, amplitude))?;
+        run.map_err(|error| self.error_of_step(error, amplitude))?;
         self.state.counters.steps += 1;
         Ok(())
     }
@@ -131,7 +131,7 @@ impl FrettingContact {
             (Some((Sliding::Onward, step)), Sliding::Onward) => step,
             _ => 0.0,
         };
-        let fineness = Fineness {
+        let settings = IntegrationSettings {
             cells: UnitMesh::cells_from(self.model.parameters.resolution.min(MOST_CELLS)),
             tolerance: self.model.parameters.tolerance,
             last_step,
@@ -142,12 +142,12 @@ impl FrettingContact {
         let deferred_work = self.state.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
         let worn = on_profile(&self.surface) + per_work * deferred_work;
         let amount = Amount { cycles: amount, worn, known };
-        let life = live(
+        let life = integrate(
             &self.surface,
             &motion,
             &amount,
             &self.model.constants,
-            &fineness,
+            &settings,
             &mut self.state.counters,
         )?;
         let Some(wear) = &mut self.state.wear else { return Ok(0.0) };

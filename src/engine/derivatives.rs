@@ -20,7 +20,7 @@
 //! the body has moved in the plane, see [`super::planar`].
 //!
 //! Under force control all of the first column is divided by ∂F_N/∂d. Where the bodies are apart everything is constant,
-//! but for the depth under depth control.
+//! except the depth under depth control.
 
 use super::FrettingContact;
 use crate::quadrature;

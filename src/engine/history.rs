@@ -61,13 +61,13 @@ impl FrettingContact {
             self.solve_contact(value)?;
             self.transaction(|this| this.walk_line(&line))
         };
-        walked.map_err(|error| self.told_of_step(error, displacement))?;
+        walked.map_err(|error| self.error_of_step(error, displacement))?;
         self.state.counters.steps += 1;
         Ok(())
     }
 
     /// An error with the step that the caller asked for in the place of a piece of it.
-    pub(super) fn told_of_step(&self, error: Error, displacement: f64) -> Error {
+    pub(super) fn error_of_step(&self, error: Error, displacement: f64) -> Error {
         match error {
             // cycles have a finite amplitude: this was a slide
             Error::TooMuchWear { amplitude: f64::INFINITY, .. } | Error::WearOutrun { .. } => {
@@ -107,7 +107,7 @@ impl FrettingContact {
         self.pieces_by(line, |load| load, LOAD_SHARE)
     }
 
-    /// Pieces over which a measure of the load changes by a share of the larger one at the most.
+    /// Pieces over which a measure of the load changes by at most a share of the larger one.
     fn pieces_by(&self, line: &Line, measure: impl Fn(f64) -> f64, share: f64) -> u32 {
         if line.from.0 == line.to.0 {
             return 1;
@@ -119,7 +119,7 @@ impl FrettingContact {
             return 1;
         }
         let (from, to) = (measure(from), measure(to));
-        // a share at the most, divided last: a part of the smallest numbers may be none
+        // divided by the share last: a part of the smallest numbers may be 0
         ((to - from).abs() / to.max(from) / share).ceil().max(1.0) as u32
     }
 
@@ -177,7 +177,7 @@ impl FrettingContact {
         let inner = springs.stick_radius(&to, self.model.bound_slope, displacement);
         let volume = self.model.constants.wear_per_work * work;
         if let Some(ratio) = self.exceeds_limit(volume, &to, inner)
-            && (splits > 0 || (ratio > MOST_PIECES && self.outwears(work)))
+            && (splits > 0 || (ratio > MOST_PIECES && self.exceeds_wear_capacity(work)))
         {
             if splits == 0 {
                 return Err(Error::WearOutrun { from: self.state.displacement, displacement });
@@ -213,7 +213,7 @@ impl FrettingContact {
     }
 
     /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact could follow.
-    pub(super) fn outwears(&self, work: f64) -> bool {
+    pub(super) fn exceeds_wear_capacity(&self, work: f64) -> bool {
         let ratio = self.exceeds_limit(self.model.constants.wear_per_work * work, &self.state.contact, 0.0);
         ratio.is_some_and(|ratio| ratio > MOST_PIECES)
     }

@@ -1,7 +1,7 @@
 //! Motion in both tangential directions.
 //!
-//! As long as the body keeps its place along y while it is in contact, all is as in one dimension,
-//! and a field that is empty is all that it costs. The first motion along y takes the row of knots
+//! As long as the body does not move along y while it is in contact, all is as in one dimension, at
+//! the cost of an empty field. The first motion along y takes the row of knots
 //! over into one of vectors ([`PlanarRow`]), which serves from then on until the bodies part. Slip
 //! is gathered in the backlog as on a line, by its length: traction and slip are taken for parallel
 //! at each radius. Where steady cycles are asked for, they are along x, from rest, whatever was
@@ -81,7 +81,7 @@ impl FrettingContact {
             self.solve_contact(value)?;
         }
         self.transaction(|this| this.walk_line_in_plane(&line, displacement))
-            .map_err(|error| self.told_of_step(error, x))?;
+            .map_err(|error| self.error_of_step(error, x))?;
         self.state.counters.steps += 1;
         Ok(())
     }
@@ -222,7 +222,7 @@ impl FrettingContact {
             let volume = self.model.constants.wear_per_work * end.work;
             let far = self.exceeds_limit(volume, &end.to, WIDE * end.to.radius).is_some();
             let whole = self.exceeds_limit(volume, &end.to, 0.0).unwrap_or(0.0);
-            if whole > MOST_WEAR || (halvings == 0 && self.outwears(end.work)) {
+            if whole > MOST_WEAR || (halvings == 0 && self.exceeds_wear_capacity(end.work)) {
                 return Err(Error::WearOutrun { from: self.state.displacement, displacement: place[0] });
             }
             let middle = [0, 1].map(|k| 0.5 * (self.place()[k] + place[k]));

@@ -75,7 +75,7 @@ impl FrettingContact {
             let work = if this.state.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
             this.state.counters.spring_walks += 1;
             if let Some(wear) = &mut this.state.wear {
-                // a volume, told as the work that wears it
+                // a volume, kept as the work that wears it
                 wear.deferred_work *= former_wear_per_work / constants.wear_per_work;
                 (wear.expected, wear.next_step) = (None, None);
             }

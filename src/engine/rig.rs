@@ -11,7 +11,7 @@
 //!
 //! **Where the load changes** T at the end depends on how body and load went there. The line of load and drive is walked in pieces like
 //! any other, the body goes straight in each, and its end is found by regula falsi over trial walks: D − U − T/k_rig falls with U.
-//! Where springs touch or leave amid that, a piece has an error of second order in its change of load.
+//! Where springs touch or leave during that, a piece has an error of second order in its change of load.
 //!
 //! Nothing is kept: D follows from U and T. What an update of the worn profile changes in T is made up for with the motion that
 //! follows, so that it is never a reversal of its own.

@@ -11,7 +11,7 @@ use crate::error::Error;
 use crate::parameters::Parameters;
 use crate::wear::Constants;
 
-/// Relative error of μ in a part of a line, or of cycles, at the most.
+/// Relative error of μ in a part of a line, or of cycles, at most.
 const ACCURACY: f64 = 1e-7;
 
 /// The same in cycles with wear, of which each part takes an integration of the profile.
@@ -112,7 +112,7 @@ impl FrettingContact {
             rest.advance_in_plane(normal, target)?;
             let work = rest.state.work - now.state.work;
             let most = now.energy_of_part(ACCURACY);
-            // from rest the work rises with the third power of the way at the most
+            // from rest the work rises at most with the third power of the path
             let cubic = if work > most { (most / work).cbrt() } else { 1.0 };
             let mut part = (1.0 - done) * (stretch * cubic).min(1.0);
             loop {

@@ -17,7 +17,7 @@ impl FrettingContact {
     /// surface, and adds the work to the history's. Afterwards the contact is that of the new
     /// surface; the springs are still those of before.
     ///
-    /// The moving mesh of [`crate::wear::live`] needs fields that are smooth at the contact edge.
+    /// The moving mesh of [`crate::wear::integrate`] needs fields that are smooth at the contact edge.
     /// Where they are not, the motion is worn off by implicit updates, as much at a time as may
     /// wear before the profile follows. That smooths the profile, so that the mesh is tried again
     /// after every doubling.

@@ -12,13 +12,13 @@
 //! control it does; under force control d is a concave function of the force, db/ds only falls along any line and the mean of both
 //! ends is wrong by the square of the change.
 
-mod laying;
 mod reading;
+mod sampling;
 mod spring;
 mod walk;
 
-pub(crate) use laying::{Resting, Samples};
 pub(crate) use reading::{Standing, Tangent};
+pub(crate) use sampling::{Resting, Samples};
 pub(crate) use spring::{Vector, difference};
 pub(crate) use walk::PlanarPath;
 

@@ -92,14 +92,14 @@ impl Path<'_> {
         let bound = bound(self.start_slope, &self.from, place.image);
         let share = |place| share_at_touch(self.control, (&self.from, &self.to), place);
         // the part of the path on which it is in contact
-        let (room, part) = if touches {
+        let (margin, part) = if touches {
             (0.0, 1.0 - share(place))
         } else {
-            let room = (bound - side * (self.start - trial.knot.origin)).max(0.0);
-            (room, if leaves { share(place) } else { 1.0 })
+            let margin = (bound - side * (self.start - trial.knot.origin)).max(0.0);
+            (margin, if leaves { share(place) } else { 1.0 })
         };
         let bulge = bulge * part * part;
-        let onset = onset(room, trial.excess, bulge);
+        let onset = onset(margin, trial.excess, bulge);
         let left = 1.0 - onset;
         let onset_bound = bound + onset * (trial.bound - bound + bulge * left);
         let mean = 0.5 * (onset_bound + trial.bound);
@@ -116,16 +116,16 @@ fn bound(bound_slope: f64, contact: &Contact, image: f64) -> f64 {
     if contact.is_open() { 0.0 } else { bound_slope * (contact.depth - image).max(0.0) }
 }
 
-/// Share of a path after which a spring slips that has `room` to its bound at the start and is
-/// `excess` beyond it at the end: the root of (room + excess) t − `bulge` t (1 − t) = room.
+/// Share of a path after which a spring slips that has `margin` to its bound at the start and is
+/// `excess` beyond it at the end: the root of (margin + excess) t − `bulge` t (1 − t) = margin.
 #[inline]
-fn onset(room: f64, excess: f64, bulge: f64) -> f64 {
+fn onset(margin: f64, excess: f64, bulge: f64) -> f64 {
     if bulge == 0.0 {
-        return room / (room + excess);
+        return margin / (margin + excess);
     }
-    let slope = room + excess - bulge;
-    let root = (slope * slope + 4.0 * bulge * room).sqrt();
-    let share = if slope > 0.0 { 2.0 * room / (slope + root) } else { (root - slope) / (2.0 * bulge) };
+    let slope = margin + excess - bulge;
+    let root = (slope * slope + 4.0 * bulge * margin).sqrt();
+    let share = if slope > 0.0 { 2.0 * margin / (slope + root) } else { (root - slope) / (2.0 * bulge) };
     share.min(1.0)
 }
 
@@ -156,7 +156,7 @@ pub(super) struct Trial<'k> {
 }
 
 impl<'k> Trial<'k> {
-    /// An excess within the `rounding` of the bound is none: else a motion too small for the bound to be told from 0
+    /// A spring whose excess is within the `rounding` of the bound sticks: else a motion too small to differ from 0 beside the bound
     /// would move the whole row's origins.
     #[inline]
     pub(super) fn new(knot: &'k Knot, displacement: f64, bound: f64, rounding: f64) -> Self {
@@ -191,7 +191,7 @@ impl<'k> Trial<'k> {
     }
 
     /// The knot of a front, at its bound as it is: clipping it would put the bound's rounding into the springs that stick. After a way so
-    /// long that its own rounding is far above that it is clipped all the same.
+    /// long that its own rounding is far above that it is clipped nevertheless.
     #[inline]
     pub(super) fn at_front(&self, rounding: f64) -> Knot {
         if self.excess > FAR_OFF * rounding { self.clipped() } else { *self.knot }

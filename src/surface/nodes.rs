@@ -1,6 +1,6 @@
 //! Nodes that carry the image of the wear.
 
-mod laying;
+mod placement;
 mod rim;
 mod shape;
 mod thinning;
@@ -8,7 +8,7 @@ mod thinning;
 use super::depth_volume::depth_volume;
 use super::{Contact, Region};
 use crate::profile::Profile;
-pub(crate) use laying::FrontWay;
+pub(crate) use placement::FrontMotion;
 use serde::{Deserialize, Serialize};
 pub(crate) use thinning::kept_nodes;
 

@@ -37,7 +37,7 @@ fn nodes_lie_in_the_slipping_annulus_with_one_at_the_front() {
 fn refinement_changes_neither_the_image_nor_its_integrals() {
     let before = worn_nodes();
     let mut after = before.clone();
-    after.adapt(&ball(), 1.7e-4, (0.6e-4, FrontWay::Returns));
+    after.adapt(&ball(), 1.7e-4, (0.6e-4, FrontMotion::Returns));
     assert!(after.x().len() > before.x().len() + 5);
     assert!(after.x().contains(&0.6e-4), "the new front has a node");
     let end = before.x()[before.last()];
@@ -55,9 +55,9 @@ fn refinement_changes_neither_the_image_nor_its_integrals() {
 #[test]
 fn nothing_to_adapt_leaves_the_nodes() {
     let mut nodes = worn_nodes();
-    nodes.adapt(&ball(), 2e-4, (1e-4, FrontWay::Returns));
+    nodes.adapt(&ball(), 2e-4, (1e-4, FrontMotion::Returns));
     let before = nodes.clone();
-    nodes.adapt(&ball(), 2e-4, (1e-4, FrontWay::Returns));
+    nodes.adapt(&ball(), 2e-4, (1e-4, FrontMotion::Returns));
     assert_eq!(nodes, before);
 }
 
@@ -67,7 +67,7 @@ fn extension_keeps_the_profile_unworn_outside() {
     let mut nodes = worn_nodes();
     let end = nodes.x()[nodes.last()];
     let inside = crate::transform::inverse_at(nodes.x(), nodes.worn_image(), 1.5e-4);
-    nodes.adapt(&ball(), 1.5 * end, (1e-4, FrontWay::Returns));
+    nodes.adapt(&ball(), 1.5 * end, (1e-4, FrontMotion::Returns));
     assert!(nodes.x()[nodes.last()] > 1.5 * end);
     let worn = |r: f64| crate::transform::inverse_at(nodes.x(), nodes.worn_image(), r);
     assert!((worn(1.5e-4) - inside).abs() < 1e-20, "inside nothing changes");

@@ -35,7 +35,7 @@ fn scale(outer: f64) -> f64 {
 
 impl FixedImage {
     /// The image (m) whose profile has the given heights (m) at the given radii (m), which rise strictly from 0. It holds
-    /// NaN or infinities where numbers overflow or squares of radii are too small to be told apart.
+    /// NaN or infinities where numbers overflow or squares of radii are too small to differ.
     pub(crate) fn through(radii: &[f64], heights: &[f64]) -> Self {
         let scale = scale(radii[radii.len() - 1]);
         let x: Vec<f64> = radii.iter().map(|r| r * scale).collect();

@@ -40,10 +40,10 @@ struct Leaf {
     block: usize,
     start: usize,
     end: usize,
-    hears: bool,
-    speaks: bool,
+    receives: bool,
+    emits: bool,
     /// First of the sources that adjoin each other up to the target and act by exact weights.
-    reach: usize,
+    near: usize,
     /// Sources further back that do so too.
     apart: std::ops::Range<usize>,
 }
@@ -91,7 +91,7 @@ impl Sweep {
             tree,
             far: partners(tree.blocks.len(), pairs.far.iter().map(pair)),
             near: partners(tree.blocks.len(), pairs.near.iter().map(pair)),
-            heard: vec![false; tree.blocks.len()],
+            emitting: vec![false; tree.blocks.len()],
             outward: true,
             sweep: Self::empty(tree.blocks.len(), 1),
         }
@@ -110,7 +110,7 @@ impl Sweep {
             tree,
             far: partners(tree.blocks.len(), pairs.far.iter().map(pair)),
             near: partners(tree.blocks.len(), pairs.near.iter().map(pair)),
-            heard: vec![false; tree.blocks.len()],
+            emitting: vec![false; tree.blocks.len()],
             outward: false,
             sweep: Self::empty(tree.blocks.len(), 0),
         }
@@ -174,16 +174,16 @@ impl Sweep {
                 Step::Leaf(leaf) => {
                     for target in leaf.start + 1..=leaf.end {
                         let mut known = 0.0;
-                        if leaf.hears {
+                        if leaf.receives {
                             known = product(weights.row(), &fields[leaf.block]);
                         }
                         for apart in &self.apart[leaf.apart.clone()] {
                             known += dot(weights.take(apart.len()), &values[apart.clone()]);
                         }
-                        let run = weights.take(target + self.extra - leaf.reach);
-                        finish(Target { index: target, known, first: leaf.reach, weights: run }, values);
+                        let run = weights.take(target + self.extra - leaf.near);
+                        finish(Target { index: target, known, first: leaf.near, weights: run }, values);
                     }
-                    if leaf.speaks {
+                    if leaf.emits {
                         let mut sum = [0.0; ORDER];
                         for value in &values[leaf.start..leaf.end + self.extra] {
                             add_scaled(*value, weights.row(), &mut sum);
@@ -235,7 +235,7 @@ struct Builder<'a> {
     far: Vec<Vec<usize>>,
     near: Vec<Vec<usize>>,
     /// Whether anything listens to the moments of a block.
-    heard: Vec<bool>,
+    emitting: Vec<bool>,
     outward: bool,
     sweep: Sweep,
 }
@@ -247,10 +247,11 @@ impl Builder<'_> {
         exact: impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
     ) -> Sweep {
         for source in self.far.iter().flatten() {
-            self.heard[*source] = true;
+            self.emitting[*source] = true;
         }
         for block in 0..self.tree.blocks.len() {
-            self.heard[block] |= self.tree.blocks[block].parent.is_some_and(|parent| self.heard[parent]);
+            self.emitting[block] |=
+                self.tree.blocks[block].parent.is_some_and(|parent| self.emitting[parent]);
         }
         self.visit(0, false, &moments, &exact);
         self.sweep
@@ -274,16 +275,16 @@ impl Builder<'_> {
     fn visit(
         &mut self,
         block: usize,
-        parent_hears: bool,
+        parent_receives: bool,
         moments: &impl Fn(usize, &mut dyn FnMut(Row)),
         exact: &impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
     ) {
         let (target_edge, source_edge) =
             if self.outward { (Edge::Inner, Edge::Outer) } else { (Edge::Outer, Edge::Inner) };
         let Block { parent, children, .. } = self.tree.blocks[block];
-        let hears = parent_hears || !self.far[block].is_empty();
-        if hears {
-            if parent_hears && let Some(rows) = self.tree.in_parent(block, target_edge) {
+        let receives = parent_receives || !self.far[block].is_empty();
+        if receives {
+            if parent_receives && let Some(rows) = self.tree.in_parent(block, target_edge) {
                 self.append(transposed(&rows));
             }
             let first = self.sweep.sources.len();
@@ -291,18 +292,18 @@ impl Builder<'_> {
                 self.append(self.tree.kernel(source, block));
                 self.sweep.sources.push(source);
             }
-            let parent = parent.filter(|_| parent_hears);
+            let parent = parent.filter(|_| parent_receives);
             let sources = first..self.sweep.sources.len();
             self.sweep.steps.push(Step::Field { block, parent, sources });
         }
         let Some([inner, outer]) = children else {
-            return self.leaf(block, hears, moments, exact);
+            return self.leaf(block, receives, moments, exact);
         };
         let children = if self.outward { [inner, outer] } else { [outer, inner] };
         for child in children {
-            self.visit(child, hears, moments, exact);
+            self.visit(child, receives, moments, exact);
         }
-        if self.heard[block] {
+        if self.emitting[block] {
             for child in children {
                 let rows = self.tree.in_parent(child, source_edge);
                 self.append(rows.into_iter().flatten());
@@ -314,7 +315,7 @@ impl Builder<'_> {
     fn leaf(
         &mut self,
         block: usize,
-        hears: bool,
+        receives: bool,
         moments: &impl Fn(usize, &mut dyn FnMut(Row)),
         exact: &impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
     ) {
@@ -330,29 +331,29 @@ impl Builder<'_> {
                 _ => runs.push(piece),
             }
         }
-        let (reach, apart) = (runs[0].start, &runs[1..]);
+        let (near, apart) = (runs[0].start, &runs[1..]);
         let first = self.sweep.apart.len();
         self.sweep.apart.extend(apart.iter().map(|run| run.start..run.end + extra));
         for target in cells.start + 1..=cells.end {
             let node = self.number(target, last);
-            if hears {
+            if receives {
                 let edge = if self.outward { Edge::Inner } else { Edge::Outer };
                 self.append([self.tree.at_node(block, edge, node)]);
             }
-            for run in apart.iter().cloned().chain(std::iter::once(reach..target)) {
+            for run in apart.iter().cloned().chain(std::iter::once(near..target)) {
                 let start = self.sweep.weights.len();
                 self.sweep.weights.resize(start + run.len() + extra, 0.0);
                 let cells = if self.outward { run } else { last - run.end..last - run.start };
                 exact(node, cells, &mut self.sweep.weights[start..]);
             }
         }
-        let speaks = self.heard[block];
-        if speaks {
+        let emits = self.emitting[block];
+        if emits {
             moments(block, &mut |row| self.sweep.weights.extend(row));
         }
         let apart = first..self.sweep.apart.len();
         let (start, end) = (cells.start, cells.end);
-        self.sweep.steps.push(Step::Leaf(Leaf { block, start, end, hears, speaks, reach, apart }));
+        self.sweep.steps.push(Step::Leaf(Leaf { block, start, end, receives, emits, near, apart }));
     }
 }
 

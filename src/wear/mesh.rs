@@ -84,7 +84,7 @@ impl Functional {
 
 /// Power of the grading towards the inner edge. On an annulus the depth starts like √(X − c²), and from 4 on the error
 /// falls with the square of the number of cells; 4.5 halves it again, and large numbers of cells take less, so that
-/// the first cell stays above rounding. On a disc nothing happens at the axis but for the tip of a cone.
+/// the first cell stays above rounding. On a disc nothing happens at the axis except at the tip of a cone.
 pub(super) fn grading(region: Region, cells: usize) -> f64 {
     match region {
         Region::Annulus => (12.0 / (cells as f64).log10()).min(4.5),

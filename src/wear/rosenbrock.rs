@@ -65,7 +65,7 @@ pub(crate) fn step(
             }
             counters.pressure_transforms += 1;
             counters.descent_transforms += 2;
-            let here = patch.rate(&depth, rate.area)?;
+            let here = patch.rate(&depth, rate.radius_squared)?;
             (here.growth, here.volume_rate)
         };
         for (coupling, increment) in COUPLING[stage].iter().zip(&increments) {
@@ -93,9 +93,9 @@ pub(crate) fn step(
         add(&mut error, cycles * (WEIGHTS[stage] - EMBEDDED[stage]), increment);
     }
     let before = rate;
-    let mut rate = patch.rate(&depth, before.area)?;
+    let mut rate = patch.rate(&depth, before.radius_squared)?;
     if patch.hold_front(&mut depth, before, &rate) {
-        rate = patch.rate(&depth, rate.area)?;
+        rate = patch.rate(&depth, rate.radius_squared)?;
     }
     counters.pressure_transforms += 1;
     counters.descent_transforms += 2;
@@ -103,7 +103,7 @@ pub(crate) fn step(
     let grown = patch.volume(&rate) - patch.volume(before);
     let volume = if (volume - grown).abs() <= 0.02 * grown.abs() { volume } else { grown }.max(0.0);
     let error = patch.largest_image(patch.sticking(before) + 1, &error, &rate);
-    Some(Trial { state: State { depth, area: rate.area }, rate, volume, error })
+    Some(Trial { state: State { depth, radius_squared: rate.radius_squared }, rate, volume, error })
 }
 
 fn add(sum: &mut [f64], factor: f64, term: &[f64]) {

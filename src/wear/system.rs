@@ -45,8 +45,8 @@ impl<'a> System<'a> {
         all[self.first..=self.edge.last].copy_from_slice(depth);
         let image = &self.transforms.abel(&all)[..=self.edge.last];
         let relief = self.transforms.pressure(image);
-        let sinking = self.mean.as_ref().map_or(0.0, |mean| dot(mean, image));
-        let end = image[self.edge.last] - sinking;
+        let approach = self.mean.as_ref().map_or(0.0, |mean| dot(mean, image));
+        let end = image[self.edge.last] - approach;
         let relief = relief[self.first..].iter().zip(&self.response).map(|(p, response)| p + end * response);
         depth.iter().zip(&self.stiffness).zip(relief).map(|((w, s), p)| w + s * p).collect()
     }

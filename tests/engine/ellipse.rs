@@ -416,7 +416,7 @@ fn the_derivatives_are_those_of_differences() {
                 let ahead = polar(step, (y_of(&contact)).atan2(x_of(&contact)) + turn);
                 let mut moved = contact.clone();
                 moved.advance_to_planar(FORCE, [place[0] + ahead[0], place[1] + ahead[1]]).unwrap();
-                let told = |gradient: &fretting_contact::Gradient| {
+                let predicted = |gradient: &fretting_contact::Gradient| {
                     gradient.displacement * ahead[0] + gradient.displacement_y * ahead[1]
                 };
                 let found = [
@@ -424,14 +424,17 @@ fn the_derivatives_are_those_of_differences() {
                     moved.tangential_force_y() - contact.tangential_force_y(),
                 ];
                 let scale = step * x.displacement.max(y.displacement_y);
-                let off = norm([found[0] - told(&x), found[1] - told(&y)]) / scale;
+                let off = norm([found[0] - predicted(&x), found[1] - predicted(&y)]) / scale;
                 assert!(off < 5e-3, "{rig_stiffness} {size} {turn}: {off:e}");
                 let work = moved.dissipated_energy() - contact.dissipated_energy();
-                assert!((work - told(&energy)).abs() < 5e-3 * MU * FORCE * step, "{size} {turn}: {work:e}");
+                assert!(
+                    (work - predicted(&energy)).abs() < 5e-3 * MU * FORCE * step,
+                    "{size} {turn}: {work:e}"
+                );
                 if stick.displacement != 0.0 {
                     let change = moved.stick_radius() - contact.stick_radius();
-                    let off = (change - told(&stick)).abs() / change.abs();
-                    assert!(off < 0.05, "{size} {turn}: {change:e} {}", told(&stick));
+                    let off = (change - predicted(&stick)).abs() / change.abs();
+                    assert!(off < 0.05, "{size} {turn}: {change:e} {}", predicted(&stick));
                 }
             }
             // the matrix is symmetric: friction along the force is an associated law here

@@ -28,8 +28,8 @@ fn the_middle_of_a_ball_wears_by_the_law() {
 
     let before = contact.wear_depth();
     contact.advance_to_planar(FORCE, along(1.2e-3)).unwrap();
-    let told = 2e-4 * (gradient.displacement * WAY[0] + gradient.displacement_y * WAY[1]);
-    close_to(told, contact.wear_depth() - before, 1e-2, "over a stretch");
+    let predicted = 2e-4 * (gradient.displacement * WAY[0] + gradient.displacement_y * WAY[1]);
+    close_to(predicted, contact.wear_depth() - before, 1e-2, "over a stretch");
 
     contact.advance_to_planar(FORCE, along(1.2e-3 - 1e-9)).unwrap();
     let gradient = contact.wear_depth_gradient();
@@ -57,17 +57,17 @@ fn depth_grows_as_on_the_line_along_x() {
                 "{profile:?}: it wears on stroke {k}"
             );
             let [x, y] = WAY;
-            let told = of_plane.displacement * x + of_plane.displacement_y * y;
+            let predicted = of_plane.displacement * x + of_plane.displacement_y * y;
             let across = of_plane.displacement * y - of_plane.displacement_y * x;
             // the front is between two of 512 samples; the deepest point is one of the nodes
             println!(
                 "{profile:?} {k}: {} {}",
-                told / of_line.displacement - 1.0,
+                predicted / of_line.displacement - 1.0,
                 of_plane.normal / of_line.normal - 1.0
             );
-            close_to(told, of_line.displacement, 3e-2, "along the motion");
+            close_to(predicted, of_line.displacement, 3e-2, "along the motion");
             close_to(of_plane.normal, of_line.normal, 3e-2, "by the load");
-            assert!(across.abs() < 1e-6 * told.abs(), "{across:e} of {told:e}");
+            assert!(across.abs() < 1e-6 * predicted.abs(), "{across:e} of {predicted:e}");
         }
     }
 }
@@ -89,10 +89,10 @@ fn without_wear_or_slip_the_depth_stays() {
     let mut line = started(Parameters { profile: PUNCH, ..Parameters::default() });
     punch.advance_to_planar(FORCE, along(1.1 * exact(&PUNCH, FORCE).full_slip())).unwrap();
     line.advance_to(FORCE, 1.1 * exact(&PUNCH, FORCE).full_slip()).unwrap();
-    // its rim is the deepest place, where the pressure is no number: no rate is told, as on the line
+    // its rim is the deepest place, where the pressure is no number: no rate is given, as on the line
     for contact in [&punch, &line] {
         assert!(contact.wear_depth() > 0.0);
         still(contact);
     }
-    assert_eq!(punch.stick_radius_gradient(), Gradient::default(), "there is none");
+    assert_eq!(punch.stick_radius_gradient(), Gradient::default(), "no front moves");
 }

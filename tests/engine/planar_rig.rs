@@ -266,14 +266,14 @@ fn derivatives_are_those_of_the_pair() {
                         ahead.dissipated_energy() - contact.dissipated_energy(),
                     ),
                 ] {
-                    let told = gradient.displacement * way[0]
+                    let predicted = gradient.displacement * way[0]
                         + gradient.displacement_y * way[1]
                         + gradient.normal * change;
                     let size = (gradient.displacement * way[0]).abs()
                         + (gradient.displacement_y * way[1]).abs()
                         + (gradient.normal * change).abs();
                     let what = format!("{control:?}, rig {ratio}: {what} by ({x}, {y}, {load})");
-                    close(moved, told, 0.01 * size, &what);
+                    close(moved, predicted, 0.01 * size, &what);
                 }
             }
         }
@@ -297,7 +297,7 @@ fn motion_along_y_begins_on_springs_in_series() {
     }
 }
 
-/// A drive that keeps its place along y costs what it costs on a line, to the bit and the count; a body that has parted from the other
+/// Motion of a drive along x costs what it costs on a line, to the bit and the count; a body that has parted from the other
 /// follows the drive, and begins on a line again.
 #[test]
 fn the_plane_costs_nothing_before_it_is_used() {
@@ -319,7 +319,7 @@ fn the_plane_costs_nothing_before_it_is_used() {
     assert!(plane.tangential_force() > 0.0 && force(&plane)[1] == 0.0);
 }
 
-/// A state amid an orbit goes on to the bit where it is taken back; a refused step leaves it as it was.
+/// A state within an orbit goes on to the bit where it is taken back; a refused step leaves it as it was.
 #[test]
 fn a_state_is_taken_back_and_goes_on() {
     for wear_coefficient in [0.0, 1e-3] {
@@ -346,7 +346,7 @@ fn a_state_is_taken_back_and_goes_on() {
     }
 }
 
-/// Held in depth, a body that has worn deep is lifted, let go by the rig, and pressed on again: it may wear free amid a step.
+/// Held in depth, a body that has worn deep is lifted, let go by the rig, and pressed on again: it may wear free within a step.
 #[test]
 fn a_worn_body_held_in_depth_is_found_again() {
     for ratio in [0.5, 1.0, 3.0] {

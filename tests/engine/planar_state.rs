@@ -210,7 +210,7 @@ fn on_a_line_motion_along_y_is_elastic() {
 }
 
 /// The load falls to next to none while the body moves across by a way that is nothing beside the bound of before, and much beside
-/// the one that is left: the springs end at that all the same.
+/// the one that is left: the springs end at that nevertheless.
 #[test]
 fn springs_follow_a_bound_that_all_but_vanishes() {
     let mut scenes = vec![(BALL, 1e-12, 1e-13), (BALL, 1e-30, 1e-25), (BALL, 9.35e-307, -3.45e-190)];

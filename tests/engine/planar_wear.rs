@@ -137,7 +137,7 @@ fn a_line_at_any_angle_wears_as_the_line_along_x() {
     }
 }
 
-/// Worn volume and profile are told by different code: (k/σ₀) times the springs' work, and what the transforms have taken off.
+/// Worn volume and profile are computed by different code: (k/σ₀) times the springs' work, and what the transforms have taken off.
 #[test]
 fn the_profile_has_worn_by_the_work_of_friction() {
     for profile in [BALL, CONE, BLUNTED, ROUNDED, PUNCH] {

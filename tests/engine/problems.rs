@@ -163,7 +163,7 @@ fn errors(contact: &FrettingContact, exact: &FrettingContact) -> [f64; 4] {
     ]
 }
 
-/// What is delivered follows the tolerance, amid the life and at its end, where the front stands still and where it moves: against
+/// What is delivered follows the tolerance, during the life and at its end, where the front stands still and where it moves: against
 /// runs on the same cells at a tenth of the finest tolerance. Behind a pinned front the worn depth starts like a square root, so that
 /// there an error in its place counts by its root.
 #[test]

@@ -138,7 +138,7 @@ fn blocks_that_shrink_from_gross_slip() {
         history.extend((0..20).map(|n| (1.0, if n % 2 == 0 { amplitude } else { -amplitude })));
     }
     let outcome = compare(&usual(), (240, 60), &history);
-    // as the README says of gross slip amid strokes; the volume keeps what it says of the others
+    // as the README says of gross slip during strokes; the volume keeps what it says of the others
     assert!(outcome.volume.abs() < 1e-2 && outcome.profile < 2e-2 && outcome.force < 2e-2, "{outcome:?}");
 }
 

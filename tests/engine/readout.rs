@@ -21,17 +21,17 @@ fn unworn_heights_are_those_of_the_profile() {
         // wear is no part of it
         to(&mut contact, FORCE, 1e-4);
         for r in [0.0, 3e-5, 1e-4, 2e-4, 3.5e-4] {
-            let (told, expected) = (contact.unworn_height_at(r), height(r));
-            let same = told == expected || (told - expected).abs() <= 1e-9 * expected + 1e-16;
+            let (read, expected) = (contact.unworn_height_at(r), height(r));
+            let same = read == expected || (read - expected).abs() <= 1e-9 * expected + 1e-16;
             // between its points a table is a curve of its own
-            let same = same || matches!(profile, Profile::Table(_)) && (told - expected).abs() < 1e-10;
-            assert!(same, "{profile:?} at {r}: {told:e} and not {expected:e}");
+            let same = same || matches!(profile, Profile::Table(_)) && (read - expected).abs() < 1e-10;
+            assert!(same, "{profile:?} at {r}: {read:e} and not {expected:e}");
         }
     }
 }
 
 /// Before it has worn, a ball's depth grows fastest where 4 (kμ/σ₀) p s is largest, with the slip at the surface of a cycle in gross slip
-/// s = A − u_max (1 − t²/2) and p = p₀ √(1 − t²), t = r/a; told is the largest at the radii of the probes.
+/// s = A − u_max (1 − t²/2) and p = p₀ √(1 − t²), t = r/a; the output is the largest at the radii of the probes.
 #[test]
 fn the_depth_that_a_first_cycle_wears_has_the_closed_form_in_gross_slip() {
     let exact = exact(&BALL, FORCE);
@@ -67,9 +67,9 @@ fn behind_a_rig_a_cycle_wears_what_the_contact_itself_moves() {
         contact.start_at(FORCE, 0.0).unwrap();
     }
     let force = exact(&BALL, FORCE).loading(amplitude);
-    let (told, own) =
+    let (read, own) =
         (driven.wear_depth_per_cycle(amplitude + force / rig), plain.wear_depth_per_cycle(amplitude));
-    close_to(told, own, 1e-9, "behind the rig");
+    close_to(read, own, 1e-9, "behind the rig");
     assert!(own > 0.0);
 }
 

@@ -208,7 +208,7 @@ fn a_varying_load_is_followed_in_second_order() {
     }
 }
 
-/// Springs of the rig and the contact take what the drive brings, but for the work of friction: ∮ T dD = W.
+/// Springs of the rig and the contact take what the drive brings, except for the work of friction: ∮ T dD = W.
 #[test]
 fn cycles_of_the_drive_are_those_of_the_contact() {
     for profile in [BALL, CONE, PUNCH] {
@@ -436,7 +436,7 @@ fn invariants_hold_in_random_histories_with_wear() {
     }
 }
 
-/// A rig that is rigid is none: the same bits for the same work.
+/// A rigid rig is as no rig: the same bits for the same work.
 #[test]
 fn a_rigid_rig_costs_nothing() {
     let mut random = seeded(62);

@@ -141,7 +141,7 @@ fn a_saved_state_fits_only_the_same_setting_of_wear() {
     }
 }
 
-/// Steps that fail amid their way: the state is as before, to the bit, and what follows is, too.
+/// Steps that fail on their way: the state is as before, to the bit, and what follows is, too.
 #[test]
 fn a_refused_step_leaves_no_trace() {
     let table = Profile::Table(sampled_sphere(30));

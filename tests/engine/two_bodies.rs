@@ -108,7 +108,7 @@ fn a_new_ratio_counts_from_its_change_on() {
     for displacement in [3e-6, -3e-6, 3e-6, 0.5e-6] {
         to(&mut contact, FORCE, displacement);
     }
-    // amid a stroke, with slip that no update of the profile has seen
+    // during a stroke, with slip that no update of the profile has seen
     let (before, work) = (contact.wear_volumes(), contact.dissipated_energy());
     contact.retune_bodies(MU, [0.05, 0.01]).unwrap();
     let (after, closed) = (contact.wear_volumes(), contact.dissipated_energy());

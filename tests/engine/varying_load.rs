@@ -299,7 +299,7 @@ fn a_sweep_over_six_decades_of_load_keeps_its_digits() {
     assert!(worst <= 1e-9, "{worst:e}");
 }
 
-/// A twentieth of the smallest load is none, and so is a part of the smallest radius: neither may ask for steps without end.
+/// A twentieth of the smallest load is 0, and so is a part of the smallest radius: neither may ask for endless steps.
 #[test]
 fn the_smallest_loads_and_radii_take_no_more_steps_than_others() {
     let most = |control: NormalControl, loads: &[f64]| {

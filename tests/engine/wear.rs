@@ -22,7 +22,7 @@ fn end_of(scene: &Problem) -> ConstantDepthEnd {
     scene.end.expect("the depth is held")
 }
 
-/// The identities that hold in every scene. V = (k/σ₀) W by definition; the worn profile holds that volume, but for the
+/// The identities that hold in every scene. V = (k/σ₀) W by definition; the worn profile holds that volume, except for the
 /// clipping of rounding and the outermost cell; what the transforms alone miss of the work is put right at each update,
 /// and known.
 #[track_caller]
@@ -478,7 +478,7 @@ fn a_step_that_wears_too_much_is_refused() {
     }
 }
 
-/// Strokes that wear so much that no two are alike, until a mesh can be laid over what they have left: at constant depth the stick
+/// Strokes that wear so much that no two are alike, until a mesh can be made on what they have left: at constant depth the stick
 /// circle does not move, and inside it nothing wears.
 #[test]
 fn a_new_mesh_wears_nothing_that_sticks() {
@@ -504,5 +504,5 @@ fn a_new_mesh_wears_nothing_that_sticks() {
             );
         }
     }
-    assert!(contact.counters().factorisations > 10, "no mesh was laid");
+    assert!(contact.counters().factorisations > 10, "no mesh was made");
 }

@@ -1,6 +1,6 @@
 //! Cycles of a drive: how far the contact itself moves changes with its wear.
 //!
-//! At constant force the integrator takes the amplitude from the state at every instant ([`crate::wear::live`]). At constant depth the
+//! At constant force the integrator takes the amplitude from the state at every instant ([`crate::wear::integrate`]). At constant depth the
 //! front advances into what has not worn, which a mesh that begins at the front sees too late: there the cycles are run in stretches of
 //! constant amplitude, and so they are where the integrator cannot follow.
 
@@ -101,7 +101,7 @@ impl FrettingContact {
         Ok(self.own_amplitude(drive))
     }
 
-    /// Back to another state; work is counted all the same.
+    /// Back to another state; work is counted nevertheless.
     fn go_back(&mut self, before: Self) {
         let counters = self.state.counters;
         *self = before;

@@ -64,8 +64,8 @@ pub(super) struct Moved {
     pub(super) mean_bound: f64,
 }
 
-/// A spring deflected by `start` whose body moves by `motion` while its bound goes evenly between the two given. An excess within
-/// the `rounding` is none. Where the `stiffness_ratio` is not 1, lengths along y are multiplied by
+/// A spring deflected by `start` whose body moves by `motion` while its bound goes evenly between the two given. A spring
+/// whose excess is within the `rounding` sticks. Where the `stiffness_ratio` is not 1, lengths along y are multiplied by
 /// it, except for the slip ([`anisotropic`]).
 pub(super) fn move_spring(
     start: Vector,
@@ -113,7 +113,7 @@ pub(super) fn move_spring(
     let (advance, driven) = turn.advance(path, (onset_bound, bound));
     let slip = advance - (bound - onset_bound);
     let work = driven - mean * (bound - onset_bound);
-    // a slip of nothing has no mean
+    // the mean over a slip of 0 is not a number
     let mean_bound = (work / slip).clamp(onset_bound.min(bound), onset_bound.max(bound));
     Moved {
         deflection,

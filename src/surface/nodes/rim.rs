@@ -1,6 +1,6 @@
 //! Nodes at the rim of a body that ends there, once it has worn.
 //!
-//! The pressure rises towards a sharp rim like the inverse root of the distance, for whose sake a fan of cells is laid there. Wear that is
+//! The pressure rises towards a sharp rim like the inverse root of the distance, for whose sake a fan of cells is placed there. Wear that is
 //! deeper by w at the rim than at the axis takes that load over some a (w/d)². In cells far narrower than this nothing is left to resolve,
 //! but each of them leaves the contact on its own, and is a sharp rim itself for a while, whose pressure an update cannot follow: a flat
 //! punch to and fro in gross slip was refused from some step on.

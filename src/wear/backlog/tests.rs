@@ -66,7 +66,7 @@ fn equal_cycles_make_their_closed_law_whatever_the_steps() {
     }
 }
 
-/// A slide that begins amid slip moves its front inward: what slips lies between the two fronts and
+/// A slide that begins while springs slip moves its front inward: what slips lies between the two fronts and
 /// outside.
 #[test]
 fn a_slide_that_goes_on_slips_from_its_new_front() {

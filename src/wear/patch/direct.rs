@@ -35,9 +35,9 @@ impl Patch {
     ) -> Direct {
         let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
         let size = n + 1 - first;
-        let (span, a) = (self.span(rate.area), rate.area.sqrt());
+        let (span, a) = (self.span(rate.radius_squared), rate.radius_squared.sqrt());
         let root = span.sqrt();
-        let (factor, lag) = (self.factor * rate.share, self.lag(rate));
+        let (factor, sensitivity) = (self.factor * rate.share, self.sensitivity(rate));
         let mut jacobian = vec![0.0; size * size];
         let mut volume_row = vec![0.0; size];
         // h = z/b; whether a spring slips; b of those that do
@@ -63,13 +63,13 @@ impl Patch {
                 }
                 let moved = dot(inverse, &sliding[..inverse.len()]);
                 // the body sinks as it wears
-                let sinking = stiffness * uniform - soft * moved * lag;
+                let approach = stiffness * uniform - soft * moved * sensitivity;
                 if self.is_force() && self.rim {
                     for (entry, width) in row.iter_mut().zip(&mesh.width[first..]) {
-                        *entry += sinking * root * width / a;
+                        *entry += approach * root * width / a;
                     }
                 } else if self.is_force() {
-                    row[n - first] += sinking * softness[n];
+                    row[n - first] += approach * softness[n];
                 }
             }
             for (sum, entry) in volume_row.iter_mut().zip(&*row) {
@@ -100,7 +100,7 @@ impl Patch {
     fn add_edge_terms(&self, depth: &[f64], rate: &Rate, jacobian: &mut [f64], volume_row: &mut [f64]) {
         let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
         let size = n + 1 - first;
-        let span = self.span(rate.area);
+        let span = self.span(rate.radius_squared);
         let edge = self.edge_change(depth, rate);
         let mut acceleration = vec![0.0; size];
         for i in first..n {
@@ -112,14 +112,14 @@ impl Patch {
         let mut area_row = vec![0.0; size];
         if self.is_force() {
             for j in first..=n {
-                area_row[j - first] = span.sqrt() * mesh.width[j] / edge.condition.area;
+                area_row[j - first] = span.sqrt() * mesh.width[j] / edge.condition.radius_squared;
             }
-            area_row[n - first] -= rate.area.sqrt() / rate.scale[n] / edge.condition.area;
+            area_row[n - first] -= rate.radius_squared.sqrt() / rate.scale[n] / edge.condition.radius_squared;
         } else {
-            area_row[n - first] = -1.0 / rate.scale[n] / edge.condition.area;
+            area_row[n - first] = -1.0 / rate.scale[n] / edge.condition.radius_squared;
         }
-        for (entry, area) in volume_row.iter_mut().zip(&area_row) {
-            *entry += edge.volume * area;
+        for (entry, radius_squared) in volume_row.iter_mut().zip(&area_row) {
+            *entry += edge.volume * radius_squared;
         }
         for i in first..n {
             let row = &mut jacobian[(i - first) * size..(i - first + 1) * size];

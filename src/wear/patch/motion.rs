@@ -33,7 +33,7 @@ pub(crate) enum Sliding {
 }
 
 impl Sliding {
-    /// Slip σ = reach − ratio·m q, of which `strokes` make a unit.
+    /// Slip σ = U − ratio·m q, of which `strokes` make a unit.
     pub(super) fn law(self) -> (f64, f64, f64) {
         match self {
             Self::Cycles(amplitude) => (amplitude, 1.0, 4.0),

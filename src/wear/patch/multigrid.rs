@@ -51,11 +51,12 @@ impl Multigrid {
             levels.push(coarser);
         }
         let coarsest = levels[levels.len() - 1].matrix().lu();
-        let weight = patch.span(rate.area) / gamma_step;
+        let weight = patch.span(rate.radius_squared) / gamma_step;
         let volume = patch.mesh.volume.depth.iter().map(|depth| weight * depth).collect();
         let volume = (volume, edge.as_ref().map_or(0.0, |edge| edge.volume));
         let edge = edge.map(|edge| {
-            let weights = edge.condition.depth.iter().map(|depth| depth / edge.condition.area).collect();
+            let weights =
+                edge.condition.depth.iter().map(|depth| depth / edge.condition.radius_squared).collect();
             (rate.drift.clone(), weights)
         });
         Self { levels, coarsest, volume, edge }
@@ -91,7 +92,7 @@ impl Multigrid {
         )?;
         counters.solver_iterations += iterations;
         let change = finest.change(&x);
-        let volume = dot(&self.volume.0, &change.growth) + self.volume.1 * change.area;
+        let volume = dot(&self.volume.0, &change.growth) + self.volume.1 * change.radius_squared;
         Some((x, volume))
     }
 

@@ -1,6 +1,6 @@
 use super::*;
 use crate::profile::Profile;
-use crate::surface::{FrontWay, TransformCache};
+use crate::surface::{FrontMotion, TransformCache};
 use crate::wear::{Sliding, SlipAtDepth};
 use std::f64::consts::PI;
 
@@ -198,7 +198,7 @@ fn tables_are_made_once_for_a_set_of_nodes() {
     let mut nodes = surface.worn().expect("the scene has nodes").clone();
     assert!(cache.get(&nodes).1);
     assert!(!cache.get(&nodes).1);
-    nodes.adapt(surface.profile(), 1.3 * contact.radius, (0.3 * contact.radius, FrontWay::Returns));
+    nodes.adapt(surface.profile(), 1.3 * contact.radius, (0.3 * contact.radius, FrontMotion::Returns));
     assert!(cache.get(&nodes).1, "the nodes have moved");
     surface.set_worn(Some(nodes.clone()));
     assert!(!cache.get(&nodes).1);

@@ -28,7 +28,7 @@ pub(super) struct Level {
     slipping: Option<Vec<f64>>,
     /// 1/b: the image of z.
     softness: Vec<f64>,
-    sinking: Option<Sinking>,
+    approach: Option<Approach>,
     edge: Option<Edge>,
     /// What of the system is local to a node and its neighbours.
     local: Tridiagonal,
@@ -36,7 +36,7 @@ pub(super) struct Level {
 
 /// What is added where the load is held: the body sinks as it wears.
 #[derive(Debug)]
-struct Sinking {
+struct Approach {
     /// γτ times the growth at the nodes, over the way that it sinks.
     growth: Vec<f64>,
     by: Combination,
@@ -50,7 +50,7 @@ struct Edge {
     /// What the change of A adds to the depths.
     column: Vec<f64>,
     /// Change of A with z.
-    area: Combination,
+    radius_squared: Combination,
 }
 
 /// A functional of z: so many times ∫ h dx/√L and its last value.
@@ -72,13 +72,13 @@ pub(super) struct Change {
     /// γτ times the change of the growth at given motion of the edge and of the nodes.
     pub(super) growth: Vec<f64>,
     /// Change of A.
-    pub(super) area: f64,
+    pub(super) radius_squared: f64,
 }
 
 impl Level {
     pub(super) fn finest(patch: &Patch, rate: &Rate, edge: Option<&EdgeChange>, gamma_step: f64) -> Self {
         let (mesh, n, first, end) = (&patch.mesh, patch.cells(), patch.mesh.first(), patch.end());
-        let (root, a) = (patch.span(rate.area).sqrt(), rate.area.sqrt());
+        let (root, a) = (patch.span(rate.radius_squared).sqrt(), rate.radius_squared.sqrt());
         let factor = gamma_step * patch.factor * rate.share;
         let of_nodes = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
             let wears = |i: usize| (first..end).contains(&i) && rate.surface_slip[i] > 0.0;
@@ -89,7 +89,7 @@ impl Level {
         let slips = |i: usize| f64::from(u8::from(i >= first && rate.slip[i] > 0.0));
         let slipping: Vec<f64> = (0..=n).map(slips).collect();
         let softness: Vec<f64> = rate.scale.iter().map(|b| 1.0 / b).collect();
-        let sinking = patch.is_force().then(|| {
+        let approach = patch.is_force().then(|| {
             let moved: Vec<f64> = slipping.iter().zip(&rate.scale).map(|(on, b)| on * b).collect();
             let (mut uniform, mut slid) = (vec![0.0; n + 1], vec![0.0; n + 1]);
             mesh.pressure(&vec![1.0; n + 1], patch.rim, &mut uniform);
@@ -99,21 +99,28 @@ impl Level {
             } else {
                 Combination { width: 0.0, last: softness[n] }
             };
-            let lag = patch.lag(rate);
-            Sinking { growth: (0..=n).map(|i| stiff[i] * uniform[i] - lag * soft[i] * slid[i]).collect(), by }
+            let sensitivity = patch.sensitivity(rate);
+            Approach {
+                growth: (0..=n).map(|i| stiff[i] * uniform[i] - sensitivity * soft[i] * slid[i]).collect(),
+                by,
+            }
         });
         let edge = edge.map(|edge| {
-            let with_area = edge.condition.area;
+            let with_area = edge.condition.radius_squared;
             // by how much a change of A changes its own rate
             let own = 1.0 + gamma_step * dot(&edge.condition.depth, &edge.growth) / with_area;
             let column = (0..=n).map(|i| own * rate.drift[i] + gamma_step * edge.growth[i]).collect();
             let last = -softness[n] / with_area;
-            let area = if patch.is_force() {
+            let radius_squared = if patch.is_force() {
                 Combination { width: root / with_area, last: a * last }
             } else {
                 Combination { width: 0.0, last }
             };
-            Edge { speed: gamma_step * rate.area_rate / patch.span(rate.area), column, area }
+            Edge {
+                speed: gamma_step * rate.area_rate / patch.span(rate.radius_squared),
+                column,
+                radius_squared,
+            }
         });
         let all = slipping[first..].iter().all(|on| *on == 1.0);
         let slipping = (!all).then_some(slipping);
@@ -127,7 +134,7 @@ impl Level {
             stiff,
             slipping,
             softness,
-            sinking,
+            approach,
             edge,
             local: Tridiagonal::default(),
         };
@@ -138,7 +145,7 @@ impl Level {
     pub(super) fn coarser(&self) -> Option<Self> {
         let mesh = self.mesh.coarser.clone()?;
         let pick = |field: &Vec<f64>| -> Vec<f64> { field.iter().step_by(2).copied().collect() };
-        let sinking = |of: &Sinking| Sinking { growth: pick(&of.growth), by: of.by };
+        let approach = |of: &Approach| Approach { growth: pick(&of.growth), by: of.by };
         let edge = |of: &Edge| Edge { column: pick(&of.column), ..*of };
         let level = Self {
             first: self.first,
@@ -148,7 +155,7 @@ impl Level {
             stiff: pick(&self.stiff),
             slipping: self.slipping.as_ref().map(pick),
             softness: pick(&self.softness),
-            sinking: self.sinking.as_ref().map(sinking),
+            approach: self.approach.as_ref().map(approach),
             edge: self.edge.as_ref().map(edge),
             local: Tridiagonal::default(),
             mesh,
@@ -176,12 +183,12 @@ impl Level {
         let (mesh, n) = (&*self.mesh, self.mesh.cells);
         let mut z = vec![0.0; n + 1];
         mesh.abel(depth, &mut z);
-        let mut room: Vec<f64> = z.iter().zip(&self.softness).map(|(z, soft)| z * soft).collect();
+        let mut overlap: Vec<f64> = z.iter().zip(&self.softness).map(|(z, soft)| z * soft).collect();
         if !self.rim {
-            room[n] = 0.0;
+            overlap[n] = 0.0;
         }
         let mut growth = vec![0.0; n + 1];
-        mesh.pressure(&room, self.rim, &mut growth);
+        mesh.pressure(&overlap, self.rim, &mut growth);
         growth.iter_mut().zip(&self.stiff).for_each(|(growth, stiff)| *growth *= -stiff);
         let mut soften = |slid: &[f64]| {
             growth
@@ -199,22 +206,25 @@ impl Level {
                 soften(&slid);
             }
         }
-        if let Some(sinking) = &self.sinking {
-            add(&mut growth, sinking.by.of(mesh, &z), &sinking.growth);
+        if let Some(approach) = &self.approach {
+            add(&mut growth, approach.by.of(mesh, &z), &approach.growth);
         }
         growth[..self.first].fill(0.0);
         growth[self.end..].fill(0.0);
-        Change { growth, area: self.edge.as_ref().map_or(0.0, |edge| edge.area.of(mesh, &z)) }
+        Change {
+            growth,
+            radius_squared: self.edge.as_ref().map_or(0.0, |edge| edge.radius_squared.of(mesh, &z)),
+        }
     }
 
     /// The system's left side.
     pub(super) fn apply(&self, depth: &[f64]) -> Vec<f64> {
-        let Change { mut growth, area } = self.change(depth);
+        let Change { mut growth, radius_squared } = self.change(depth);
         if let Some(edge) = &self.edge {
             for i in 1..self.mesh.cells {
                 growth[i] += edge.speed * dot(&self.mesh.drift[i], &depth[i - 1..=i + 1]);
             }
-            add(&mut growth, area, &edge.column);
+            add(&mut growth, radius_squared, &edge.column);
         }
         let mut image: Vec<f64> = depth.iter().zip(&growth).map(|(depth, growth)| depth - growth).collect();
         image[..self.first].fill(0.0);

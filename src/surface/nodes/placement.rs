@@ -1,4 +1,4 @@
-//! Where nodes lie: laid around a contact, left by a moving mesh, put together, refined and thinned.
+//! Where nodes are: around a contact, from a moving mesh, joined, refined and thinned.
 
 use super::thinning::{met_by_lines, thin_unless};
 use super::{MeshPlace, Nodes};
@@ -11,7 +11,7 @@ const SPARE: usize = 6;
 
 /// How the front of slip goes on its way, and with it what an update needs there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum FrontWay {
+pub(crate) enum FrontMotion {
     /// With every stroke it comes in again: a node, unless the cell there is finer than half an even one.
     Returns,
     /// As the body goes round it creeps outward before the worn image that rises steeply behind it. Where a cell flattens that rise it
@@ -19,7 +19,7 @@ pub(crate) enum FrontWay {
     Creeps,
 }
 
-impl FrontWay {
+impl FrontMotion {
     /// Width of the cell at the front, in even ones, that will do.
     fn fine(self) -> f64 {
         match self {
@@ -105,7 +105,7 @@ impl Nodes {
     }
 
     /// These nodes with the wear of a mesh, left as the others, on top. Nodes at which the line between others meets image and depth
-    /// within a share of their largest values are left out: the volume is told from the depths.
+    /// within a share of their largest values are left out: the volume follows from the depths.
     ///
     /// A body that ends at its last node, worn there, is steep outside the mesh. There its depths stay lines between its own nodes:
     /// more of them would change the volume.
@@ -155,7 +155,7 @@ impl Nodes {
 
     /// Adapts the nodes to a contact of radius `a` whose slip has reached inward to `front`: extends them beyond a,
     /// halves cells of the slipping annulus that are too wide, puts nodes at the front. h does not change by that.
-    pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, (front, way): (f64, FrontWay)) {
+    pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, (front, way): (f64, FrontMotion)) {
         let before = self.x.len();
         self.extend_beyond(a, profile.outer_radius());
         if self.wants_node_at((front, way), a) {
@@ -235,7 +235,7 @@ impl Nodes {
     }
 
     /// A front wants a node of its own unless the cell around it is fine.
-    fn wants_node_at(&self, (front, way): (f64, FrontWay), a: f64) -> bool {
+    fn wants_node_at(&self, (front, way): (f64, FrontMotion), a: f64) -> bool {
         let Some(j) = self.cell(front) else { return false };
         let width = self.x[j + 1] - self.x[j];
         let off = (front - self.x[j]).min(self.x[j + 1] - front);

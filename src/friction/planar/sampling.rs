@@ -111,7 +111,7 @@ impl PlanarRow {
 
     /// The same springs at other radii, up to a contact radius, on the surface on which they lie or, where that `is_another`, on one
     /// whose nodes may be others or lie elsewhere.
-    fn laid(&self, (surface, is_another): (&Surface, bool), spacing: f64, radius: f64) -> Self {
+    fn resampled(&self, (surface, is_another): (&Surface, bool), spacing: f64, radius: f64) -> Self {
         let Some(first) = self.knots.first() else { return Self::default() };
         let mut row = Self { spacing, knots: Vec::new() };
         let place = surface.place(0.0);
@@ -155,7 +155,7 @@ impl PlanarRow {
             let edge = self.knots.last().map(|knot| knot.place.x);
             self.spacing = spacing;
             if let Some(edge) = edge {
-                *self = self.laid((path.surface, false), spacing, edge);
+                *self = self.resampled((path.surface, false), spacing, edge);
             }
         }
         // the edge of before has no deflection, and the samples beyond it tell when they touched
@@ -177,7 +177,7 @@ impl PlanarRow {
             && radius > 0.0
             && let Some(spacing) = path.samples.respaced(self.spacing, radius)
         {
-            *self = self.laid((path.surface, false), spacing, radius);
+            *self = self.resampled((path.surface, false), spacing, radius);
             self.keep_within(&path.to, (path.bound_slope, path.end));
         }
     }
@@ -196,7 +196,7 @@ impl PlanarRow {
         let before =
             Standing { row: self, surface, contact: old, bound_slope, stiffness_ratio, displacement };
         let slides = |j: usize| self.knots.get(j).is_none_or(|knot| before.at_bound(knot));
-        let mut row = self.laid((surface, true), spacing, new.radius);
+        let mut row = self.resampled((surface, true), spacing, new.radius);
         let old_edge = self.knots.last().map_or(0.0, |knot| knot.place.x);
         let (mut j, mut last) = (0, [0.0; 2]);
         for knot in &mut row.knots {
