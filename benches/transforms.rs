@@ -1,8 +1,9 @@
-//! The Abel transforms by tables and by the hierarchical scheme, against the number of cells; and profiles given by points.
+//! The Abel transforms by tables and by the hierarchical scheme, against the number of cells; and
+//! profiles given by points.
 //!
-//! `cargo bench --bench transforms`. Nodes are graded towards both ends, as on a slipping annulus. After Criterion's own
-//! lines come a table of the shortest times (those least disturbed), the exponent of growth of each and the number of cells at
-//! which the fast form wins.
+//! `cargo bench --bench transforms`. Nodes are graded towards both ends, as on a slipping annulus.
+//! After Criterion's own lines come a table of the shortest times (those least disturbed), the
+//! exponent of growth of each and the number of cells at which the fast form wins.
 #![allow(missing_docs, reason = "a benchmark")]
 
 use criterion::{BenchmarkId, Criterion};

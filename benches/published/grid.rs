@@ -1,7 +1,7 @@
 //! The uniform grid and the three Abel transforms on it, as matrices made once.
 //!
-//! Each is a product rule: the data are taken piecewise linear and the singular kernel is integrated exactly over every
-//! cell, so that no sample falls on a singularity.
+//! Each is a product rule: the data are taken piecewise linear and the singular kernel is
+//! integrated exactly over every cell, so that no sample falls on a singularity.
 //!
 //! | transform | equation |
 //! | --- | --- |
@@ -15,13 +15,14 @@ use std::f64::consts::{FRAC_2_PI, PI};
 /// Where profile and springs are sampled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Scheme {
-    /// Springs on the nodes iΔ, profile, traction and slip in the middle between them; data linear in x and r.
-    /// Derivatives are central differences and no kernel is ever evaluated at its singularity: what one writes down
-    /// first. But a spring sees half a cell of profile that lies outside it, and that half cell sees the next spring:
-    /// wear seeps through the stick edge.
+    /// Springs on the nodes iΔ, profile, traction and slip in the middle between them; data linear
+    /// in x and r. Derivatives are central differences and no kernel is ever evaluated at its
+    /// singularity: what one writes down first. But a spring sees half a cell of profile that lies
+    /// outside it, and that half cell sees the next spring: wear seeps through the stick edge.
     Staggered,
-    /// Everything on the nodes iΔ, data linear in x² and r²: nothing depends on anything further out that eqs. (1)
-    /// and (16) do not let it depend on, so that where all springs stick nothing wears.
+    /// Everything on the nodes iΔ, data linear in x² and r²: nothing depends on anything further
+    /// out that eqs. (1) and (16) do not let it depend on, so that where all springs stick nothing
+    /// wears.
     Causal,
 }
 
@@ -78,7 +79,8 @@ impl Grid {
         }
     }
 
-    /// The sampled field between the radii, linear as the scheme takes it; constant inside the first.
+    /// The sampled field between the radii, linear as the scheme takes it; constant inside the
+    /// first.
     pub(crate) fn at(&self, field: &[f64], r: f64) -> f64 {
         let j = self.radii.partition_point(|&node| node <= r);
         if j == 0 || j == field.len() {

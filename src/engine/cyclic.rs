@@ -1,8 +1,9 @@
 //! Cyclic loading: many displacement cycles at constant load in a few steps.
 //!
-//! Under constant load a steady cycle of amplitude U₀ wears ∂w/∂N = 4 κ p(r) s(r) with κ = kμ/σ₀ and s the descent of
-//! U₀ − min(U₀, b(x)), exact for a frozen profile. [`crate::wear::integrate`] integrates that; sliding on in one direction is the
-//! same with s = 1 per metre. Both serve the transient histories too, wherever these are nothing else.
+//! Under constant load a steady cycle of amplitude U₀ wears ∂w/∂N = 4 κ p(r) s(r) with κ = kμ/σ₀
+//! and s the descent of U₀ − min(U₀, b(x)), exact for a frozen profile. [`crate::wear::integrate`]
+//! integrates that; sliding on in one direction is the same with s = 1 per metre. Both serve the
+//! transient histories too, wherever these are nothing else.
 
 use super::FrettingContact;
 use crate::error::Error;
@@ -15,15 +16,15 @@ use crate::wear::{Amount, IntegrationSettings, Motion, Rig, Sliding, UnitMesh, i
 const MOST_CELLS: usize = 8192;
 
 impl FrettingContact {
-    /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) along x at a constant force (N) or
-    /// indentation depth (m). The amplitude is the drive's where there is a rig stiffness. Afterwards the body stands at
-    /// its own, and [`Self::tangential_force`] is the
-    /// amplitude of T.
+    /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) along x
+    /// at a constant force (N) or indentation depth (m). The amplitude is the drive's where there
+    /// is a rig stiffness. Afterwards the body stands at its own, and [`Self::tangential_force`] is
+    /// the amplitude of T.
     ///
     /// # Errors
     /// As [`Self::advance_to`]; [`Error::Input`] also for a negative amplitude or number of cycles;
-    /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed; [`Error::WearOutrun`] where more of it than the
-    /// tolerance finds no place on the profile.
+    /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed;
+    /// [`Error::WearOutrun`] where more of it than the tolerance finds no place on the profile.
     pub fn advance_cycles(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         if self.runs_in() {
             return self.run_in_over(normal, amplitude, cycles);
@@ -78,7 +79,8 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// The first quarter of a cycle from rest: springs at +amplitude and the work (J), a fourth of a steady cycle's.
+    /// The first quarter of a cycle from rest: springs at +amplitude and the work (J), a fourth of
+    /// a steady cycle's.
     pub(super) fn quarter(&mut self, contact: &Contact, amplitude: f64) -> (Springs, f64) {
         let path = Path {
             surface: &self.surface,
@@ -112,8 +114,9 @@ impl FrettingContact {
         Ok(own)
     }
 
-    /// Wears the surface by an amount of sliding at constant load; returns the work, J. Where that is `known`, the profile
-    /// takes it. With the amplitude of a drive (m), at constant force, the sliding is that at the start.
+    /// Wears the surface by an amount of sliding at constant load; returns the work, J. Where that
+    /// is `known`, the profile takes it. With the amplitude of a drive (m), at constant force, the
+    /// sliding is that at the start.
     pub(super) fn wear_by(
         &mut self,
         value: f64,

@@ -20,14 +20,17 @@ const LOAD_SHARE: f64 = 0.05;
 const MOST_PIECES: f64 = 512.0;
 
 impl FrettingContact {
-    /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or indentation depth
-    /// in m, by `normal_control`, and displacement in m, that of the drive where there is a rig stiffness.
+    /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or
+    /// indentation depth in m, by `normal_control`, and displacement in m, that of the drive where
+    /// there is a rig stiffness.
     ///
-    /// How the caller splits a line does not matter: without wear to rounding, with wear to the set tolerance.
+    /// How the caller splits a line does not matter: without wear to rounding, with wear to the set
+    /// tolerance.
     ///
     /// # Errors
-    /// [`Error::Input`] for numbers that are not finite; [`Error::NonMonotoneImage`], [`Error::BeyondTable`] where the
-    /// profile cannot carry the load; [`Error::BeyondNumbers`] for a contact too large to be computed.
+    /// [`Error::Input`] for numbers that are not finite; [`Error::NonMonotoneImage`],
+    /// [`Error::BeyondTable`] where the profile cannot carry the load; [`Error::BeyondNumbers`] for
+    /// a contact too large to be computed.
     pub fn advance_to(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         if self.runs_in() {
             return self.run_in_to(normal, [displacement, self.drive_displacement_y()]);
@@ -57,7 +60,8 @@ impl FrettingContact {
         let walked = if self.pieces(&line) == 1 {
             self.walk(value, displacement, 1)
         } else {
-            // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
+            // a load that the profile cannot carry is refused with the caller's number, not with
+            // that of a piece
             self.solve_contact(value)?;
             self.transaction(|this| this.walk_line(&line))
         };
@@ -153,7 +157,8 @@ impl FrettingContact {
         }
     }
 
-    /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where it exceeds that.
+    /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where
+    /// it exceeds that.
     pub(super) fn exceeds_limit(&self, volume: f64, contact: &Contact, stick_radius: f64) -> Option<f64> {
         let tolerance = if stick_radius > 0.0 { STROKE } else { 1.0 } * self.model.parameters.tolerance;
         wear::exceeds_limit(volume, tolerance, &self.surface, contact, stick_radius)
@@ -212,7 +217,8 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact could follow.
+    /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact
+    /// could follow.
     pub(super) fn exceeds_wear_capacity(&self, work: f64) -> bool {
         let ratio = self.exceeds_limit(self.model.constants.wear_per_work * work, &self.state.contact, 0.0);
         ratio.is_some_and(|ratio| ratio > MOST_PIECES)

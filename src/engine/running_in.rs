@@ -1,7 +1,7 @@
 //! Friction that runs in: μ(W) = μ_end − (μ_end − μ₀) e^(−W/W_r), W the dissipated energy.
 //!
-//! A line is divided so that μ changes little in each part. The bound of a spring goes from m₀ (d₀ − g)
-//! to m₁ (d₁ − g) there, m₁ that of the work at the end: the implicit trapezoidal rule, whose
+//! A line is divided so that μ changes little in each part. The bound of a spring goes from m₀ (d₀
+//! − g) to m₁ (d₁ − g) there, m₁ that of the work at the end: the implicit trapezoidal rule, whose
 //! solution is found by iteration on copies of the contact. A call that fails has changed nothing.
 //!
 //! Many cycles in one call are divided in the same way, each part at the coefficient of its middle.
@@ -116,7 +116,8 @@ impl FrettingContact {
             let cubic = if work > most { (most / work).cbrt() } else { 1.0 };
             let mut part = (1.0 - done) * (stretch * cubic).min(1.0);
             loop {
-                // the last part ends at the target to the bit, as does one below the rounding of the way
+                // the last part ends at the target to the bit, as does one below the rounding of
+                // the way
                 let next = if done + part > done { done + part } else { 1.0 };
                 let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
                 let place = [at(start.1[0], target[0]), at(start.1[1], target[1])];

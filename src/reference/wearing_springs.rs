@@ -1,11 +1,12 @@
-//! A row of springs that wears, in small explicit steps on an even grid: a brute-force check for wear under load histories
-//! that no closed form covers.
+//! A row of springs that wears, in small explicit steps on an even grid: a brute-force check for
+//! wear under load histories that no closed form covers.
 //!
-//! Eqs. (12), (13), (16) and (18) of Dimaki et al. 2014 as they stand, at every step: springs slip, the transforms turn
-//! spring loads into pressure and spring slip into slip, w grows by (k/σ₀) μ p Δs, and the inverse transform gives the new
-//! image. Images are linear in x and loads linear in x² between the nodes, so that each transform is a sum of elementary
-//! integrals. Nothing is implicit: steps must wear less than about (4/π)(p/E*) Δx. The contact edge is known to a cell,
-//! so that the error is of first order in the spacing. O(n²) a step.
+//! Eqs. (12), (13), (16) and (18) of Dimaki et al. 2014 as they stand, at every step: springs slip,
+//! the transforms turn spring loads into pressure and spring slip into slip, w grows by (k/σ₀) μ p
+//! Δs, and the inverse transform gives the new image. Images are linear in x and loads linear in x²
+//! between the nodes, so that each transform is a sum of elementary integrals. Nothing is implicit:
+//! steps must wear less than about (4/π)(p/E*) Δx. The contact edge is known to a cell, so that the
+//! error is of first order in the spacing. O(n²) a step.
 
 mod planar;
 
@@ -38,8 +39,8 @@ pub struct WearingRow {
 }
 
 impl WearingRow {
-    /// A body with the image g(x) (m) on nodes from 0 to `extent` (m), apart from the flat, at U = 0. E* and G* in Pa,
-    /// k/σ₀ in m³/J.
+    /// A body with the image g(x) (m) on nodes from 0 to `extent` (m), apart from the flat, at
+    /// U = 0. E* and G* in Pa, k/σ₀ in m³/J.
     pub fn new(
         image: impl Fn(f64) -> f64,
         (extent, cells): (f64, usize),

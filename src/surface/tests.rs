@@ -4,7 +4,8 @@ fn ball() -> Profile {
     Profile::Parabola { radius: 0.01 }
 }
 
-/// Nodes for a contact of 0.2 mm whose slip reaches inward to 0.1 mm, with some wear outside of that.
+/// Nodes for a contact of 0.2 mm whose slip reaches inward to 0.1 mm, with some wear outside of
+/// that.
 fn worn_nodes() -> Nodes {
     let mut nodes = Nodes::around(&ball(), 32, 2e-4, 1e-4);
     let image: Vec<f64> =
@@ -32,7 +33,8 @@ fn nodes_lie_in_the_slipping_annulus_with_one_at_the_front() {
     assert_eq!(nodes.x()[nodes.last()], 2e-4);
 }
 
-/// h is piecewise linear in x²: halving its cells is an identity, also for the integrals made from it.
+/// h is piecewise linear in x²: halving its cells is an identity, also for the integrals made from
+/// it.
 #[test]
 fn refinement_changes_neither_the_image_nor_its_integrals() {
     let before = worn_nodes();
@@ -87,7 +89,8 @@ fn volume_is_that_of_the_cells() {
     assert!((nodes.volume(&depth) / exact - 1.0).abs() < 1e-12);
 }
 
-/// The contact of a worn surface solves its own equations: g(a) = d and the load integral, under either control.
+/// The contact of a worn surface solves its own equations: g(a) = d and the load integral, under
+/// either control.
 #[test]
 fn worn_contacts_satisfy_their_equations_and_the_controls_agree() {
     let mut surface = Surface::new(ball());
@@ -102,7 +105,8 @@ fn worn_contacts_satisfy_their_equations_and_the_controls_agree() {
     }
 }
 
-/// Where the image is level or falls a little, as near the end of a wear life, the edge is the outermost crossing.
+/// Where the image is level or falls a little, as near the end of a wear life, the edge is the
+/// outermost crossing.
 #[test]
 fn the_contact_edge_is_the_outermost_crossing() {
     let mut nodes = Nodes::around(&ball(), 32, 2e-4, 1e-4);

@@ -5,8 +5,9 @@ use super::dense::DenseAbel;
 use super::fast::FastAbel;
 use super::sweep::Expansions;
 
-/// Number of nodes from which the fast transforms are the quicker ones. Measured with `cargo bench --bench transforms`: at
-/// 128 cells both take 2 µs; at half as many the tables take a sixth less, at twice as many the fast form a third less.
+/// Number of nodes from which the fast transforms are the quicker ones. Measured with `cargo bench
+/// --bench transforms`: at 128 cells both take 2 µs; at half as many the tables take a sixth less,
+/// at twice as many the fast form a third less.
 pub const CROSSOVER: usize = 129;
 
 /// The Abel transforms on fixed nodes.
@@ -36,7 +37,8 @@ impl Scratch {
 }
 
 impl Abel {
-    /// Prepares the transforms for nodes X (m² or any unit), rising strictly; for [`Density::Image`] from X = 0.
+    /// Prepares the transforms for nodes X (m² or any unit), rising strictly; for
+    /// [`Density::Image`] from X = 0.
     ///
     /// # Panics
     /// For fewer than two nodes.

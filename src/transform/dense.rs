@@ -1,7 +1,8 @@
 //! The Abel transforms by triangular matrices of exact weights: n²/2 numbers each, read in order.
 //!
-//! Under X → α + λX the inverse transform of [`Density::Quotient`] grows by √λ, the pressure by 1/√λ and the inverse transform of
-//! [`Density::Image`] (where α = 0) not at all, so the tables of a mesh of unit width serve all that have its shape.
+//! Under X → α + λX the inverse transform of [`Density::Quotient`] grows by √λ, the pressure by
+//! 1/√λ and the inverse transform of [`Density::Image`] (where α = 0) not at all, so the tables of
+//! a mesh of unit width serve all that have its shape.
 
 use super::cell::{self, Density};
 use super::{Scratch, dot};
@@ -18,7 +19,8 @@ pub struct DenseAbel {
 }
 
 impl DenseAbel {
-    /// Tabulates the weights for nodes X (m² or any unit), rising strictly; for [`Density::Image`] from X = 0.
+    /// Tabulates the weights for nodes X (m² or any unit), rising strictly; for [`Density::Image`]
+    /// from X = 0.
     pub fn new(nodes: &[f64], density: Density) -> Self {
         let last = nodes.len() - 1;
         let root: Vec<f64> = nodes.iter().map(|x| x.max(0.0).sqrt()).collect();

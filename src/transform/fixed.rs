@@ -1,7 +1,7 @@
 //! Transforms of one image that stays as it is, at any radius: O(log n) operations each.
 //!
-//! Blocks of a tree that lie at least their own width from the radius act through their moments (see [`super::fast`]), the
-//! few cells next to it by exact weights.
+//! Blocks of a tree that lie at least their own width from the radius act through their moments
+//! (see [`super::fast`]), the few cells next to it by exact weights.
 
 use super::cell::{Density, image_weights};
 use super::interpolation::{ORDER, POINTS, Row, add_scaled, product};
@@ -34,8 +34,9 @@ fn scale(outer: f64) -> f64 {
 }
 
 impl FixedImage {
-    /// The image (m) whose profile has the given heights (m) at the given radii (m), which rise strictly from 0. It holds
-    /// NaN or infinities where numbers overflow or squares of radii are too small to differ.
+    /// The image (m) whose profile has the given heights (m) at the given radii (m), which rise
+    /// strictly from 0. It holds NaN or infinities where numbers overflow or squares of radii are
+    /// too small to differ.
     pub(crate) fn through(radii: &[f64], heights: &[f64]) -> Self {
         let scale = scale(radii[radii.len() - 1]);
         let x: Vec<f64> = radii.iter().map(|r| r * scale).collect();
@@ -112,8 +113,8 @@ impl FixedImage {
         sum * self.scale
     }
 
-    /// Splits the cells between two radii into blocks that are far from the outer (`outward`) or the inner of the two, and
-    /// ranges of cells.
+    /// Splits the cells between two radii into blocks that are far from the outer (`outward`) or
+    /// the inner of the two, and ranges of cells.
     fn cover(&self, block: usize, from: f64, to: f64, outward: bool, sink: &mut impl FnMut(Part)) {
         let cells = &self.tree.blocks[block];
         let (start, end) = (self.x[cells.start], self.x[cells.end]);

@@ -1,8 +1,10 @@
-//! One pass over the leaves of a tree, as a list of steps and one array of weights that they read from front to back.
+//! One pass over the leaves of a tree, as a list of steps and one array of weights that they read
+//! from front to back.
 //!
-//! Sources and targets are numbered in the order of the pass. Every leaf first takes in its far field, then computes its
-//! targets one by one, then gives out its moments; so all that a target needs is known when it is reached, whether the
-//! values at the sources were given or are computed on the way. What is zero up to a target adds exactly nothing.
+//! Sources and targets are numbered in the order of the pass. Every leaf first takes in its far
+//! field, then computes its targets one by one, then gives out its moments; so all that a target
+//! needs is known when it is reached, whether the values at the sources were given or are computed
+//! on the way. What is zero up to a target adds exactly nothing.
 
 mod adjoint;
 
@@ -62,7 +64,8 @@ pub(super) struct Sweep {
     extra: usize,
 }
 
-/// What one target has to work with: what is known of its sum, and the weights of the sources from `first` to itself.
+/// What one target has to work with: what is known of its sum, and the weights of the sources from
+/// `first` to itself.
 pub(super) struct Target<'a> {
     pub(super) index: usize,
     pub(super) known: f64,
@@ -103,7 +106,8 @@ impl Sweep {
         )
     }
 
-    /// The pressure, from outside inward, so that the last node is number 0; values are drops over the cells.
+    /// The pressure, from outside inward, so that the last node is number 0; values are drops over
+    /// the cells.
     pub(super) fn pressure(tree: &Tree, pairs: &Pairs) -> Self {
         let pair = |&(outer, inner): &(usize, usize)| (inner, outer);
         Builder {
@@ -321,7 +325,8 @@ impl Builder<'_> {
     ) {
         let (last, extra) = (self.tree.square.len() - 1, self.sweep.extra);
         let cells = self.cells(block);
-        // sources from the leaf backwards: those that adjoin it, then what lies apart, adjoining pieces as one
+        // sources from the leaf backwards: those that adjoin it, then what lies apart, adjoining
+        // pieces as one
         let mut near: Vec<_> = self.near[block].iter().map(|&source| self.cells(source)).collect();
         near.sort_unstable_by_key(|cells| std::cmp::Reverse(cells.start));
         let mut runs = vec![cells.clone()];

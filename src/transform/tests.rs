@@ -128,7 +128,8 @@ fn a_step_in_the_image_is_a_square_root_cusp() {
 
 #[test]
 fn weights_are_exact_next_to_the_axis_and_next_to_the_radius() {
-    // series of the means of (2/π) acos(x/r) over cells narrow against r; at the axis x = √X is not smooth in X
+    // series of the means of (2/π) acos(x/r) over cells narrow against r; at the axis x = √X is not
+    // smooth in X
     let axis = |x: f64| 1.0 - 4.0 / (3.0 * PI) * x * (1.0 + x * x / 10.0);
     let rim = |x: f64| ((1.0 - x) * (1.0 + x)).sqrt() * 4.0 / (3.0 * PI) * (1.0 + (1.0 - x) / 5.0);
     for (x0, x1, exact) in [

@@ -13,12 +13,13 @@ use std::sync::Arc;
 /// Most steps of one call: a whole life takes some fifty.
 const MOST_STEPS: u32 = 1000;
 
-/// And behind a rig, at the usual tolerance: where a front hovers, stretches of constant amplitude come sooner to an end.
+/// And behind a rig, at the usual tolerance: where a front hovers, stretches of constant amplitude
+/// come sooner to an end.
 const MOST_STEPS_BEHIND_A_RIG: f64 = 250.0;
 
-/// Most steps, at the usual tolerance of 1e-3, of what is but a small part of a life, which takes one or two, and on a body
-/// already worn where the mesh does not carry it. The method is of third order: a thousandth of the tolerance takes ten times as
-/// many.
+/// Most steps, at the usual tolerance of 1e-3, of what is but a small part of a life, which takes
+/// one or two, and on a body already worn where the mesh does not carry it. The method is of third
+/// order: a thousandth of the tolerance takes ten times as many.
 const MOST_STEPS_OF_AN_UPDATE: f64 = 60.0;
 
 /// And at most as many times that, however tight the tolerance: no call may go on for ever.
@@ -30,11 +31,12 @@ pub(crate) const THINNING: f64 = 0.05;
 /// Share of the worn volume that a new mesh may miss: its depths are then raised to it.
 pub(super) const MISSING: f64 = 0.05;
 
-/// Most corrections of the volume: the second takes what the first leaves by the difference between the integrals of mesh and nodes.
+/// Most corrections of the volume: the second takes what the first leaves by the difference between
+/// the integrals of mesh and nodes.
 const CORRECTIONS: usize = 2;
 
-/// How near to the work, relative, the volume has to be, as a share of the tolerance. Each correction makes the nodes again, a third of
-/// the time of a short update.
+/// How near to the work, relative, the volume has to be, as a share of the tolerance. Each
+/// correction makes the nodes again, a third of the time of a short update.
 const MET: f64 = 1e-3;
 
 /// How finely to integrate.
@@ -69,15 +71,16 @@ pub(crate) struct Amount {
     pub(crate) cycles: f64,
     /// Volume worn so far, m³: that of the profile, and what has found no place on it yet.
     pub(crate) worn: f64,
-    /// Volume that the motion wears, m³, where it is known from the springs on the surface of before.
+    /// Volume that the motion wears, m³, where it is known from the springs on the surface of
+    /// before.
     pub(crate) known: Option<f64>,
 }
 
 /// Wears a surface by an amount of a motion.
 ///
 /// # Errors
-/// Those of the normal contact; [`Error::TooMuchWear`] where the cycles need too many steps; [`Error::NotFinite`] where the
-/// contact edge is lost.
+/// Those of the normal contact; [`Error::TooMuchWear`] where the cycles need too many steps;
+/// [`Error::NotFinite`] where the contact edge is lost.
 pub(crate) fn integrate(
     surface: &Surface,
     motion: &Motion,
@@ -111,7 +114,8 @@ pub(crate) fn integrate(
         let mut volume = 0.0;
         let mut step =
             if life.next_step > 0.0 { life.next_step } else { first_step(&patch, &rate, settings) };
-        // a front that has just been looked for is off by the error of a new mesh: one step is always made
+        // a front that has just been looked for is off by the error of a new mesh: one step is
+        // always made
         let mut fresh = true;
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
             let carried = patch.body.worn().is_none() && amount.known.is_none();
@@ -138,7 +142,8 @@ pub(crate) fn integrate(
                     }
                     counters.profile_updates += 1;
                     left -= length;
-                    // a step cut short says nothing about a longer one, unless it was all but too long
+                    // a step cut short says nothing about a longer one, unless it was all but too
+                    // long
                     step = if length == step || factor < 1.0 { length * factor } else { step };
                 }
                 _ => {
@@ -168,7 +173,8 @@ pub(crate) fn integrate(
         if !(life.volume.is_finite() && life.defect.is_finite() && on_profile.is_finite()) {
             return Err(edge_not_found(motion));
         }
-        // on cells that do not follow the body at its edge the depths may carry a tenth of the work's volume
+        // on cells that do not follow the body at its edge the depths may carry a tenth of the
+        // work's volume
         if let Some(body) = patch.body.worn()
             && (on_profile - body.worn_volume() - volume).abs() > MISSING * volume
         {
@@ -179,14 +185,16 @@ pub(crate) fn integrate(
     Ok(life)
 }
 
-/// A first step that changes the image by about the size to which the method's error stays within the tolerance.
+/// A first step that changes the image by about the size to which the method's error stays within
+/// the tolerance.
 fn first_step(patch: &Patch, rate: &Rate, settings: &IntegrationSettings) -> f64 {
     let change = patch.largest_image(0, &rate.growth, rate);
     0.1 * settings.tolerance.cbrt() * rate.indentation.abs() / change
 }
 
-/// Nodes that a patch leaves where the worn volume is known to be `target` (m³), and by how much the patch missed that. The depths
-/// follow the motion of the mesh, which keeps the volume to second order in the cells; the work of the springs is exact.
+/// Nodes that a patch leaves where the worn volume is known to be `target` (m³), and by how much
+/// the patch missed that. The depths follow the motion of the mesh, which keeps the volume to
+/// second order in the cells; the work of the springs is exact.
 fn left_at_the_end(
     patch: &Patch,
     (mut state, mut rate): (State, Rate),

@@ -1,12 +1,14 @@
-//! The slipping region of a contact while it wears under a steady motion, on a mesh that moves with the contact edge.
+//! The slipping region of a contact while it wears under a steady motion, on a mesh that moves with
+//! the contact edge.
 //!
-//! One cycle of amplitude U₀ at constant load wears ∂w/∂N = 4 κ p s with κ = kμ/σ₀, the pressure p of q = d − g and the
-//! slip s, the inverse Abel transform of σ = max(U₀ − m q, 0), m = μE*/G*. Here w̃ is the depth that belongs to the image inside the
-//! region alone, h·1[x ≥ c]: what lies inside the stick radius c has no part in the rate of wear, and the depth at
-//! the contact edge a is zero, so that w̃(a) = −w_in(a), minus the depth there that belongs to the image inside. (Where the
-//! body is worn further out already, its wear so far counts as its shape, and w̃ is what comes on top.) The nodes move with
-//! a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN with A = a². All fields stay smooth in the mesh coordinate, at
-//! the moving edge too.
+//! One cycle of amplitude U₀ at constant load wears ∂w/∂N = 4 κ p s with κ = kμ/σ₀, the pressure p
+//! of q = d − g and the slip s, the inverse Abel transform of σ = max(U₀ − m q, 0), m = μE*/G*.
+//! Here w̃ is the depth that belongs to the image inside the region alone, h·1[x ≥ c]: what lies
+//! inside the stick radius c has no part in the rate of wear, and the depth at the contact edge a
+//! is zero, so that w̃(a) = −w_in(a), minus the depth there that belongs to the image inside.
+//! (Where the body is worn further out already, its wear so far counts as its shape, and w̃ is what
+//! comes on top.) The nodes move with a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN
+//! with A = a². All fields stay smooth in the mesh coordinate, at the moving edge too.
 
 mod direct;
 mod edge;
@@ -35,8 +37,8 @@ pub(super) use linear::Linear;
 pub(crate) use motion::{Motion, Rig, Sliding};
 pub(crate) use rate::Rate;
 
-/// How near to the end of the body, relative, a contact edge counts as standing there. A worn rim carries next to nothing, and
-/// would come and go at every step.
+/// How near to the end of the body, relative, a contact edge counts as standing there. A worn rim
+/// carries next to nothing, and would come and go at every step.
 pub(crate) const RIM: f64 = 1e-4;
 
 /// The region: the body, its mesh, and the law.
@@ -159,14 +161,16 @@ impl Patch {
         let mut depth = vec![0.0; n + 1];
         self.mesh.inverse_abel(&z, &mut depth);
         if !self.rim {
-            // the depth at the edge is known: the error of taking the image over must not all go to the last cell
+            // the depth at the edge is known: the error of taking the image over must not all go to
+            // the last cell
             let error = self.edge_depth(radius_squared.sqrt()) - depth[n];
             depth.iter_mut().zip(&self.mesh.share).for_each(|(w, share)| *w += error * share);
         }
         depth
     }
 
-    /// Largest image (m) from a node on, of those whose image is free, that belongs to a change of the depths.
+    /// Largest image (m) from a node on, of those whose image is free, that belongs to a change of
+    /// the depths.
     pub(crate) fn largest_image(&self, from: usize, change: &[f64], rate: &Rate) -> f64 {
         let n = self.cells();
         let (mut depth, mut z) = (change.to_vec(), vec![0.0; n + 1]);

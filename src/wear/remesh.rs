@@ -10,34 +10,39 @@ use crate::profile::Profile;
 use crate::surface::Region;
 use crate::surface::{Contact, MeshPlace, Nodes, Surface};
 
-/// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells of a disc do not see: they would
-/// leave out a whole cell, a fifth of the volume. It is taken for partial slip with a front next to the axis.
+/// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells
+/// of a disc do not see: they would leave out a whole cell, a fifth of the volume. It is taken for
+/// partial slip with a front next to the axis.
 const JUST_ALL: f64 = 1e-4;
 
 /// Radius of that front, and the least of any, relative to the contact radius.
 const LEAST_FRONT: f64 = 1e-4;
 
-/// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth a mesh.
+/// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth
+/// a mesh.
 const THINNEST: f64 = 1e-5;
 
-// The next four and `MISSING` say when a mesh is made on a worn surface. Half of each and twice leave every scene of the stability report with the
-// same outcome; beyond them, updates on nodes at rest do the same, only slower.
+// The next four and `MISSING` say when a mesh is made on a worn surface. Half of each and twice
+// leave every scene of the stability report with the same outcome; beyond them, updates on nodes at
+// rest do the same, only slower.
 
-/// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an update of a profile that wears very
-/// fast leaves there by an inexact contact edge.
+/// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an
+/// update of a profile that wears very fast leaves there by an inexact contact edge.
 const FAINT: f64 = 1e-2;
 
-/// How far the contact edge may move where a mesh is made on a surface at rest, on which it is known to a cell: in cells of an even
-/// mesh over the contact.
+/// How far the contact edge may move where a mesh is made on a surface at rest, on which it is
+/// known to a cell: in cells of an even mesh over the contact.
 const EDGE_CELLS: f64 = 1.0;
 
 /// And in shares of the slipping region.
 const EDGE_SHARE: f64 = 0.2;
 
-/// And of what the mesh carries of it; in a thin annulus, whose image may be below 0, a small part of the whole is more than that.
+/// And of what the mesh carries of it; in a thin annulus, whose image may be below 0, a small part
+/// of the whole is more than that.
 const MISSING_OF_OWN: f64 = 0.09;
 
-/// The slipping region of a contact, with the state that its surface gives it; `None` where nothing slips.
+/// The slipping region of a contact, with the state that its surface gives it; `None` where nothing
+/// slips.
 pub(super) fn mesh_slip_zone(
     surface: &Surface,
     contact: &Contact,
@@ -104,7 +109,8 @@ pub(super) fn mesh_slip_zone(
                 return Ok(Some((patch, state)));
             }
         }
-        // it is made again where it can carry all the wear there is, else the wear so far is left to the body
+        // it is made again where it can carry all the wear there is, else the wear so far is left
+        // to the body
         let beyond = nodes.x().partition_point(|x| *x <= a);
         let deepest = nodes.depth().iter().fold(0.0, |most: f64, w| most.max(*w));
         if nodes.depth()[beyond..].iter().all(|w| *w <= FAINT * deepest) {
@@ -159,7 +165,8 @@ fn fits(nodes: &Nodes, place: &MeshPlace, mesh: &UnitMesh, front: f64) -> bool {
         && front <= x[FRONT_CELLS]
 }
 
-/// What lies inside the front: the surface's nodes up to there, without those that a line through others replaces.
+/// What lies inside the front: the surface's nodes up to there, without those that a line through
+/// others replaces.
 fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
     if front == 0.0 {
         return Frozen::default();
@@ -175,7 +182,8 @@ fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
             }
         }
     }
-    // next to a node the image may be so steep that a rounding of the front would show, and let it creep
+    // next to a node the image may be so steep that a rounding of the front would show, and let it
+    // creep
     let node = surface.worn().and_then(|nodes| nodes.at(front, 1e-11));
     let (image, depth) = node.unwrap_or_else(|| {
         (surface.worn_image(front), surface.worn().map_or(0.0, |nodes| nodes.depth_at(front)))

@@ -1,8 +1,10 @@
-//! Time integration of a [`Patch`]: a linearly implicit method of third order with an embedded one of second.
+//! Time integration of a [`Patch`]: a linearly implicit method of third order with an embedded one
+//! of second.
 //!
-//! ROS34PW2 of Rang and Angermann (BIT 45, 2005, 761): four stages, stiffly accurate and L-stable, and of third order with
-//! any approximation of the Jacobian. Wear relaxes to its final state at rates that span many decades, which an
-//! explicit method would have to follow all; here one small linear system serves the four stages of a step.
+//! ROS34PW2 of Rang and Angermann (BIT 45, 2005, 761): four stages, stiffly accurate and L-stable,
+//! and of third order with any approximation of the Jacobian. Wear relaxes to its final state at
+//! rates that span many decades, which an explicit method would have to follow all; here one small
+//! linear system serves the four stages of a step.
 
 use super::patch::{Linear, Patch, Rate, State};
 use crate::counters::Counters;
@@ -99,7 +101,8 @@ pub(crate) fn step(
     }
     counters.pressure_transforms += 1;
     counters.descent_transforms += 2;
-    // at steps far longer than the relaxation the rate's quadrature is all rounding; then the profile tells the volume
+    // at steps far longer than the relaxation the rate's quadrature is all rounding; then the
+    // profile tells the volume
     let grown = patch.volume(&rate) - patch.volume(before);
     let volume = if (volume - grown).abs() <= 0.02 * grown.abs() { volume } else { grown }.max(0.0);
     let error = patch.largest_image(patch.sticking(before) + 1, &error, &rate);

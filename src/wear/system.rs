@@ -1,4 +1,5 @@
-//! The linear system of an implicit update, known by what it does to a vector, and an approximate inverse.
+//! The linear system of an implicit update, known by what it does to a vector, and an approximate
+//! inverse.
 
 use super::edge::Edge;
 use super::{Constants, SlipFields};
@@ -15,7 +16,8 @@ pub(super) struct System<'a> {
     stiffness: Vec<f64>,
     /// Pressure at the nodes of a uniform load and, at its end, of a change of the load there, 1/m.
     response: Vec<f64>,
-    /// Weights of the mean of the image over the contact, by which the body sinks under a given force.
+    /// Weights of the mean of the image over the contact, by which the body sinks under a given
+    /// force.
     mean: Option<Vec<f64>>,
 }
 
@@ -57,12 +59,14 @@ impl<'a> System<'a> {
     }
 }
 
-/// An approximate inverse of 1 + b|∂/∂x|, which is what the operator does to short waves: on nodes of which every other is
-/// left out from level to level, what a level has beyond the next coarser one is divided by 1 + b k, k being the wave number
-/// of its cells. So the number of iterations hardly grows with that of the nodes (multilevel diagonal scaling,
-/// Bramble, Pasciak and Xu, Math. Comp. 55 (1990), 1; Zhang, Numer. Math. 63 (1992), 521).
+/// An approximate inverse of 1 + b|∂/∂x|, which is what the operator does to short waves: on nodes
+/// of which every other is left out from level to level, what a level has beyond the next coarser
+/// one is divided by 1 + b k, k being the wave number of its cells. So the number of iterations
+/// hardly grows with that of the nodes (multilevel diagonal scaling, Bramble, Pasciak and Xu, Math.
+/// Comp. 55 (1990), 1; Zhang, Numer. Math. 63 (1992), 521).
 pub(super) struct Levels {
-    /// From fine to coarse: weight of the coarse node before in the line through a node that is left out, and divisors.
+    /// From fine to coarse: weight of the coarse node before in the line through a node that is
+    /// left out, and divisors.
     levels: Vec<Level>,
 }
 

@@ -86,8 +86,8 @@ pub(crate) fn exact(profile: &Profile, force: f64) -> TangentialContact {
     TangentialContact { normal, modulus: G_STAR, friction: MU }
 }
 
-/// The input of a normal control at which a profile without wear carries a force (N); the bodies are
-/// apart where it is not positive.
+/// The input of a normal control at which a profile without wear carries a force (N); the bodies
+/// are apart where it is not positive.
 pub(crate) fn normal_input(profile: &Profile, control: NormalControl, force: f64) -> f64 {
     match control {
         NormalControl::Force => force,

@@ -25,7 +25,8 @@ fn full(contact: &FrettingContact) -> f64 {
     contact.indentation_depth() * MU * common::E_STAR / common::G_STAR
 }
 
-/// The same strokes on a line at an angle and along x: loops in partial and gross slip, under a load that stays or varies.
+/// The same strokes on a line at an angle and along x: loops in partial and gross slip, under a
+/// load that stays or varies.
 #[test]
 fn a_line_at_any_angle_is_the_line_along_x() {
     for profile in PROFILES {
@@ -54,7 +55,8 @@ fn a_line_at_any_angle_is_the_line_along_x() {
     }
 }
 
-/// A closed path: 0 to radius, `orbits` of a circle in `steps` each, and back along a spiral to the start.
+/// A closed path: 0 to radius, `orbits` of a circle in `steps` each, and back along a spiral to the
+/// start.
 fn circle(
     contact: &mut FrettingContact,
     radius: f64,
@@ -69,7 +71,8 @@ fn circle(
     }
 }
 
-/// Over a closed orbit in a steady state the work of the drive ∮**T**·d**U** is the work of friction, and |**T**| ≤ μF_N.
+/// Over a closed orbit in a steady state the work of the drive ∮**T**·d**U** is the work of
+/// friction, and |**T**| ≤ μF_N.
 #[test]
 fn the_work_of_the_drive_over_an_orbit_is_that_of_friction() {
     for profile in PROFILES {
@@ -105,7 +108,8 @@ fn the_work_of_the_drive_over_an_orbit_is_that_of_friction() {
     }
 }
 
-/// In a steady orbit of radius U around the place of rest springs inside c stick, where the bound is U, as in a stroke of that length.
+/// In a steady orbit of radius U around the place of rest springs inside c stick, where the bound
+/// is U, as in a stroke of that length.
 #[test]
 fn the_stick_radius_of_an_orbit_is_that_of_a_stroke_of_its_radius() {
     for profile in [BALL, CONE, BLUNTED, ROUNDED] {
@@ -159,7 +163,8 @@ fn a_scene_that_keeps_its_place_along_y_pays_nothing_for_it() {
     }
 }
 
-/// The first motion along y changes nothing of what is there: force, work and front go on from where they were.
+/// The first motion along y changes nothing of what is there: force, work and front go on from
+/// where they were.
 #[test]
 fn the_first_motion_along_y_takes_over_what_the_line_has_left() {
     for profile in PROFILES {
@@ -200,7 +205,8 @@ fn bodies_that_part_begin_on_a_line_again() {
     }
 }
 
-/// Bodies that touch while they move in the plane know nothing of where: wherever that is, forces and work are the same.
+/// Bodies that touch while they move in the plane know nothing of where: wherever that is, forces
+/// and work are the same.
 #[test]
 fn where_in_the_plane_bodies_touch_does_not_matter() {
     let touched = |x: f64| {

@@ -1,5 +1,5 @@
-//! Derivatives of the worn depth for a contact that moves in both tangential directions: by Archard's law at the deepest
-//! point, and against the same motion along x.
+//! Derivatives of the worn depth for a contact that moves in both tangential directions: by
+//! Archard's law at the deepest point, and against the same motion along x.
 
 use crate::common::{BALL, CONE, FORCE, MU, PUNCH, close_to, contact, exact, started, without_wear};
 use fretting_contact::{FrettingContact, Gradient, Parameters};
@@ -11,8 +11,8 @@ fn along(place: f64) -> [f64; 2] {
     WAY.map(|part| part * place)
 }
 
-/// Where all springs slip, the middle of a ball wears by (k/σ₀) μp **n** per displacement, and no other way; on the way back nothing
-/// wears until springs are at their bound again.
+/// Where all springs slip, the middle of a ball wears by (k/σ₀) μp **n** per displacement, and no
+/// other way; on the way back nothing wears until springs are at their bound again.
 #[test]
 fn the_middle_of_a_ball_wears_by_the_law() {
     let mut contact = started(Parameters { profile: BALL, ..Parameters::default() });
@@ -89,7 +89,8 @@ fn without_wear_or_slip_the_depth_stays() {
     let mut line = started(Parameters { profile: PUNCH, ..Parameters::default() });
     punch.advance_to_planar(FORCE, along(1.1 * exact(&PUNCH, FORCE).full_slip())).unwrap();
     line.advance_to(FORCE, 1.1 * exact(&PUNCH, FORCE).full_slip()).unwrap();
-    // its rim is the deepest place, where the pressure is no number: no rate is given, as on the line
+    // its rim is the deepest place, where the pressure is no number: no rate is given, as on the
+    // line
     for contact in [&punch, &line] {
         assert!(contact.wear_depth() > 0.0);
         still(contact);

@@ -145,7 +145,8 @@ const QUANTITIES: [Quantity; 5] = [
     ("F_N", FrettingContact::normal_reaction, FrettingContact::normal_reaction_gradient, 1e-6),
 ];
 
-/// Gradients against central differences along paths that turn to the side, onward and with a falling load.
+/// Gradients against central differences along paths that turn to the side, onward and with a
+/// falling load.
 #[test]
 fn derivatives_agree_with_differences_along_the_path() {
     for control in [NormalControl::Force, NormalControl::Indentation] {
@@ -196,7 +197,8 @@ fn derivatives_agree_with_differences_along_the_path() {
     }
 }
 
-/// Before it has moved along y a contact resists that with all its springs, and force along x does not feel it.
+/// Before it has moved along y a contact resists that with all its springs, and force along x does
+/// not feel it.
 #[test]
 fn on_a_line_motion_along_y_is_elastic() {
     let mut contact = started(without_wear(BALL));
@@ -209,8 +211,8 @@ fn on_a_line_motion_along_y_is_elastic() {
     common::close_to(contact.tangential_force(), force, 1e-9, "force along x");
 }
 
-/// The load falls to next to none while the body moves across by a way that is nothing beside the bound of before, and much beside
-/// the one that is left: the springs end at that nevertheless.
+/// The load falls to next to none while the body moves across by a way that is nothing beside the
+/// bound of before, and much beside the one that is left: the springs end at that nevertheless.
 #[test]
 fn springs_follow_a_bound_that_all_but_vanishes() {
     let mut scenes = vec![(BALL, 1e-12, 1e-13), (BALL, 1e-30, 1e-25), (BALL, 9.35e-307, -3.45e-190)];

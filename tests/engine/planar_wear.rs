@@ -1,4 +1,5 @@
-//! Wear of motion in the plane: against a row of vector springs stepped explicitly, and in its limits.
+//! Wear of motion in the plane: against a row of vector springs stepped explicitly, and in its
+//! limits.
 
 use crate::common::*;
 use fretting_contact::reference::{PlanarWearingRow, WearingRow};
@@ -94,7 +95,8 @@ fn lissajous_figures_under_loads_that_vary() {
     }
 }
 
-/// Finer cells and a tighter tolerance lead to the same wear, though the front creeps outward all the time.
+/// Finer cells and a tighter tolerance lead to the same wear, though the front creeps outward all
+/// the time.
 #[test]
 fn an_orbit_wears_the_same_at_any_setting() {
     let full = exact(&BALL, FORCE).full_slip();
@@ -137,7 +139,8 @@ fn a_line_at_any_angle_wears_as_the_line_along_x() {
     }
 }
 
-/// Worn volume and profile are computed by different code: (k/σ₀) times the springs' work, and what the transforms have taken off.
+/// Worn volume and profile are computed by different code: (k/σ₀) times the springs' work, and what
+/// the transforms have taken off.
 #[test]
 fn the_profile_has_worn_by_the_work_of_friction() {
     for profile in [BALL, CONE, BLUNTED, ROUNDED, PUNCH] {
@@ -168,7 +171,8 @@ fn the_profile_has_worn_by_the_work_of_friction() {
     }
 }
 
-/// How the caller splits the sides of a polygon changes what has worn by far less than the tolerance of the integration promises.
+/// How the caller splits the sides of a polygon changes what has worn by far less than the
+/// tolerance of the integration promises.
 #[test]
 fn a_step_may_be_split() {
     let full = exact(&BALL, FORCE).full_slip();

@@ -8,7 +8,8 @@ use std::f64::consts::PI;
 /// Ends of straight lines, as shares of the usual force and of u_max.
 type History = Vec<(f64, f64)>;
 
-/// The ball under the usual force, N₀ = 300 at 0.6 u_max: a stroke wears up to a third of a percent of a life.
+/// The ball under the usual force, N₀ = 300 at 0.6 u_max: a stroke wears up to a third of a percent
+/// of a life.
 fn begin(parameters: &Parameters, cells: usize) -> (FrettingContact, WearingRow) {
     let start = exact(&BALL, FORCE);
     let (a, d) = (start.normal.radius(), start.normal.depth());
@@ -65,7 +66,8 @@ fn usual() -> Parameters {
     Parameters { normal_control: NormalControl::Force, ..Parameters::default() }
 }
 
-/// To and fro, each line to a random place between the given shares of u_max under a random share of the load.
+/// To and fro, each line to a random place between the given shares of u_max under a random share
+/// of the load.
 fn random(lines: usize, loads: (f64, f64), amplitudes: (f64, f64)) -> History {
     let mut random = seeded(21);
     let side = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
@@ -97,7 +99,8 @@ fn random_gross_slip_converges_with_the_tolerance() {
     assert!(fine.profile < 0.7 * coarse.profile, "{coarse:?} {fine:?}");
 }
 
-/// Small cycles about a place to which a larger motion has brought the body: what sticks keeps the load of that motion.
+/// Small cycles about a place to which a larger motion has brought the body: what sticks keeps the
+/// load of that motion.
 #[test]
 fn cycles_about_a_mean_keep_the_mean_force() {
     let mut history = vec![(1.0, 0.9)];
@@ -106,7 +109,8 @@ fn cycles_about_a_mean_keep_the_mean_force() {
     outcome.assert_within_a_percent();
 }
 
-/// A block of many strokes of one amplitude, then of another, and so on, as fatigue tests are made of.
+/// A block of many strokes of one amplitude, then of another, and so on, as fatigue tests are made
+/// of.
 #[test]
 fn blocks_of_steady_amplitudes() {
     let mut history = Vec::new();
@@ -129,8 +133,8 @@ fn load_and_displacement_in_step() {
     outcome.assert_within_a_percent();
 }
 
-/// Gross slip wears a ball flat all over, then smaller and smaller strokes go on at its edge, which updates at rest know to a cell
-/// only: whatever is made of that edge decides which springs slip.
+/// Gross slip wears a ball flat all over, then smaller and smaller strokes go on at its edge, which
+/// updates at rest know to a cell only: whatever is made of that edge decides which springs slip.
 #[test]
 fn blocks_that_shrink_from_gross_slip() {
     let mut history = Vec::new();
@@ -142,7 +146,8 @@ fn blocks_that_shrink_from_gross_slip() {
     assert!(outcome.volume.abs() < 1e-2 && outcome.profile < 2e-2 && outcome.force < 2e-2, "{outcome:?}");
 }
 
-/// The rim of a flat punch wears off at once where all slips, again and again: every step is taken, and all that wears shows on the profile.
+/// The rim of a flat punch wears off at once where all slips, again and again: every step is taken,
+/// and all that wears shows on the profile.
 #[test]
 fn a_flat_punch_to_and_fro_in_gross_slip() {
     let start = exact(&PUNCH, FORCE);

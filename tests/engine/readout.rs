@@ -1,4 +1,5 @@
-//! What a contact tells besides its state: the unworn profile, the depth that a cycle wears, how its own place follows the drive.
+//! What a contact tells besides its state: the unworn profile, the depth that a cycle wears, how
+//! its own place follows the drive.
 
 use crate::common::*;
 use fretting_contact::{Error, FrettingContact, Gradient, Parameters, Profile};
@@ -30,8 +31,9 @@ fn unworn_heights_are_those_of_the_profile() {
     }
 }
 
-/// Before it has worn, a ball's depth grows fastest where 4 (kμ/σ₀) p s is largest, with the slip at the surface of a cycle in gross slip
-/// s = A − u_max (1 − t²/2) and p = p₀ √(1 − t²), t = r/a; the output is the largest at the radii of the probes.
+/// Before it has worn, a ball's depth grows fastest where 4 (kμ/σ₀) p s is largest, with the slip
+/// at the surface of a cycle in gross slip s = A − u_max (1 − t²/2) and p = p₀ √(1 − t²), t = r/a;
+/// the output is the largest at the radii of the probes.
 #[test]
 fn the_depth_that_a_first_cycle_wears_has_the_closed_form_in_gross_slip() {
     let exact = exact(&BALL, FORCE);
@@ -81,7 +83,8 @@ fn nothing_wears_apart_or_without_a_wear_coefficient() {
     assert_eq!(pressed(BALL, FORCE).wear_depth_per_cycle(1e-3), 0.0);
 }
 
-/// Apart from the counter body it goes with the drive, whatever the rig; in contact by its share of the stiffness.
+/// Apart from the counter body it goes with the drive, whatever the rig; in contact by its share of
+/// the stiffness.
 #[test]
 fn the_body_follows_the_drive_by_its_share() {
     for rig in [2e7, f64::INFINITY] {

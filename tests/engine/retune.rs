@@ -60,7 +60,8 @@ fn each_part_of_the_work_wears_by_the_coefficient_of_its_time() {
     let (mut volume, mut work, mut last_wear) = (0.0, 0.0, 0.02);
     for (friction, wear) in [(0.6, 0.02), (0.4, 0.05), (0.7, 0.001), (0.5, 0.02)] {
         contact.retune(friction, wear).unwrap();
-        // the change itself dissipates: an update of the profile by the old coefficient, a fall of friction by the new
+        // the change itself dissipates: an update of the profile by the old coefficient, a fall of
+        // friction by the new
         let (worn, work_then) = (contact.wear_volume() - volume, contact.dissipated_energy() - work);
         let rounding = 1e-12 * contact.wear_volume();
         assert!(worn >= f64::min(wear, last_wear) / 8e9 * work_then - rounding, "{worn} {work_then}");

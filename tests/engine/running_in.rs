@@ -39,8 +39,9 @@ fn friction_after(work: f64, energy: f64) -> f64 {
     END - (END - START) * (-work / energy).exp()
 }
 
-/// Displacement at which an energy is dissipated in sliding from rest: ∫ T dU = W + 0.4 μF u_f, what the springs store in
-/// gross slip of a sphere; the work of the first loading to u_f is 3/5 μF u_f.
+/// Displacement at which an energy is dissipated in sliding from rest: ∫ T dU = W + 0.4 μF u_f,
+/// what the springs store in gross slip of a sphere; the work of the first loading to u_f is 3/5 μF
+/// u_f.
 fn displacement_after(work: f64) -> f64 {
     let slid = ENERGY / (END * FORCE) * ((END * (work / ENERGY).exp() - (END - START)) / START).ln();
     slid + 0.8 * exact(&BALL, FORCE).full_slip() * friction_after(work, ENERGY) / MU

@@ -1,5 +1,5 @@
-//! Wear against what is known of it: the final state and the way there at constant depth, the tables at constant force,
-//! gross slip, and the identity of worn volume and friction work.
+//! Wear against what is known of it: the final state and the way there at constant depth, the
+//! tables at constant force, gross slip, and the identity of worn volume and friction work.
 
 use crate::common::*;
 use fretting_contact::problems::Problem;
@@ -22,9 +22,9 @@ fn end_of(scene: &Problem) -> ConstantDepthEnd {
     scene.end.expect("the depth is held")
 }
 
-/// The identities that hold in every scene. V = (k/σ₀) W by definition; the worn profile holds that volume, except for the
-/// clipping of rounding and the outermost cell; what the transforms alone miss of the work is put right at each update,
-/// and known.
+/// The identities that hold in every scene. V = (k/σ₀) W by definition; the worn profile holds that
+/// volume, except for the clipping of rounding and the outermost cell; what the transforms alone
+/// miss of the work is put right at each update, and known.
 #[track_caller]
 fn assert_volumes_agree(contact: &FrettingContact, defect: f64, what: &str) {
     let per_work = contact.parameters().wear_per_work();
@@ -142,7 +142,8 @@ fn the_final_state_at_constant_depth_is_the_closed_one() {
         );
         assert!(worst <= 5e-3, "{profile:?}: {worst:e} d0");
         close_to(contact.wear_volume(), end.worn_volume(), 5e-3, "V");
-        // in the end g = d all over the slip zone, to the tolerance: where they cross last is ill-defined
+        // in the end g = d all over the slip zone, to the tolerance: where they cross last is
+        // ill-defined
         close_to(contact.contact_radius(), end.outer_radius(), 0.05, "a");
         close_to(contact.normal_reaction(), end.normal_force(E_STAR), 5e-3, "F_N");
         close_to(contact.tangential_force(), end.tangential_force(G_STAR, scene.amplitude), 5e-3, "T");
@@ -261,7 +262,8 @@ fn a_sphere_in_gross_slip_wears_at_the_centre_as_tabulated() {
         let volume = contact.wear_volume() / (per_path * slid) - 1.0;
         println!("sphere at {s}: w0/d0 {measured:.4}: {:+.2e}, V {volume:+.1e}", measured / centre - 1.0);
         close_to(measured, centre, 0.01, &format!("central wear at {s}"));
-        // while the pressure spreads, the springs give back some of their elastic energy: that of a path of u_max/10
+        // while the pressure spreads, the springs give back some of their elastic energy: that of a
+        // path of u_max/10
         close(volume, 0.0, 0.3 * full / slid, &format!("V at {s}"));
     }
     // the segment worn off; at S = 10 the law for late times is not yet exact
@@ -364,7 +366,8 @@ fn wear_never_heals_at_any_probe() {
     }
 }
 
-/// Apart, the worn profile stays to the bit; pressed again, the contact is the same as without having been apart.
+/// Apart, the worn profile stays to the bit; pressed again, the contact is the same as without
+/// having been apart.
 #[test]
 fn contact_lost_and_found_keeps_the_worn_profile() {
     let scene = wear_scene(&BALL, Force, 100.0);
@@ -397,8 +400,8 @@ fn contact_lost_and_found_keeps_the_worn_profile() {
     assert!(contact.wear_volume() > volume);
 }
 
-/// Steps ten times smaller put the profile updates at other instants, each of which is good to the tolerance of 1e-3:
-/// together they differ by 2.5e-3.
+/// Steps ten times smaller put the profile updates at other instants, each of which is good to the
+/// tolerance of 1e-3: together they differ by 2.5e-3.
 #[test]
 fn splitting_steps_changes_the_wear_within_the_tolerance() {
     for control in [Force, Indentation] {
@@ -444,7 +447,8 @@ fn the_counted_work_stays_bounded() {
     let counters = stepped.counters();
     println!("stepping: {counters}");
     assert_eq!(counters.steps, (LIFE * STEPS) as u64);
-    // an update per half cycle, since here each wears more than the limit; four stages each, and nothing on other nodes
+    // an update per half cycle, since here each wears more than the limit; four stages each, and
+    // nothing on other nodes
     let updates = counters.profile_updates;
     assert!(updates <= 2 * LIFE as u64 + 20, "{counters}");
     assert!(counters.rejected_steps <= 10, "{counters}");
@@ -463,7 +467,8 @@ fn the_counted_work_stays_bounded() {
     assert_eq!(counters.transform_tables, 0, "{counters}");
 }
 
-/// One step that would wear many times the depth is refused; the contact is as it was and can be moved on.
+/// One step that would wear many times the depth is refused; the contact is as it was and can be
+/// moved on.
 #[test]
 fn a_step_that_wears_too_much_is_refused() {
     for control in [Force, Indentation] {
@@ -478,8 +483,8 @@ fn a_step_that_wears_too_much_is_refused() {
     }
 }
 
-/// Strokes that wear so much that no two are alike, until a mesh can be made on what they have left: at constant depth the stick
-/// circle does not move, and inside it nothing wears.
+/// Strokes that wear so much that no two are alike, until a mesh can be made on what they have
+/// left: at constant depth the stick circle does not move, and inside it nothing wears.
 #[test]
 fn a_new_mesh_wears_nothing_that_sticks() {
     let mut parameters = Parameters { normal_control: Indentation, ..Parameters::default() };

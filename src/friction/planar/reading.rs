@@ -71,8 +71,9 @@ impl Standing<'_> {
             || norm(self.deflection(knot)) >= bound * (1.0 - 1e-9) - rounding
     }
 
-    /// Place of the front between sample j, which sticks, and the next, which slips: where the springs that stick would reach
-    /// their bound if they went on as from the sample before, linear in g.
+    /// Place of the front between sample j, which sticks, and the next, which slips: where the
+    /// springs that stick would reach their bound if they went on as from the sample before, linear
+    /// in g.
     fn front(&self, j: usize) -> Place {
         let knots = &self.row.knots;
         let (here, next) = (&knots[j], &knots[j + 1]);
@@ -122,8 +123,8 @@ impl Standing<'_> {
             .then(|| (-fall, self.stiffness_along([u[0] / size, u[1] / size]).0))
     }
 
-    /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e dx/√(r² − x²) from 0 to r;
-    /// on the axis that of the spring there.
+    /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e
+    /// dx/√(r² − x²) from 0 to r; on the axis that of the spring there.
     pub(crate) fn surface_slip(&self, r: f64, ahead: Vector) -> [Vector; 3] {
         let mut slip = [[0.0; 2]; 3];
         let of_spring = |knot: &PlanarKnot| {
@@ -153,7 +154,8 @@ impl Standing<'_> {
         slip
     }
 
-    /// Tangents of half the row for going on in a direction: springs at their bound that the motion grows on follow it.
+    /// Tangents of half the row for going on in a direction: springs at their bound that the motion
+    /// grows on follow it.
     pub(crate) fn tangent(&self, ahead: Vector) -> Tangent {
         let part = |knot: &PlanarKnot| {
             let u = self.deflection(knot);

@@ -1,8 +1,10 @@
 //! Where the row is sampled: even radii, the nodes of a worn profile, and the contact edge.
 //!
-//! The even radii stay as the contact grows and shrinks; their distance is doubled or halved where they become twice as many or half
-//! as few as asked for, so that the samples that remain are the springs of before. The nodes of a worn profile are springs of their own: wear
-//! asks for their slip, and one between a spring that sticks and one that slips would let wear leak across the front.
+//! The even radii stay as the contact grows and shrinks; their distance is doubled or halved where
+//! they become twice as many or half as few as asked for, so that the samples that remain are the
+//! springs of before. The nodes of a worn profile are springs of their own: wear asks for their
+//! slip, and one between a spring that sticks and one that slips would let wear leak across the
+//! front.
 
 use super::reading::Standing;
 use super::spring::{Vector, along, difference, norm};
@@ -109,8 +111,8 @@ impl PlanarRow {
         Self { spacing, knots: radii.iter().zip(origins).map(knot).collect() }
     }
 
-    /// The same springs at other radii, up to a contact radius, on the surface on which they lie or, where that `is_another`, on one
-    /// whose nodes may be others or lie elsewhere.
+    /// The same springs at other radii, up to a contact radius, on the surface on which they lie
+    /// or, where that `is_another`, on one whose nodes may be others or lie elsewhere.
     fn resampled(&self, (surface, is_another): (&Surface, bool), spacing: f64, radius: f64) -> Self {
         let Some(first) = self.knots.first() else { return Self::default() };
         let mut row = Self { spacing, knots: Vec::new() };
@@ -129,7 +131,8 @@ impl PlanarRow {
         row
     }
 
-    /// Image at a radius behind sample j on the surface on which the row lay, as evenly as it rises over narrow cells.
+    /// Image at a radius behind sample j on the surface on which the row lay, as evenly as it rises
+    /// over narrow cells.
     fn former_image(&self, j: usize, x: f64) -> f64 {
         let (p, q) = (&self.knots[j].place, &self.knots[(j + 1).min(self.knots.len() - 1)].place);
         let width = q.x - p.x;
@@ -137,7 +140,8 @@ impl PlanarRow {
         p.image + share * (q.image - p.image)
     }
 
-    /// Takes samples that were not there before to their bound, where the image of a rough profile falls between their neighbours'.
+    /// Takes samples that were not there before to their bound, where the image of a rough profile
+    /// falls between their neighbours'.
     fn keep_within(&mut self, contact: &Contact, (bound_slope, displacement): (f64, Vector)) {
         for knot in &mut self.knots {
             let bound = bound_slope * (contact.depth - knot.place.image).max(0.0);
@@ -182,8 +186,9 @@ impl PlanarRow {
         }
     }
 
-    /// The row on a surface that has worn while nothing moved. Springs that slipped have followed their bound, up or down, all
-    /// the time; others slip back to theirs where it has fallen below them.
+    /// The row on a surface that has worn while nothing moved. Springs that slipped have followed
+    /// their bound, up or down, all the time; others slip back to theirs where it has fallen below
+    /// them.
     pub(crate) fn rested(&self, resting: &Resting) -> Self {
         let (old, new) = resting.contacts;
         if new.is_open() {

@@ -1,4 +1,5 @@
-//! The walk of the row along a straight line in load and displacement: springs touch and leave, stick and slip.
+//! The walk of the row along a straight line in load and displacement: springs touch and leave,
+//! stick and slip.
 
 use super::sampling::{Samples, interpolated};
 use super::spring::{Vector, difference, move_spring, norm, scaled, sum};

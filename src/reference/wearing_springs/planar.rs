@@ -2,8 +2,8 @@
 
 use super::{WearingRow, sum};
 
-/// A wearing contact of a body of revolution under force control, moved in the plane: springs slip back to Coulomb's circle along
-/// themselves, w grows by (k/σ₀) **τ**·Δ**s**.
+/// A wearing contact of a body of revolution under force control, moved in the plane: springs slip
+/// back to Coulomb's circle along themselves, w grows by (k/σ₀) **τ**·Δ**s**.
 #[derive(Debug, Clone)]
 pub struct PlanarWearingRow {
     row: WearingRow,

@@ -85,8 +85,9 @@ fn what_is_linear_is_transformed_exactly() {
     }
 }
 
-/// Largest errors on a mesh of so many cells against closed forms that are not linear: both directions of k = X², and
-/// of k = √X whose inverse transform is a line, and the pressures of q = (1 − X)² and of q = √(1 − X), which is constant.
+/// Largest errors on a mesh of so many cells against closed forms that are not linear: both
+/// directions of k = X², and of k = √X whose inverse transform is a line, and the pressures of q =
+/// (1 − X)² and of q = √(1 − X), which is constant.
 fn errors(grading: fn(f64) -> f64, cells: usize) -> [f64; 6] {
     let x = nodes(grading, cells);
     let fast = FastAbel::new(&x, Density::Quotient);
@@ -109,8 +110,9 @@ fn errors(grading: fn(f64) -> f64, cells: usize) -> [f64; 6] {
 
 #[test]
 fn errors_fall_with_their_orders() {
-    // second order where cells follow the data; a root of X − X₀ on even cells costs one order, its slope being infinite, and
-    // so does the inverse; the pressure loses half an order to the cell next to its singular kernel
+    // second order where cells follow the data; a root of X − X₀ on even cells costs one order, its
+    // slope being infinite, and so does the inverse; the pressure loses half an order to the cell
+    // next to its singular kernel
     for ((name, grading), expected) in GRADINGS.into_iter().zip([
         [2.0, 2.0, 1.0, 0.5, 1.5, 1.5],
         [2.0, 2.0, 2.0, 1.5, 1.5, 1.5],
@@ -175,7 +177,8 @@ fn work_grows_in_proportion_to_the_cells() {
             assert!(many < 140 * 32_768, "{name}: {many}");
         }
     }
-    // where cells grow by several per cent each, all leaves are neighbours: then it is that of the tables
+    // where cells grow by several per cent each, all leaves are neighbours: then it is that of the
+    // tables
     for cells in [200, 400, 1000] {
         let x = nodes(GRADINGS[3].1, cells);
         let (dense, fast) = (DenseAbel::new(&x, Density::Quotient), FastAbel::new(&x, Density::Quotient));

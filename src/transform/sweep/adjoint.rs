@@ -4,8 +4,8 @@ use super::{Expansions, Leaf, Step, Sweep};
 use crate::transform::interpolation::{ORDER, Row, add_scaled, product};
 
 impl Sweep {
-    /// What [`super::Target::solve`] makes of sums, in a functional Σ fⱼ vⱼ of the values: `row` holds f and becomes its
-    /// weights on the sums, and on the value at 0, which is given.
+    /// What [`super::Target::solve`] makes of sums, in a functional Σ fⱼ vⱼ of the values: `row`
+    /// holds f and becomes its weights on the sums, and on the value at 0, which is given.
     pub(in crate::transform) fn solve_transposed(&self, row: &mut [f64], expansions: &mut Expansions) {
         for part in [&mut expansions.moments, &mut expansions.fields] {
             part.clear();

@@ -1,4 +1,5 @@
-//! The diagonal of what turns a depth into the pressure that its image relieves, from nodes near by.
+//! The diagonal of what turns a depth into the pressure that its image relieves, from nodes near
+//! by.
 
 use super::{Region, UnitMesh, density, weights};
 use crate::transform::add_inverse;

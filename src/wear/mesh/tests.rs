@@ -45,7 +45,8 @@ fn transforms_are_exact_for_lines_and_of_second_order_else() {
 fn the_drift_is_of_fourth_order() {
     for region in [Region::Annulus, Region::Disc] {
         let p = grading(region, 64);
-        // w = sin 2ξ − 2ξ + (4/3) ξ³, of fifth order at ξ = 0, where the last neighbours are missing
+        // w = sin 2ξ − 2ξ + (4/3) ξ³, of fifth order at ξ = 0, where the last neighbours are
+        // missing
         let error = |n: usize| {
             let mesh = UnitMesh::graded(region, n, p, false);
             let xi = |i: usize| i as f64 / n as f64;
@@ -82,7 +83,8 @@ fn abel_undoes_inverse_abel_and_functionals_agree() {
 
 #[test]
 fn the_volume_is_that_of_the_depth() {
-    // disc: w = r²/2 (h = x²): ∫₀¹ 2πr w dr = π/4. Annulus (in L = 1): π ∫ w dZ with w = (4/3π) Z^{3/2}: 8/15
+    // disc: w = r²/2 (h = x²): ∫₀¹ 2πr w dr = π/4. Annulus (in L = 1): π ∫ w dZ with w = (4/3π)
+    // Z^{3/2}: 8/15
     for (region, exact) in [(Region::Disc, PI / 4.0), (Region::Annulus, 8.0 / 15.0)] {
         let mesh = UnitMesh::shared(region, 40);
         let mut w = vec![0.0; 41];

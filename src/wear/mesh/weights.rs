@@ -4,7 +4,8 @@ use crate::surface::depth_volume;
 use crate::transform::inverse_row;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
-/// φ times the weights of a derivative at node i of a mesh graded with the power p, by the central difference in ξ; none at the ends.
+/// φ times the weights of a derivative at node i of a mesh graded with the power p, by the central
+/// difference in ξ; none at the ends.
 pub(super) fn drift_at(p: f64, i: usize, cells: usize) -> [f64; 3] {
     if i == 0 || i == cells {
         return [0.0; 3];
@@ -73,7 +74,8 @@ pub(super) fn disc_table(share: &[f64]) -> Vec<f64> {
     inverse
 }
 
-/// Weights for h piecewise linear in X on a disc of radius 1: ∫ h dx and the volume 4 ∫ h √(1 − x²) dx.
+/// Weights for h piecewise linear in X on a disc of radius 1: ∫ h dx and the volume 4 ∫ h √(1 − x²)
+/// dx.
 pub(super) fn disc_integrals(share: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let n = share.len() - 1;
     let x: Vec<f64> = share.iter().map(|s| s.sqrt()).collect();

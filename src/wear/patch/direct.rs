@@ -1,5 +1,5 @@
-//! The matrix of a step's linear system, for meshes with tables: D̂ − γτ J D̂ in the unknowns z at the nodes first ..= n. At a
-//! moving edge its last row keeps the depth there.
+//! The matrix of a step's linear system, for meshes with tables: D̂ − γτ J D̂ in the unknowns z at
+//! the nodes first ..= n. At a moving edge its last row keeps the depth there.
 
 use super::{Patch, Rate};
 use crate::transform::dot;
@@ -15,7 +15,8 @@ pub(in crate::wear) struct Direct {
 }
 
 impl Direct {
-    /// Depths whose system has the given right side, and the change of the volume rate that belongs to them.
+    /// Depths whose system has the given right side, and the change of the volume rate that belongs
+    /// to them.
     pub(super) fn solve(&self, patch: &Patch, right: &[f64]) -> Option<(Vec<f64>, f64)> {
         let mut unknowns = DVector::from_column_slice(&right[patch.mesh.first()..]);
         self.lu.solve_mut(&mut unknowns).then(|| {
@@ -96,7 +97,8 @@ impl Patch {
         Direct { lu: matrix.lu(), volume_row }
     }
 
-    /// What the movement of the edge adds: the drift of the nodes, and the change of all fields with A.
+    /// What the movement of the edge adds: the drift of the nodes, and the change of all fields
+    /// with A.
     fn add_edge_terms(&self, depth: &[f64], rate: &Rate, jacobian: &mut [f64], volume_row: &mut [f64]) {
         let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
         let size = n + 1 - first;

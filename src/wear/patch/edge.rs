@@ -1,4 +1,5 @@
-//! Where the contact ends: the square A of the radius that satisfies the condition for the edge, and how that changes.
+//! Where the contact ends: the square A of the radius that satisfies the condition for the edge,
+//! and how that changes.
 
 use super::Patch;
 use crate::transform::dot;
@@ -18,8 +19,8 @@ impl Patch {
         -self.depth_from_inside(a)
     }
 
-    /// Residual of the condition for the edge: g(a) − d, or what the load lacks, from Σ edge·w̃ and Σ mean·w̃ over the
-    /// nodes before the last.
+    /// Residual of the condition for the edge: g(a) − d, or what the load lacks, from Σ edge·w̃ and
+    /// Σ mean·w̃ over the nodes before the last.
     fn edge_residual(&self, radius_squared: f64, sums: (f64, f64)) -> f64 {
         let (a, span, end) = (radius_squared.sqrt(), self.span(radius_squared), self.cells());
         if a > self.body.profile().outer_radius() {
@@ -44,7 +45,8 @@ impl Patch {
         )
     }
 
-    /// Slope of the residual in A, by a central difference, or from inside next to the end of the body.
+    /// Slope of the residual in A, by a central difference, or from inside next to the end of the
+    /// body.
     fn edge_slope(&self, radius_squared: f64, sums: (f64, f64)) -> f64 {
         let step = 1e-5 * self.span(radius_squared);
         let outer = if self.is_inside(radius_squared + step) { step } else { 0.0 };
@@ -57,7 +59,8 @@ impl Patch {
         radius_squared.sqrt() <= self.body.profile().outer_radius()
     }
 
-    /// A that satisfies the condition for the edge, by Newton's method from a guess, else by bisection.
+    /// A that satisfies the condition for the edge, by Newton's method from a guess, else by
+    /// bisection.
     pub(super) fn solve_area(&self, depth: &[f64], guess: f64) -> Option<f64> {
         if self.rim {
             return Some(guess);

@@ -3,9 +3,10 @@
 use super::{Patch, RIM, Rate};
 use crate::surface::Region;
 
-/// Cells at the inner edge within which a front may stand; beyond, a new mesh is made. Where the front is pinned decides the
-/// profile there, and a front inside the mesh is only as sharp as the cell that it stands in: with a twelfth of the cells its
-/// error did not fall with the tolerance, and on fine meshes their uneven steps took ten times the work.
+/// Cells at the inner edge within which a front may stand; beyond, a new mesh is made. Where the
+/// front is pinned decides the profile there, and a front inside the mesh is only as sharp as the
+/// cell that it stands in: with a twelfth of the cells its error did not fall with the tolerance,
+/// and on fine meshes their uneven steps took ten times the work.
 pub(crate) const FRONT_CELLS: usize = 2;
 
 /// Where the springs first slip at the end of a step.
@@ -47,8 +48,9 @@ impl Patch {
         rate.radius_squared.sqrt() >= self.body.profile().outer_radius() * (1.0 - RIM)
     }
 
-    /// Last node before the front; 0 where the first slips, or all do. Behind a rig a front may retreat so slowly that a node next to it
-    /// comes and goes, in cells of a millionth of the region: its error is no reason for a shorter step.
+    /// Last node before the front; 0 where the first slips, or all do. Behind a rig a front may
+    /// retreat so slowly that a node next to it comes and goes, in cells of a millionth of the
+    /// region: its error is no reason for a shorter step.
     pub(crate) fn sticking(&self, rate: &Rate) -> usize {
         if self.motion.rig.is_none() || self.mesh.region == Region::Disc {
             return 0;
@@ -56,8 +58,9 @@ impl Patch {
         rate.slip[1..=FRONT_CELLS].iter().take_while(|slip| **slip == 0.0).count()
     }
 
-    /// Lets the image at the nodes next to the front not fall below what it was: there it never does, and an error of the
-    /// integration, however small, would let the front creep. Returns whether anything had to be corrected.
+    /// Lets the image at the nodes next to the front not fall below what it was: there it never
+    /// does, and an error of the integration, however small, would let the front creep. Returns
+    /// whether anything had to be corrected.
     pub(crate) fn hold_front(&self, depth: &mut [f64], before: &Rate, after: &Rate) -> bool {
         if self.mesh.region == Region::Disc {
             return false;

@@ -28,8 +28,8 @@ impl<'a> Linear<'a> {
         }
     }
 
-    /// Depths with the given right side, zero at a moving edge, and the change of the volume rate that belongs to them; `None`
-    /// where the matrix is singular.
+    /// Depths with the given right side, zero at a moving edge, and the change of the volume rate
+    /// that belongs to them; `None` where the matrix is singular.
     pub(in crate::wear) fn solve(&self, right: &[f64], counters: &mut Counters) -> Option<(Vec<f64>, f64)> {
         match self {
             Self::Direct(patch, direct) => direct.solve(patch, right),

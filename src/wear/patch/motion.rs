@@ -10,7 +10,8 @@ pub(crate) struct Motion {
     /// F_N/(2E*) in m² or the indentation depth in m.
     pub(crate) value: f64,
     pub(crate) sliding: Sliding,
-    /// What drives cycles, where it is no rigid rig: their amplitude is then that on the surface at the start.
+    /// What drives cycles, where it is no rigid rig: their amplitude is then that on the surface at
+    /// the start.
     pub(crate) rig: Option<Rig>,
 }
 

@@ -36,7 +36,8 @@ pub(crate) struct Rate {
 }
 
 impl Patch {
-    /// The rate of wear at given depths inside the region; `None` where no contact edge can be found.
+    /// The rate of wear at given depths inside the region; `None` where no contact edge can be
+    /// found.
     pub(crate) fn rate(&self, depth: &[f64], guess: f64) -> Option<Rate> {
         let radius_squared = self.solve_area(depth, guess)?;
         let rate = self.rate_at(depth, radius_squared);
@@ -140,8 +141,9 @@ impl Patch {
         2.0 * self.factor * work
     }
 
-    /// What ∫ q σ dx over a slipping cell differs by where the body's own image is not linear in x², as q and σ are taken to be. On
-    /// the cone at Ñ = 2.5 V is 0.20 % too large on 64 cells with it and 0.29 % without.
+    /// What ∫ q σ dx over a slipping cell differs by where the body's own image is not linear in
+    /// x², as q and σ are taken to be. On the cone at Ñ = 2.5 V is 0.20 % too large on 64 cells
+    /// with it and 0.29 % without.
     fn work_of_curvature(&self, (x0, x1): (f64, f64), overlap: (f64, f64), slip: (f64, f64)) -> f64 {
         let profile = self.body.profile();
         let image = (profile.image(x0), profile.image(x1));
@@ -161,7 +163,8 @@ impl Patch {
 
 /// ∫ f g dx over a cell for two functions linear in x².
 fn product_integral((x0, x1): (f64, f64), f: (f64, f64), g: (f64, f64)) -> f64 {
-    // moments of s = (X − X₀)/ΔX over the cell, which is exact and free of cancellation in t = (x − x₀)/Δx
+    // moments of s = (X − X₀)/ΔX over the cell, which is exact and free of cancellation in t = (x −
+    // x₀)/Δx
     let (width, sum) = (x1 - x0, x1 + x0);
     let (p, q) = (2.0 * x0 / sum, width / sum);
     let first = p / 2.0 + q / 3.0;

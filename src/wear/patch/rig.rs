@@ -1,10 +1,11 @@
 //! The amplitude of the body itself in cycles of a drive at constant force, from the state.
 //!
-//! Body and drive carry the same force, D − U₀ = (2G*/k_rig) ∫ min(U₀, m q) dx, and the integral of q outside the front follows from
-//! the load alone, without quadrature: ∫ q dx over all of the contact is F_N/(2E*), and inside the image does not change.
+//! Body and drive carry the same force, D − U₀ = (2G*/k_rig) ∫ min(U₀, m q) dx, and the integral of
+//! q outside the front follows from the load alone, without quadrature: ∫ q dx over all of the
+//! contact is F_N/(2E*), and inside the image does not change.
 //!
-//! The front stands where m q = U₀. By the same balance U₀ grows by less than m times what the body sinks, so that it never advances.
-//! At constant depth it does, into the body that has not worn.
+//! The front stands where m q = U₀. By the same balance U₀ grows by less than m times what the body
+//! sinks, so that it never advances. At constant depth it does, into the body that has not worn.
 
 use super::{Motion, Patch, Rate, Sliding};
 use crate::roots::from_below;
@@ -33,13 +34,15 @@ impl Motion {
 }
 
 impl Patch {
-    /// U₀ (m) and where the springs first slip (m): behind a rig they follow from the overlap d − g at the nodes, else from the motion.
+    /// U₀ (m) and where the springs first slip (m): behind a rig they follow from the overlap d − g
+    /// at the nodes, else from the motion.
     pub(super) fn amplitude(&self, indentation: f64, (x, overlap): (&[f64], &[f64])) -> (f64, f64) {
         let Some(rig) = self.motion.rig else { return (self.free_slip, self.inner_radius) };
         let inside = self.inner_radius * indentation - self.inside_image;
         let outside = self.bound_slope * (self.motion.value - inside);
         let mut stick = self.inner_radius;
-        // as if all slipped from the inner edge on: too little, and Newton's method goes on from there without passing the solution
+        // as if all slipped from the inner edge on: too little, and Newton's method goes on from
+        // there without passing the solution
         let least = (rig.amplitude - rig.compliance * outside) / (1.0 + rig.compliance * stick);
         let amplitude = from_below(least, |amplitude| {
             let (front, beyond) = self.sticking_on_mesh((x, overlap), amplitude);
@@ -50,7 +53,8 @@ impl Patch {
         (amplitude.max(0.0), stick)
     }
 
-    /// Where the springs first slip on the mesh (m), and ∫ (m q − U₀) dx over what sticks on it, m².
+    /// Where the springs first slip on the mesh (m), and ∫ (m q − U₀) dx over what sticks on it,
+    /// m².
     fn sticking_on_mesh(&self, (x, overlap): (&[f64], &[f64]), amplitude: f64) -> (f64, f64) {
         let over = |i: usize| self.bound_slope * overlap[i] - amplitude;
         let mut sum = 0.0;

@@ -3,8 +3,9 @@
 use super::{Patch, Rate, State};
 use crate::transform::dot;
 
-/// Largest α or β by which depths may grow for a volume to be met. They oppose each other and are some ten times the share by which the
-/// volume grows (8 to 11, measured): this is about 5 % of it, what a new mesh may miss.
+/// Largest α or β by which depths may grow for a volume to be met. They oppose each other and are
+/// some ten times the share by which the volume grows (8 to 11, measured): this is about 5 % of it,
+/// what a new mesh may miss.
 const MOST_GROWTH: f64 = 0.5;
 
 impl Patch {
@@ -28,9 +29,10 @@ impl Patch {
         (0..=self.cells()).map(|i| if i >= first && i < end { depth(i) } else { 0.0 }).collect()
     }
 
-    /// The state that carries a little more volume (m³) outside the front, and its rate. The depths grow by the share α φ + β φ²,
-    /// which leaves the contact edge where it is, and leaves the image smooth at both edges; one that is not takes many steps to
-    /// recover from on narrow cells. `None` where that is no small change.
+    /// The state that carries a little more volume (m³) outside the front, and its rate. The depths
+    /// grow by the share α φ + β φ², which leaves the contact edge where it is, and leaves the
+    /// image smooth at both edges; one that is not takes many steps to recover from on narrow
+    /// cells. `None` where that is no small change.
     pub(crate) fn with_volume(&self, state: &State, rate: &Rate, volume: f64) -> Option<(State, Rate)> {
         let rising = |depth: &[f64]| -> Vec<f64> {
             depth.iter().zip(&self.mesh.share).map(|(depth, phi)| depth * phi).collect()

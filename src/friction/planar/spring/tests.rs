@@ -21,7 +21,8 @@ pub(super) fn polar(size: f64, angle: f64) -> Vector {
     [size * angle.cos(), size * angle.sin()]
 }
 
-/// Lines along the spring itself: its deflection at the start, the motion, and the bound at both ends.
+/// Lines along the spring itself: its deflection at the start, the motion, and the bound at both
+/// ends.
 pub(super) const ALONG_THE_SPRING: [(f64, f64, (f64, f64)); 5] = [
     (0.3, 2.0, (1.0, 1.4)),
     (-1.0, 2.5, (1.0, 0.6)),
@@ -30,7 +31,8 @@ pub(super) const ALONG_THE_SPRING: [(f64, f64, (f64, f64)); 5] = [
     (0.0, 1.0, (0.0, 0.4)),
 ];
 
-/// Starts inside and on the bound, at any angle to the motion, with a bound that stays, rises and falls.
+/// Starts inside and on the bound, at any angle to the motion, with a bound that stays, rises and
+/// falls.
 fn lines() -> Vec<(Vector, Vector, (f64, f64))> {
     let mut lines = Vec::new();
     for share in [0.0, 0.4, 1.0] {
@@ -55,8 +57,8 @@ fn a_line_is_the_limit_of_many_explicit_steps() {
             (norm(difference(u, exact.deflection)), (slip - exact.slip).abs(), (work - found).abs())
         };
         let fine = error(40_000);
-        // explicit steps are of first order; where the bound changes by 5 % and the spring turns, a line has the error that the
-        // test of its limits below measures
+        // explicit steps are of first order; where the bound changes by 5 % and the spring turns, a
+        // line has the error that the test of its limits below measures
         assert!(fine.0 < 2e-4 && fine.1 < 2e-4 && fine.2 < 2e-4, "{start:?} {motion:?} {bounds:?}: {fine:?}");
     }
 }
@@ -130,7 +132,8 @@ fn along_its_own_line_a_spring_is_the_scalar_one_whatever_the_bound_does() {
     }
 }
 
-/// Where a line turns the spring while its bound changes by up to 5 %, splitting it changes path and work by little.
+/// Where a line turns the spring while its bound changes by up to 5 %, splitting it changes path
+/// and work by little.
 #[test]
 fn a_line_with_a_bound_that_changes_may_be_split_to_a_stated_error() {
     let mut worst = 0.0f64;

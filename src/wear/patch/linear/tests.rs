@@ -34,7 +34,8 @@ const SCENES: [Scene; 7] = [
 ];
 
 impl Scene {
-    /// The unworn region on a mesh for direct or iterative solution, and how much of the motion wears about the indentation depth.
+    /// The unworn region on a mesh for direct or iterative solution, and how much of the motion
+    /// wears about the indentation depth.
     fn begin(self, cells: usize, halved: bool) -> (Patch, State, Rate, f64) {
         let profile = if self.rim {
             Profile::FlatPunch { flat_radius: 2e-4 }
@@ -77,8 +78,8 @@ impl Scene {
         (patch, state, rate, a / (0.6 * 1e-13 * 115e9 * slip))
     }
 
-    /// Calls `sink` with the states of a life, on one mesh wherever its front goes, and the steps that error control takes there; returns what
-    /// was counted.
+    /// Calls `sink` with the states of a life, on one mesh wherever its front goes, and the steps
+    /// that error control takes there; returns what was counted.
     fn integrate(self, cells: usize, halved: bool, sink: &mut dyn FnMut(&State, &Rate, f64)) -> Counters {
         let (patch, mut state, mut rate, life) = self.begin(cells, halved);
         let (mut passed, mut step) = (0.0, 1e-4 * life);
@@ -122,7 +123,8 @@ fn both_forms_of_the_system_have_the_same_solution() {
                 .solve(&rate.growth, &mut counters)
                 .expect("a solution");
             let multigrid = Multigrid::new(&halved, given, 0.43 * step);
-            // far tighter than needed, up to the rounding in difference quotients for the edge; and as it is used
+            // far tighter than needed, up to the rounding in difference quotients for the edge; and
+            // as it is used
             for (tolerance, most) in [(1e-10, 1e-5), (TOLERANCE, 20.0 * TOLERANCE)] {
                 let (other, other_volume) =
                     multigrid.solve_to(tolerance, &rate.growth, &mut counters).expect("a solution");

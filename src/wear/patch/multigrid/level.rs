@@ -1,9 +1,10 @@
 //! x ↦ (1 − γτ J) x on one mesh, and how fields go from mesh to mesh.
 //!
-//! With a moving edge the growth G has the part Ȧ d, d = φ ∂w̃/∂X, and A is fixed by a condition whose change is e·x + e' δA = 0.
-//! The change of Ȧ by that of the rest, R x + ∂G/∂A δA, is −e·(…)/(e' + e·d). As x − γτ (…) − γτ δȦ d is the right side y, taking e· of
-//! that gives γτ δȦ = δA (1 + γτ e·∂G/∂A/e') + e·y/e': for y + d (e·y)/e' on the right the edge adds the change of A, times
-//! a field, and no change of its speed.
+//! With a moving edge the growth G has the part Ȧ d, d = φ ∂w̃/∂X, and A is fixed by a condition
+//! whose change is e·x + e' δA = 0. The change of Ȧ by that of the rest, R x + ∂G/∂A δA, is
+//! −e·(…)/(e' + e·d). As x − γτ (…) − γτ δȦ d is the right side y, taking e· of that gives γτ δȦ =
+//! δA (1 + γτ e·∂G/∂A/e') + e·y/e': for y + d (e·y)/e' on the right the edge adds the change of A,
+//! times a field, and no change of its speed.
 
 use crate::transform::dot;
 use crate::wear::mesh::UnitMesh;
@@ -12,8 +13,8 @@ use crate::wear::patch::{Patch, Rate};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
-/// The system on one mesh. Fields are given at all nodes; depths are zero at the nodes outside `first..end`, where they are
-/// given.
+/// The system on one mesh. Fields are given at all nodes; depths are zero at the nodes outside
+/// `first..end`, where they are given.
 #[derive(Debug)]
 pub(super) struct Level {
     mesh: Arc<UnitMesh>,
@@ -21,7 +22,8 @@ pub(super) struct Level {
     pub(super) first: usize,
     pub(super) end: usize,
     rim: bool,
-    /// γτ times the growth with the depth that follows from the slip, and with the pressure times √L; 0 where nothing wears.
+    /// γτ times the growth with the depth that follows from the slip, and with the pressure times
+    /// √L; 0 where nothing wears.
     soft: Vec<f64>,
     stiff: Vec<f64>,
     /// 1 where springs slip, else 0; none where all do.
@@ -291,8 +293,8 @@ fn add(sum: &mut [f64], factor: f64, term: &[f64]) {
     sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += factor * term);
 }
 
-/// A tridiagonal matrix, factorised row by row. The motion of the mesh alone fills its other diagonals, with weights of opposite
-/// signs, so that no row needs another for a pivot.
+/// A tridiagonal matrix, factorised row by row. The motion of the mesh alone fills its other
+/// diagonals, with weights of opposite signs, so that no row needs another for a pivot.
 #[derive(Debug, Default)]
 struct Tridiagonal {
     /// Below the diagonal; the inverse pivot; above it, over the pivot.
@@ -300,7 +302,8 @@ struct Tridiagonal {
 }
 
 impl Tridiagonal {
-    /// Adds a row: its own entry, to which the weights of the node before, itself and the one after are added.
+    /// Adds a row: its own entry, to which the weights of the node before, itself and the one after
+    /// are added.
     fn push(&mut self, own: f64, [before, here, after]: [f64; 3]) {
         let above = self.rows.last().map_or(0.0, |row| row[2]);
         let inverse = 1.0 / (own + here - before * above);
