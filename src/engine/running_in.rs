@@ -5,6 +5,7 @@
 //! solution is found by iteration on copies of the contact. A call that fails has changed nothing.
 //!
 //! Many cycles in one call are divided in the same way, each part at the coefficient of its middle.
+//! What the constants were measured by is in docs/decisions/running_in.md.
 
 use super::{FrettingContact, Gradient};
 use crate::error::Error;
@@ -18,13 +19,15 @@ const ACCURACY: f64 = 1e-7;
 const ACCURACY_WITH_WEAR: f64 = 1e-4;
 
 /// Least energy of a part over that of running in, which bounds the number of parts where the
-/// coefficients differ by more than two orders.
+/// coefficients differ by more than two orders: from 1e-9 to 1 W is 1e-5 off, in a three-hundredth
+/// of the walks.
 const SHORTEST: f64 = 1e-4;
 
 /// Relative difference from μ_end below which μ is constant.
 const RUN_IN: f64 = 1e-9;
 
-/// Relative change of μ within one update of the worn profile.
+/// Relative change of μ within one update of the worn profile: V is 0.1 % off, up to 0.4 % without
+/// a bound.
 const DRIFT: f64 = 0.02;
 
 /// Most iterations for μ at the end of a part; each gains three digits.
@@ -113,6 +116,7 @@ impl FrettingContact {
             let work = rest.state.work - now.state.work;
             let most = now.energy_of_part(ACCURACY);
             // from rest the work rises at most with the third power of the path
+            // `stretch` bounds the parts where W_r is next to nothing and the load rises
             let cubic = if work > most { (most / work).cbrt() } else { 1.0 };
             let mut part = (1.0 - done) * (stretch * cubic).min(1.0);
             loop {
