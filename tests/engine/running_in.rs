@@ -202,7 +202,8 @@ fn cycles_run_in_the_same_in_one_call_and_in_many() {
     // which begins with a quarter of a cycle
     one.advance_cycles(FORCE, amplitude, 0.25).expect("cycles");
     close_to(strokes.dissipated_energy(), one.dissipated_energy(), 1e-4, "W stroke by stroke");
-    close_to(strokes.tangential_force(), one.tangential_force(), 5e-4, "T stroke by stroke");
+    // cycles in one call are loops at one coefficient: T differs by 1.0e-4 at any accuracy
+    close_to(strokes.tangential_force(), one.tangential_force(), 2e-4, "T stroke by stroke");
 }
 
 #[test]
