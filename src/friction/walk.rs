@@ -130,11 +130,12 @@ fn onset(margin: f64, excess: f64, bulge: f64) -> f64 {
     share.min(1.0)
 }
 
-/// Spacing of the samples of one line, relative to that of many.
+/// Spacing of the samples of one line, relative to that of many: T of a first press on 64 cells is
+/// 8e-6 of μF_N off, 1.4e-5 at 1.
 const WITHIN_A_LINE: f64 = 0.75;
 
 /// Change of load, relative to the larger one, up to which the bound is taken to change evenly: the
-/// work is off by less than 1e-4 of it, and a step takes half the time.
+/// work of a line is off by up to 2e-4, that of histories by 3e-5, in two thirds of the time.
 const EVEN: f64 = 0.05;
 
 /// Share of what a spring slips below which its bound would be lost to rounding.
