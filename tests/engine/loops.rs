@@ -389,8 +389,8 @@ fn sampling_of_touching_springs_is_of_second_order() {
     });
     println!("errors of T over mu F_N: {errors:?}");
     // over the three doublings; single ones scatter, since the engine also samples at the ends of
-    // its load pieces; the number of samples of a piece is rounded up, which makes coarse rows finer
-    // than asked for: 1.97 here, 1.99 from 512 to 1024
+    // its load pieces; the number of samples of a piece is rounded up, which makes coarse rows
+    // finer than asked for: 1.97 here, 1.99 from 512 to 1024
     let order = (errors[0] / errors[3]).log2() / 3.0;
     assert!(order >= 1.95, "order {order}: {errors:?}");
     assert!(errors[0] < 1e-5, "{errors:?}");

@@ -13,7 +13,7 @@ impl FrettingContact {
     }
 
     /// Tangential force along y that the moving body exerts on the substrate, N. With that along x
-    /// it has the length μF_N at the most.
+    /// it has at most the length μF_N.
     pub fn tangential_force_y(&self) -> f64 {
         self.force_in_plane().map_or(0.0, |force| force[1])
     }

@@ -199,9 +199,9 @@ fn a_line_at_any_angle_is_the_same_as_in_one_dimension() {
     }
 }
 
-/// The same while load or depth vary by a third. A line is exact under a prescribed depth; a step in
-/// the plane has an error of its own in the work. The order from 64 to 256 samples under a cone is
-/// 1.54 with 96 steps, 1.57 with 192, 1.63 with 384.
+/// The same while load or depth vary by a third. A line is exact under a prescribed depth; a step
+/// in the plane has an error of its own in the work. The order from 64 to 256 samples under a cone
+/// is 1.54 with 96 steps, 1.57 with 192, 1.63 with 384.
 #[test]
 fn a_line_under_a_load_that_varies_is_the_same_as_in_one_dimension() {
     for profile in profiles() {
