@@ -1,6 +1,8 @@
-//! One co-simulation step through the C interface, as a host sees it: two inputs set, fmi2DoStep, two outputs read.
+//! One co-simulation step through the C interface, as a host sees it: two inputs set, fmi2DoStep,
+//! two outputs read.
 //!
-//! `cargo bench --bench do_step`. The ball of the default parameters under 100 N, 100 steps a cycle.
+//! `cargo bench --bench do_step`. The ball of the default parameters under 100 N, 100 steps a
+//! cycle.
 #![allow(missing_docs, reason = "criterion's macros")]
 
 #[path = "../tests/fmi/host.rs"]

@@ -1,7 +1,8 @@
-//! What an instance costs through the C interface: its memory beyond the tables that all share, its start, and a life with
-//! wear step by step, with its error against cyclic loading.
+//! What an instance costs through the C interface: its memory beyond the tables that all share, its
+//! start, and a life with wear step by step, with its error against cyclic loading.
 //!
-//! `cargo bench --bench instance`. Times are medians of repeats on this machine; bytes are what the allocator was asked for.
+//! `cargo bench --bench instance`. Times are medians of repeats on this machine; bytes are what the
+//! allocator was asked for.
 
 #[path = "../tests/fmi/counting.rs"]
 mod counting;
@@ -49,7 +50,8 @@ fn run(fmu: &Fmu, cycles: std::ops::Range<u32>, amplitude: f64, swing: f64) {
     }
 }
 
-/// Bytes of one instance at several stages of its life, while another keeps the shared tables alive.
+/// Bytes of one instance at several stages of its life, while another keeps the shared tables
+/// alive.
 fn memory() {
     println!("memory of one instance beyond shared tables, KiB");
     for (name, wear, swing) in [

@@ -1,5 +1,5 @@
-//! What an interface of many contacts costs: a thousand summits that wear under a varying load, step
-//! by step, their memory, and the time of a call for many cycles.
+//! What an interface of many contacts costs: a thousand summits that wear under a varying load,
+//! step by step, their memory, and the time of a call for many cycles.
 //!
 //! `cargo bench --bench interface --no-default-features`; with `--features threads` on all cores.
 //! Bytes are what the allocator was asked for; times are those of the processor on Linux.

@@ -1,7 +1,9 @@
 //! What one update of the worn profile costs, against the number of cells.
 //!
-//! `cargo bench --bench profile_update`. The ball at constant depth in partial slip wears from an early to a middle age. The time of
-//! the shortest of some runs is divided by the number of steps tried. The call before, whose time stands in a column of its own, makes the mesh. Last comes the exponent of growth.
+//! `cargo bench --bench profile_update`. The ball at constant depth in partial slip wears from an
+//! early to a middle age. The time of the shortest of some runs is divided by the number of steps
+//! tried. The call before, whose time stands in a column of its own, makes the mesh. Last comes the
+//! exponent of growth.
 #![allow(missing_docs, reason = "a benchmark")]
 
 use fretting_contact::Parameters;

@@ -1,8 +1,9 @@
-//! The Abel transforms by tables and by the hierarchical scheme, against the number of cells; and profiles given by points.
+//! The Abel transforms by tables and by the hierarchical scheme, against the number of cells; and
+//! profiles given by points.
 //!
-//! `cargo bench --bench transforms`. Nodes are graded towards both ends, as on a slipping annulus. After Criterion's own
-//! lines come a table of the shortest times (those least disturbed), the exponent of growth of each and the number of cells at
-//! which the fast form wins.
+//! `cargo bench --bench transforms`. Nodes are graded towards both ends, as on a slipping annulus.
+//! After Criterion's own lines come a table of the shortest times (those least disturbed), the
+//! exponent of growth of each and the number of cells at which the fast form wins.
 #![allow(missing_docs, reason = "a benchmark")]
 
 use criterion::{BenchmarkId, Criterion};
@@ -11,7 +12,7 @@ use fretting_contact::{FrettingContact, Parameters, Profile, ProfileTable};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-const TRANSFORMS: [&str; 3] = ["descend", "ascend", "pressure"];
+const TRANSFORMS: [&str; 3] = ["inverse_abel", "abel", "pressure"];
 
 /// Tables above this take more than 2 GB.
 const MOST_DENSE: usize = 8192;
@@ -145,15 +146,15 @@ fn main() {
         if cells <= MOST_DENSE {
             let dense = DenseAbel::new(&x, Density::Quotient);
             measure(&mut criterion, &mut figures, "dense", cells, |which, v, out, scratch| match which {
-                "descend" => dense.descend(v, out, scratch),
-                "ascend" => dense.ascend(v, out, scratch),
+                "inverse_abel" => dense.inverse_abel(v, out, scratch),
+                "abel" => dense.abel(v, out, scratch),
                 _ => dense.pressure(v, out, scratch),
             });
         }
         let fast = FastAbel::new(&x, Density::Quotient);
         measure(&mut criterion, &mut figures, "fast", cells, |which, v, out, scratch| match which {
-            "descend" => fast.descend(v, out, scratch),
-            "ascend" => fast.ascend(v, out, scratch),
+            "inverse_abel" => fast.inverse_abel(v, out, scratch),
+            "abel" => fast.abel(v, out, scratch),
             _ => fast.pressure(v, out, scratch),
         });
     }

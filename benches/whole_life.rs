@@ -1,12 +1,14 @@
-//! Whole lives to the final state: the engine against the published procedure, error and time in the same run.
+//! Whole lives to the final state: the engine against the published procedure, error and time in
+//! the same run.
 //!
-//! `cargo bench --bench whole_life` takes about a minute; `cargo bench --bench whole_life -- --long` adds the finest
-//! grids (some ten minutes). Errors are those of the closed final state where the depth is held; at constant force, where
-//! none is known, those against the engine at a tight tolerance, which the table names.
+//! `cargo bench --bench whole_life` takes about a minute; `cargo bench --bench whole_life --
+//! --long` adds the finest grids (some ten minutes). Errors are those of the closed final state
+//! where the depth is held; at constant force, where none is known, those against the engine at a
+//! tight tolerance, which the table names.
 //!
-//! The engine's times are medians of repeated lives, each from a new contact. The published procedure runs once, with
-//! the longest time step that is stable; making its matrices is not counted. Its grids put a point on the stick edge,
-//! which is the best place for them.
+//! The engine's times are medians of repeated lives, each from a new contact. The published
+//! procedure runs once, with the longest time step that is stable; making its matrices is not
+//! counted. Its grids put a point on the stick edge, which is the best place for them.
 
 mod published;
 
@@ -146,7 +148,8 @@ impl Scene {
             [("published, plain", Scheme::Staggered), ("published, causal", Scheme::Causal)]
         {
             for &points in effort.points {
-                // the staggered grid converges to something else: what it costs to see that is enough
+                // the staggered grid converges to something else: what it costs to see that is
+                // enough
                 if scheme == Scheme::Staggered && points > 400 {
                     continue;
                 }
@@ -261,9 +264,9 @@ impl Line {
     }
 }
 
-/// What the published procedure would need for the engine's error: the measured order of its last two grids, and work
-/// that grows with the cube of the points, as many more time steps times the squared size of the transforms. An estimate,
-/// and named so.
+/// What the published procedure would need for the engine's error: the measured order of its last
+/// two grids, and work that grows with the cube of the points, as many more time steps times the
+/// squared size of the transforms. An estimate, and named so.
 fn extrapolate(lines: &[(f64, Line)], engine: &Line) {
     let [.., (coarse_points, coarse), (points, fine)] = lines else { return };
     let order = (coarse.errors[0] / fine.errors[0]).ln() / (points / coarse_points).ln();

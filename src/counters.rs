@@ -13,7 +13,8 @@ pub struct Counters {
     pub spring_walks: u64,
     /// Solutions of the normal contact.
     pub contact_solutions: u64,
-    /// Descent transforms (spring slip to surface slip, image to profile, and back).
+    /// Abel transforms and their inverses (spring slip to surface slip, image to profile, and
+    /// back).
     pub descent_transforms: u64,
     /// Pressure transforms.
     pub pressure_transforms: u64,

@@ -147,7 +147,7 @@ fn axis_ratio(ratio: f64) -> f64 {
     let (mut last_miss, mut now) = (miss(last), miss(depth));
     for _ in 0..MOST_ITERATIONS {
         let step = now * (depth - last) / (now - last_miss);
-        // of equal radii, and where the last step was rounding, it is none
+        // of equal radii, and where the last step was rounding, it is 0 or not a number
         let moves = step.is_finite() && step.abs() > f64::EPSILON * depth;
         if !moves {
             break;

@@ -59,8 +59,8 @@ pub enum SlipState {
 /// A fretting contact of a body of revolution on a half-space, or an elliptic one.
 ///
 /// Built from [`Parameters`], apart at first; then driven by [`Self::advance_to`] (transient) or
-/// [`Self::advance_cycles`] (cyclic) and read through accessors. SI units throughout. A call that returns an error has
-/// changed nothing.
+/// [`Self::advance_cycles`] (cyclic) and read through accessors. SI units throughout. A call that
+/// returns an error has changed nothing.
 ///
 /// ```
 /// use fretting_contact::{FrettingContact, Parameters};
@@ -108,8 +108,9 @@ impl FrettingContact {
         &self.state.counters
     }
 
-    /// Lifts the body off, moves it to `displacement` (m, along x; its place along y stays) and presses it down there, so that T = 0. `normal` is the
-    /// force (N) or the indentation depth (m), by `normal_control`. Wear and work so far stay.
+    /// Lifts the body off, moves it to `displacement` (m, along x; its place along y stays) and
+    /// presses it down there, so that T = 0. `normal` is the force (N) or the indentation depth
+    /// (m), by `normal_control`. Wear and work so far stay.
     ///
     /// # Errors
     /// As [`Self::advance_to`].
@@ -146,7 +147,8 @@ impl FrettingContact {
         }
     }
 
-    /// Checks two inputs of a step; returns the controlled quantity (m² of load or m) and the displacement.
+    /// Checks two inputs of a step; returns the controlled quantity (m² of load or m) and the
+    /// displacement.
     fn checked(&self, normal: f64, displacement: f64) -> Result<(f64, f64), Error> {
         let (name, value) = match self.model.parameters.normal_control {
             NormalControl::Force => ("normal_force", normal / self.force_scale()),

@@ -72,8 +72,8 @@ pub enum Error {
         /// Into how many parts the step was divided.
         parts: u64,
     },
-    /// The contact would reach a radius where the one-dimensional image of the profile falls, so that the
-    /// contact region would not be one disc.
+    /// The contact would reach a radius where the one-dimensional image of the profile falls, so
+    /// that the contact region would not be one disc.
     #[error(
         "the contact edge reaches r = {contact_radius:.6e} m, but the 1-D image of the profile is not monotone: it first falls at \
          r = {radius:.6e} m, its largest fall in the table is {fall:.2e} m, and the points lie {roughness:.2e} m rms off the line in r^2 \
@@ -85,7 +85,8 @@ pub enum Error {
         radius: f64,
         /// Contact radius that the load asks for, m.
         contact_radius: f64,
-        /// Largest depth by which the image lies below an earlier value, m: [`crate::ProfileTable::largest_fall`].
+        /// Largest depth by which the image lies below an earlier value, m:
+        /// [`crate::ProfileTable::largest_fall`].
         fall: f64,
         /// Roughness of the table, m: [`crate::ProfileTable::roughness`].
         roughness: f64,

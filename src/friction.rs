@@ -1,17 +1,20 @@
 //! Stick and slip of the spring row (paper, eq. (13)), exact between its knots.
 //!
-//! Each spring at x remembers its *origin* e(x), the displacement of the body at which it would be relaxed; it is
-//! deflected by u = U − e and slips where |u| would exceed the bound b(x) = m (d − g(x)), m = μE*/G*.
+//! Each spring at x remembers its *origin* e(x), the displacement of the body at which it would be
+//! relaxed; it is deflected by u = U − e and slips where |u| would exceed the bound b(x) = m (d −
+//! g(x)), m = μE*/G*.
 //!
-//! e is kept as a continuous function that is piecewise linear **in g** between a few knots. Under constant load every
-//! state that the law can reach is of that form (a slip zone is u = ±b, linear in g; a stuck zone keeps what it was), so
-//! clipping adds a knot exactly where the front stands and removes those it has wiped out: no error from a grid, and a
-//! loop costs a handful of knots whatever the resolution. Springs that come into contact while the body moves start
-//! at the displacement of their own instant of touch; where that is not linear in g it is sampled.
+//! e is kept as a continuous function that is piecewise linear **in g** between a few knots. Under
+//! constant load every state that the law can reach is of that form (a slip zone is u = ±b, linear
+//! in g; a stuck zone keeps what it was), so clipping adds a knot exactly where the front stands
+//! and removes those it has wiped out: no error from a grid, and a loop costs a handful of knots
+//! whatever the resolution. Springs that come into contact while the body moves start at the
+//! displacement of their own instant of touch; where that is not linear in g it is sampled.
 //!
-//! One clip at the end of a straight line in (F_N, U) is exact, however long the line: d is a concave function of F_N
-//! (the stiffness 2E*a rises with the load), so along the line U − e ∓ b is convex or concave and violates the bound
-//! most at an end. Hence a step may be split at will without changing the result.
+//! One clip at the end of a straight line in (F_N, U) is exact, however long the line: d is a
+//! concave function of F_N (the stiffness 2E*a rises with the load), so along the line U − e ∓ b is
+//! convex or concave and violates the bound most at an end. Hence a step may be split at will
+//! without changing the result.
 
 mod interval;
 mod planar;
@@ -40,7 +43,8 @@ pub(crate) struct Knot {
     pub(crate) origin: f64,
 }
 
-/// The spring row under the contact, knots from the axis to the contact edge; none where the bodies are apart.
+/// The spring row under the contact, knots from the axis to the contact edge; none where the bodies
+/// are apart.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Springs {
     knots: Vec<Knot>,
@@ -100,8 +104,9 @@ impl Springs {
             .collect()
     }
 
-    /// The same row on a surface whose wear has changed: origins stay with their springs. Knots are added at the
-    /// surface's nodes where the origin is not constant, since it was linear in the image of before.
+    /// The same row on a surface whose wear has changed: origins stay with their springs. Knots are
+    /// added at the surface's nodes where the origin is not constant, since it was linear in the
+    /// image of before.
     pub(crate) fn moved_to(&self, old: &Surface, new: &Surface) -> Self {
         let nodes = new.worn().map_or(&[][..], |nodes| nodes.x());
         let mut origins: Vec<(f64, f64)> = Vec::with_capacity(self.knots.len() + nodes.len());
@@ -143,7 +148,8 @@ impl Springs {
         }
     }
 
-    /// Takes a row that stands at +`amplitude` to a `displacement` with the same deflections, in direction `side`.
+    /// Takes a row that stands at +`amplitude` to a `displacement` with the same deflections, in
+    /// direction `side`.
     pub(crate) fn moved_by(&mut self, side: f64, amplitude: f64, displacement: f64) {
         for knot in &mut self.knots {
             knot.origin = displacement - side * (amplitude - knot.origin);
@@ -157,7 +163,8 @@ impl Springs {
         self.knots.extend(other.knots.iter().filter(|knot| knot.place.x >= start));
     }
 
-    /// Inner edge of the outer zone in which all springs are at their bound on one side: the stick radius, m.
+    /// Inner edge of the outer zone in which all springs are at their bound on one side: the stick
+    /// radius, m.
     pub(crate) fn stick_radius(&self, contact: &Contact, bound_slope: f64, displacement: f64) -> f64 {
         self.slip_zone(contact, bound_slope, displacement).0
     }

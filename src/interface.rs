@@ -1,7 +1,8 @@
 //! Many contacts of one rigid body: a joint, a spline, a rough surface. [`Interface`].
 //!
 //! Body 1 is rigid but for its contacts. Each has its own offset zᵢ, place (xᵢ, yᵢ), size and wear;
-//! all share the approach d, the displacement U and a rotation φ about the normal through the origin:
+//! all share the approach d, the displacement U and a rotation φ about the normal through the
+//! origin:
 //!
 //! | quantity | of contact i | of the interface |
 //! | --- | --- | --- |
@@ -11,16 +12,16 @@
 //! | moment | | M = Σ (xᵢ T_yi − yᵢ T_xi) |
 //! | work, worn volume, stiffness | | sums |
 //!
-//! The rotation counts to first order, and the torsion of a single contact about its own axis, of order
-//! a/|(x, y)| smaller, is left out.
+//! The rotation counts to first order, and the torsion of a single contact about its own axis, of
+//! order a/|(x, y)| smaller, is left out.
 //!
 //! Without wear this is the model of Greenwood and Williamson (Proc. R. Soc. A 295, 1966) with the
 //! friction of Cattaneo and Mindlin in each contact.
 //!
 //! # Limits of validity
 //! Contacts do not feel each other through the half-space: the surface displacement
-//! u(r) = F(1 − ν²)/(πEr) of a neighbour, taken as E* of both, is neglected against the depth. In the
-//! guide `docs/interface.md` its effect is measured against a boundary-element code.
+//! u(r) = F(1 − ν²)/(πEr) of a neighbour, taken as E* of both, is neglected against the depth. In
+//! the guide `docs/interface.md` its effect is measured against a boundary-element code.
 //!
 //! # How is a step followed?
 //! Under force control the approach is a curve in the force. A step that changes force and
@@ -62,8 +63,8 @@ pub(crate) struct Pose {
 /// Contacts of one rigid body with another, each with its own history of friction and wear.
 ///
 /// Built from the [`Parameters`] of all and one [`Summit`] for each; then driven like a
-/// [`FrettingContact`]. A contact that has never touched holds no state. A call that returns an error
-/// has changed nothing.
+/// [`FrettingContact`]. A contact that has never touched holds no state. A call that returns an
+/// error has changed nothing.
 ///
 /// ```
 /// use fretting_contact::{Interface, Parameters, Summit};
@@ -87,14 +88,15 @@ pub struct Interface {
     control: f64,
     /// Cycles of the last block of cyclic loading.
     block: f64,
-    /// The approach (m) under a force (N) that a step is about to ask for, on the profiles as they are.
+    /// The approach (m) under a force (N) that a step is about to ask for, on the profiles as they
+    /// are.
     ahead: Option<(f64, f64)>,
     /// The way back where a step fails.
     undo: Undo,
 }
 
-/// Marks of all contacts at an earlier time, and the steps since: copying every contact in each step
-/// would cost as much as the step.
+/// Marks of all contacts at an earlier time, and the steps since: copying every contact in each
+/// step would cost as much as the step.
 #[derive(Debug, Clone, Default)]
 struct Undo {
     /// Pose, control and block of the marks; none where there are no marks.
@@ -116,7 +118,7 @@ impl Interface {
     /// An interface whose bodies are apart.
     ///
     /// # Errors
-    /// Those of [`FrettingContact::new`]; [`Error::ContactsTable`] for summits that are none;
+    /// Those of [`FrettingContact::new`]; [`Error::ContactsTable`] for summits that are not valid;
     /// [`Error::Parameter`] for what an interface does not have: a rig stiffness, an ellipse, a
     /// coating, friction that runs in.
     pub fn new(parameters: Parameters, summits: &[Summit]) -> Result<Self, Error> {
@@ -178,8 +180,8 @@ impl Interface {
         self.members.get(index)
     }
 
-    /// Whether several threads advance the contacts, which is the default with the feature `threads`.
-    /// The results are the same to the bit.
+    /// Whether several threads advance the contacts, which is the default with the feature
+    /// `threads`. The results are the same to the bit.
     #[cfg(feature = "threads")]
     pub fn use_threads(&mut self, in_threads: bool) {
         self.members.in_threads = in_threads;
@@ -230,8 +232,8 @@ impl Interface {
         self.undo.steps.clear();
     }
 
-    /// Returns to the last state before the present step: to the marks, and over the steps since, which
-    /// go to the same bits again.
+    /// Returns to the last state before the present step: to the marks, and over the steps since,
+    /// which go to the same bits again.
     ///
     /// # Errors
     /// None: the steps have been done before.

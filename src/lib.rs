@@ -1,10 +1,11 @@
-//! Fretting contact of a body of revolution on an elastic half-space: force, slip, pressure and wear, fast enough for
-//! the inside of a machine model's time loop.
+//! Fretting contact of a body of revolution on an elastic half-space: force, slip, pressure and
+//! wear, fast enough for the inside of a machine model's time loop.
 //!
 //! # Model
-//! The method of dimensionality reduction (MDR) maps the contact exactly onto a row of independent springs along one
-//! line x, pressed by a one-dimensional image g(x) of the profile f(r). Friction acts on each spring by Coulomb's law;
-//! wear follows Reye, Archard and Khrushchov: worn volume = (k/σ₀) × work of friction, at each radius.
+//! The method of dimensionality reduction (MDR) maps the contact exactly onto a row of independent
+//! springs along one line x, pressed by a one-dimensional image g(x) of the profile f(r). Friction
+//! acts on each spring by Coulomb's law; wear follows Reye, Archard and Khrushchov: worn volume =
+//! (k/σ₀) × work of friction, at each radius.
 //!
 //! | symbol | meaning | unit | where |
 //! | --- | --- | --- | --- |
@@ -18,13 +19,14 @@
 //! | w, W | worn depth, work of friction | m, J | |
 //! | μ, k, σ₀ | coefficient of friction, wear coefficient, hardness | 1, 1, Pa | [`Parameters`] |
 //!
-//! T has the sign of the displacement that causes it: it is the force that the moving body exerts on the substrate.
+//! T has the sign of the displacement that causes it: it is the force that the moving body exerts
+//! on the substrate.
 //!
 //! # Source
-//! A. V. Dimaki, A. I. Dmitriev, Y. S. Chai, V. L. Popov, *Rapid simulation procedure for fretting wear on the basis of the
-//! method of dimensionality reduction*, Int. J. Solids Struct. 51 (2014); V. L. Popov, M. Heß, *Method of
-//! Dimensionality Reduction in Contact Mechanics and Friction*, Springer (2015). Equation numbers in these pages are
-//! those of the former.
+//! A. V. Dimaki, A. I. Dmitriev, Y. S. Chai, V. L. Popov, *Rapid simulation procedure for fretting
+//! wear on the basis of the method of dimensionality reduction*, Int. J. Solids Struct. 51 (2014);
+//! V. L. Popov, M. Heß, *Method of Dimensionality Reduction in Contact Mechanics and Friction*,
+//! Springer (2015). Equation numbers in these pages are those of the former.
 //!
 //! # Limits of validity
 //! Bodies of revolution, or elliptic contacts without wear ([`ellipse`]); half-spaces, small

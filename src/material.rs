@@ -2,10 +2,11 @@
 //!
 //! Effective moduli (paper, eqs. (4), (5)):
 //!
-//! 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, 1/G* = (2 − ν₁)/(4 G₁) + (2 − ν₂)/(4 G₂), with Gᵢ = Eᵢ / (2 (1 + νᵢ)).
+//! 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂, 1/G* = (2 − ν₁)/(4 G₁) + (2 − ν₂)/(4 G₂), with Gᵢ = Eᵢ / (2
+//! (1 + νᵢ)).
 //!
-//! Normal and tangential contact decouple when the bodies are *elastically similar*, (1 − 2ν₁)/G₁ = (1 − 2ν₂)/G₂
-//! (eq. (6)); [`Pair::similarity_defect`] says by how much a pair misses that.
+//! Normal and tangential contact decouple when the bodies are *elastically similar*, (1 − 2ν₁)/G₁ =
+//! (1 − 2ν₂)/G₂ (eq. (6)); [`Pair::similarity_defect`] says by how much a pair misses that.
 
 use crate::error::Error;
 use crate::range;
@@ -52,7 +53,8 @@ impl Pair {
         1.0 / (compliance(&self.body_1) + compliance(&self.body_2))
     }
 
-    /// Relative miss of elastic similarity: |c₁ − c₂| / max(|c₁|, |c₂|) with cᵢ = (1 − 2νᵢ)/Gᵢ; 0 when similar.
+    /// Relative miss of elastic similarity: |c₁ − c₂| / max(|c₁|, |c₂|) with cᵢ = (1 − 2νᵢ)/Gᵢ; 0
+    /// when similar.
     pub fn similarity_defect(&self) -> f64 {
         let c = |b: &Elastic| (1.0 - 2.0 * b.poisson_ratio) / b.shear_modulus();
         let (c1, c2) = (c(&self.body_1), c(&self.body_2));

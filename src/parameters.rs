@@ -57,11 +57,13 @@ pub struct Parameters {
     pub probe_radius_max: f64,
     /// What [`crate::FrettingContact::advance_to`] takes as its first argument.
     pub normal_control: NormalControl,
-    /// Stiffness of what holds the moving body, in series with the contact, N/m; infinite by default. Where it is less than
-    /// [`Self::RIGID`], displacements that are given are those of the drive behind it.
+    /// Stiffness of what holds the moving body, in series with the contact, N/m; infinite by
+    /// default. Where it is less than [`Self::RIGID`], displacements that are given are those of
+    /// the drive behind it.
     #[serde(default = "rigid", with = "infinite_as_none")]
     pub rig_stiffness: f64,
-    /// Cells across the slipping annulus, 8 to 8192. Only wear and motion in the plane use them: on a line forces are exact at any resolution.
+    /// Cells across the slipping annulus, 8 to 8192. Only wear and motion in the plane use them: on
+    /// a line forces are exact at any resolution.
     pub resolution: usize,
     /// Relative tolerance of the wear integration, in [1e-12, 0.1].
     pub tolerance: f64,
@@ -97,7 +99,8 @@ impl Parameters {
     /// A [`Self::rig_stiffness`] from which on the contact is driven directly, N/m.
     pub const RIGID: f64 = 1e60;
 
-    /// The least accepted [`Self::rig_stiffness`], N/m: far below anything built, and its inverse a number to reckon with.
+    /// The least accepted [`Self::rig_stiffness`], N/m: far below anything built, and its inverse a
+    /// number to reckon with.
     pub const LEAST_RIG_STIFFNESS: f64 = 1e-60;
 
     /// 1/[`Self::rig_stiffness`], m/N; 0 where the contact is driven directly.
@@ -133,7 +136,8 @@ impl Parameters {
     /// Checks every field.
     ///
     /// # Errors
-    /// [`Error::Parameter`] with the first offending name and value; [`Error::ProfileTable`] for a bad table.
+    /// [`Error::Parameter`] with the first offending name and value; [`Error::ProfileTable`] for a
+    /// bad table.
     pub fn validate(&self) -> Result<(), Error> {
         self.materials.validate()?;
         self.profile.validate()?;

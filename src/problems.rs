@@ -1,7 +1,7 @@
 //! Ready problems: a contact, how it is driven, and what is known of the answer.
 //!
-//! The four cases of Dimaki et al. 2014 (sections 4.1 to 4.4), the same bodies at any other stick radius and control,
-//! and two in gross slip. Tests, benchmarks and examples share them:
+//! The four cases of Dimaki et al. 2014 (sections 4.1 to 4.4), the same bodies at any other stick
+//! radius and control, and two in gross slip. Tests, benchmarks and examples share them:
 //!
 //! ```
 //! use fretting_contact::problems::Problem;
@@ -13,9 +13,9 @@
 //! # Ok::<(), fretting_contact::Error>(())
 //! ```
 //!
-//! Life is counted in Ñ = N/N₀, N₀ = π a₀² d₀ σ₀/(k μ F_N U₀) (eqs. (20), (21)), with a₀, d₀ and F_N of the unworn body
-//! at the start. A problem uses the public face of the engine and the closed forms of [`crate::reference`]; nothing
-//! else of the library uses it.
+//! Life is counted in Ñ = N/N₀, N₀ = π a₀² d₀ σ₀/(k μ F_N U₀) (eqs. (20), (21)), with a₀, d₀ and
+//! F_N of the unworn body at the start. A problem uses the public face of the engine and the closed
+//! forms of [`crate::reference`]; nothing else of the library uses it.
 
 mod truth;
 
@@ -40,7 +40,8 @@ pub const CONE: Shape = Shape::Cone { slope: 0.02 };
 pub const FLAT_PUNCH: Shape = Shape::FlatPunch { flat_radius: 1e-4 };
 /// Radius b/a₀ of the flat of [`Problem::blunted_parabola`]. The paper gives no number.
 pub const BLUNT_RATIO: f64 = 0.3;
-/// U₀/u_max of the problems in gross slip: the elastic part of the way shortens the slip by some 1e-5 of it.
+/// U₀/u_max of the problems in gross slip: the elastic part of the way shortens the slip by some
+/// 1e-5 of it.
 const GROSS_SLIP_AMPLITUDE: f64 = 1e5;
 
 /// A contact to be driven by [`FrettingContact::advance_cycles`] at constant load and amplitude.
@@ -83,8 +84,8 @@ impl Problem {
             .with_checkpoints(&[0.16, 0.36, 0.64, 1.0, 9.0])
     }
 
-    /// Section 4.4, figure 5: parabola with a worn, flat tip at constant force. b = [`BLUNT_RATIO`] a₀ and c₀ = 0.4 a₀
-    /// are choices: the paper says neither.
+    /// Section 4.4, figure 5: parabola with a worn, flat tip at constant force. b = [`BLUNT_RATIO`]
+    /// a₀ and c₀ = 0.4 a₀ are choices: the paper says neither.
     pub fn blunted_parabola() -> Self {
         let body = blunted_parabola(BLUNT_RATIO);
         Self::partial_slip(body, NormalControl::Force, INITIAL_STICK_RATIO)
@@ -101,10 +102,12 @@ impl Problem {
         ]
     }
 
-    /// Any body whose amplitude is such that the unworn contact sticks up to `stick_ratio` = c₀/a₀. No check points.
+    /// Any body whose amplitude is such that the unworn contact sticks up to `stick_ratio` = c₀/a₀.
+    /// No check points.
     ///
     /// # Panics
-    /// For the flat punch, which knows no partial slip; unless b < c₀ < a₀, with the radius b of a flat.
+    /// For the flat punch, which knows no partial slip; unless b < c₀ < a₀, with the radius b of a
+    /// flat.
     pub fn partial_slip(body: Shape, control: NormalControl, stick_ratio: f64) -> Self {
         let start = initial(body);
         let stick = stick_ratio * start.normal.radius();
@@ -166,8 +169,8 @@ impl Problem {
         Self { checkpoints: checkpoints.to_vec(), ..self }
     }
 
-    /// The same problem whose N₀ is `cycles` (> 0), by the choice of the wear coefficient: short lives that can be
-    /// followed cycle by cycle.
+    /// The same problem whose N₀ is `cycles` (> 0), by the choice of the wear coefficient: short
+    /// lives that can be followed cycle by cycle.
     pub fn with_seed_cycles(mut self, cycles: f64) -> Self {
         self.parameters.wear_coefficient *= self.seed_cycles() / cycles;
         self
@@ -205,7 +208,8 @@ impl Problem {
         )
     }
 
-    /// S = κE*s/a₀ after Ñ = `life` in gross slip, κ = kμ/σ₀: a cycle slips s = 4U₀. S = 4π Ñ E* a₀ d₀/F_N.
+    /// S = κE*s/a₀ after Ñ = `life` in gross slip, κ = kμ/σ₀: a cycle slips s = 4U₀. S = 4π Ñ E* a₀
+    /// d₀/F_N.
     pub fn reduced_path(&self, life: f64) -> f64 {
         let normal = &self.start.normal;
         4.0 * PI * life * normal.modulus() * normal.radius() * normal.depth() / normal.force()
@@ -214,7 +218,8 @@ impl Problem {
     /// A contact, pressed and at rest.
     ///
     /// # Errors
-    /// None for a problem as it was made; [`Error::Parameter`] after a bad change of its public fields.
+    /// None for a problem as it was made; [`Error::Parameter`] after a bad change of its public
+    /// fields.
     pub fn begin(&self) -> Result<FrettingContact, Error> {
         let mut contact = FrettingContact::new(self.parameters.clone())?;
         contact.start_at(self.normal, 0.0)?;
@@ -229,10 +234,11 @@ impl Problem {
         contact.advance_cycles(self.normal, self.amplitude, life * self.seed_cycles())
     }
 
-    /// Largest error of a worn depth `worn(r)` (m) against the final state, in d₀; none where that is not known.
+    /// Largest error of a worn depth `worn(r)` (m) against the final state, in d₀; none where that
+    /// is not known.
     ///
-    /// Taken at 500 even radii inside c, where nothing may wear, and at 4000 from there to 1.1 a∞, dense at c, where
-    /// the final depth starts like a square root.
+    /// Taken at 500 even radii inside c, where nothing may wear, and at 4000 from there to 1.1 a∞,
+    /// dense at c, where the final depth starts like a square root.
     pub fn profile_error(&self, worn: impl Fn(f64) -> f64) -> Option<f64> {
         let end = self.end.as_ref()?;
         let (c, outer) = (self.stick_radius(), 1.1 * end.outer_radius());
@@ -259,7 +265,8 @@ fn initial(body: Shape) -> TangentialContact {
     TangentialContact { normal, modulus: materials.tangential_modulus(), friction }
 }
 
-/// The ball cut off at b = `ratio`·a₀ (0 < ratio < 1) under [`NORMAL_FORCE`], from F_N = (2E*/3R)(2a² + b²) √(a² − b²).
+/// The ball cut off at b = `ratio`·a₀ (0 < ratio < 1) under [`NORMAL_FORCE`], from F_N =
+/// (2E*/3R)(2a² + b²) √(a² − b²).
 pub fn blunted_parabola(ratio: f64) -> Shape {
     let radius = 0.01;
     let cube = 1.5 * radius * NORMAL_FORCE

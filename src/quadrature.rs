@@ -14,8 +14,8 @@ pub(crate) fn gauss_legendre<const N: usize>() -> [(f64, f64); N] {
     std::array::from_fn(|_| points.next().unwrap_or_default())
 }
 
-/// ∫ from `start` to `end` of `f`, by a 16-point rule on panels no longer than ½: relative error near rounding for
-/// integrands that are analytic within a distance of order 1 of the interval.
+/// ∫ from `start` to `end` of `f`, by a 16-point rule on panels no longer than ½: relative error
+/// near rounding for integrands that are analytic within a distance of order 1 of the interval.
 pub(crate) fn composite(start: f64, end: f64, f: impl Fn(f64) -> f64) -> f64 {
     let panels = ((end - start).abs() / 0.5).ceil().clamp(1.0, 4096.0);
     let half = (end - start) / panels / 2.0;
@@ -26,8 +26,8 @@ pub(crate) fn composite(start: f64, end: f64, f: impl Fn(f64) -> f64) -> f64 {
     (0..panels as usize).map(panel).sum()
 }
 
-/// Nodes and weights of the three-point Gauss rule on (−1, 1), for smooth integrands over many short
-/// cells: exact for polynomials of degree 5.
+/// Nodes and weights of the three-point Gauss rule on (−1, 1), for smooth integrands over many
+/// short cells: exact for polynomials of degree 5.
 pub(crate) const GAUSS_3: [(f64, f64); 3] =
     [(-0.774_596_669_241_483_4, 5.0 / 9.0), (0.0, 8.0 / 9.0), (0.774_596_669_241_483_4, 5.0 / 9.0)];
 

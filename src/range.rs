@@ -1,5 +1,6 @@
-//! The sizes that are computed with, all far beyond anything built. Within them no product of those that the formulas take
-//! overflows: the largest, 4 μ F_N U₀ cycles k/σ₀, stays below 10³⁰⁰. What is smaller than all of them underflows to 0, which is right.
+//! The sizes that are computed with, all far beyond anything built. Within them no product of those
+//! that the formulas take overflows: the largest, 4 μ F_N U₀ cycles k/σ₀, stays below 10³⁰⁰. What
+//! is smaller than all of them underflows to 0, which is right.
 //!
 //! | | from | to | for comparison |
 //! | --- | --- | --- | --- |
@@ -35,10 +36,11 @@ pub(crate) const MOST_INPUT: f64 = 1e60;
 /// Cycles of one call.
 pub(crate) const MOST_CYCLES: f64 = 1e30;
 
-/// An image that rises by less, m, is flat: displacements of [`MOST_INPUT`] over it would be no number.
+/// An image that rises by less, m, is flat: displacements of [`MOST_INPUT`] over it would be no
+/// number.
 pub(crate) const LEAST_RISE: f64 = 1e-240;
 
-/// A contact of a smaller radius, m, is none: the squares of radii, in which meshes are laid, would be none.
+/// Least radius of a contact, m: of smaller ones the squares, in which meshes are made, would be 0.
 pub(crate) const LEAST_RADIUS: f64 = 1e-120;
 
 const MOST_RADIUS: f64 = 1e60;

@@ -41,11 +41,11 @@ pub(crate) fn of_rising(mut low: f64, mut high: f64, f: impl Fn(f64) -> (f64, f6
     x
 }
 
-/// The root of a continuous falling function without a known slope, to the last digits: regula falsi
-/// that halves the value at an end that stays (Dowell & Jarratt 1971, "Illinois"), and bisection at
-/// every eighth step. At a kink it is slow: where the slope changes by a factor of 50 or more, the
-/// most steps leave an error of up to 1e-7 of the interval. The ends come in either order; an end,
-/// where there is no root between them.
+/// The root of a continuous falling function without a known slope, to the last digits: regula
+/// falsi that halves the value at an end that stays (Dowell & Jarratt 1971, "Illinois"), and
+/// bisection at every eighth step. At a kink it is slow: where the slope changes by a factor of 50
+/// or more, the most steps leave an error of up to 1e-7 of the interval. The ends come in either
+/// order; an end, where there is no root between them.
 pub(crate) fn of_falling((mut low, mut high): (f64, f64), mut f: impl FnMut(f64) -> f64) -> f64 {
     if low > high {
         (low, high) = (high, low);
@@ -77,8 +77,8 @@ pub(crate) fn of_falling((mut low, mut high): (f64, f64), mut f: impl FnMut(f64)
 }
 
 /// The root of a concave, falling function from a place below it. `step` returns the step of
-/// Newton's method, −f/f′ with any slope that is at least as steep: so no step goes beyond the root,
-/// and the search ends when one is lost in rounding.
+/// Newton's method, −f/f′ with any slope that is at least as steep: so no step goes beyond the
+/// root, and the search ends when one is lost in rounding.
 pub(crate) fn from_below(mut value: f64, mut step: impl FnMut(f64) -> f64) -> f64 {
     for _ in 0..MOST_PASSES {
         let next = value + step(value);

@@ -1,8 +1,9 @@
 //! The worn profile: the analytic unworn one plus the image of the wear on a set of nodes.
 //!
-//! The 1-D image is g = g₀ + h. g₀ is the unworn profile's closed form; h, the image of the worn depth w, is piecewise
-//! linear in X = x² between the nodes, so w = descent(h) has the square-root cusps of worn profiles built in and g can
-//! take the steep fronts that wear leaves. Without wear there are no nodes at all.
+//! The 1-D image is g = g₀ + h. g₀ is the unworn profile's closed form; h, the image of the worn
+//! depth w, is piecewise linear in X = x² between the nodes, so w, the inverse Abel transform of h,
+//! has the square-root cusps of worn profiles built in and g can take the steep fronts that wear
+//! leaves. Without wear there are no nodes at all.
 
 mod depth_volume;
 mod node_transforms;
@@ -11,7 +12,7 @@ mod region;
 
 pub(crate) use depth_volume::depth_volume;
 pub(crate) use node_transforms::{NodeTransforms, TransformCache};
-pub(crate) use nodes::{FrontWay, MeshPlace, Nodes, kept_nodes, outer_weight};
+pub(crate) use nodes::{FrontMotion, MeshPlace, Nodes, kept_nodes, outer_weight};
 pub(crate) use region::Region;
 
 use crate::error::Error;
@@ -143,8 +144,8 @@ impl Surface {
     /// The contact under a given load F_N/(2E*), m², or indentation depth, m.
     ///
     /// # Errors
-    /// [`Error::BeyondTable`], [`Error::NonMonotoneImage`] where the profile cannot carry it; [`Error::BeyondNumbers`].
-    /// `force_scale` = 2E* turns loads into forces.
+    /// [`Error::BeyondTable`], [`Error::NonMonotoneImage`] where the profile cannot carry it;
+    /// [`Error::BeyondNumbers`]. `force_scale` = 2E* turns loads into forces.
     pub(crate) fn contact(
         &self,
         control: NormalControl,
@@ -163,15 +164,17 @@ impl Surface {
         let contact = match control {
             NormalControl::Force if value > 0.0 => {
                 let radius = self.radius_at_load(value, force_scale)?;
-                // F_N/(2E*) = φ(a) + a (d − g(a)): the difference is what a body that ends at a carries beyond its image,
-                // elsewhere it makes good the rounding of a, which next to the rim of a flat would lose all digits of g
+                // F_N/(2E*) = φ(a) + a (d − g(a)): the difference is what a body that ends at a
+                // carries beyond its image, elsewhere it makes good the rounding of a, which next
+                // to the rim of a flat would lose all digits of g
                 let depth = self.image(radius) + (value - self.load(radius)) / radius;
                 Contact { control: value, depth, radius, load: value }
             }
             NormalControl::Indentation if value > touch => {
                 let radius = self.radius_at_depth(value)?;
                 let load = self.load(radius) + radius * (value - self.image(radius));
-                // a body worn free by wear at this depth touches in places at most; a NaN has to stay one, to be refused
+                // a body worn free by wear at this depth touches in places at most; a NaN has to
+                // stay one, to be refused
                 if load <= 0.0 { open } else { Contact { control: value, depth: value, radius, load } }
             }
             _ => open,
@@ -185,9 +188,9 @@ impl Surface {
         Ok(contact)
     }
 
-    /// Load (m²) and contact radius (m) of a worn body at a depth, m, where a cell between its nodes
-    /// holds the edge: what [`Self::contact`] gives but for rounding, for a search. `None` where only
-    /// that knows.
+    /// Load (m²) and contact radius (m) of a worn body at a depth, m, where a cell between its
+    /// nodes holds the edge: what [`Self::contact`] gives but for rounding, for a search. `None`
+    /// where only that knows.
     pub(crate) fn load_in_cell(&self, depth: f64) -> Option<(f64, f64)> {
         let nodes = self.worn().filter(|nodes| nodes.mesh().is_none())?;
         if matches!(&*self.profile, Profile::Table(_)) || depth <= self.tip() {
@@ -222,8 +225,8 @@ impl Surface {
         Ok(())
     }
 
-    /// Whether the present image still falls right behind the radius at which the unworn one does: up to the next point of the table,
-    /// since waves may be as short as a few.
+    /// Whether the present image still falls right behind the radius at which the unworn one does:
+    /// up to the next point of the table, since waves may be as short as a few.
     fn falls_behind(&self, table: &ProfileTable, contact_radius: f64) -> bool {
         let radius = table.monotone_up_to();
         let next = table.radii().partition_point(|r| *r <= radius);
@@ -269,7 +272,8 @@ impl Surface {
         }
     }
 
-    /// Interval that holds the outermost crossing of `f` with `value`, where f ≤ value at its lower end.
+    /// Interval that holds the outermost crossing of `f` with `value`, where f ≤ value at its lower
+    /// end.
     fn bracket(&self, outer: f64, f: impl Fn(f64) -> f64, value: f64) -> (f64, f64) {
         let knots: &[f64] = match (&self.worn, &*self.profile) {
             (Some(nodes), _) => nodes.x(),

@@ -1,14 +1,17 @@
-//! The two Abel transforms of the method, exact for data that are piecewise linear in the square of the radius.
+//! The two Abel transforms of the method, exact for data that are piecewise linear in the square of
+//! the radius.
 //!
 //! With X = x² and Z = r² (unit m²), nodes x₀ = 0 < x₁ < …, and v linear in X between nodes:
 //!
-//! * **descent** (paper, eqs. (2), (16)): s(r) = (2/π) ∫₀ʳ v dx/√(r² − x²) = v₀ + Σⱼ Cⱼ(r) (vⱼ₊₁ − vⱼ), where Cⱼ is the
-//!   mean over cell j (in X) of (2/π) acos(x/r). It turns an image into a profile and spring slip into surface slip;
-//! * **pressure** (eqs. (12), (17)): p(r) = −(1/π) ∫ᵣ q'(x) dx/√(x² − r²) = Σⱼ Kⱼ(r) (qⱼ − qⱼ₊₁) with
-//!   Kⱼ = (2/π)/(√(Xⱼ₊₁ − Z) + √(Xⱼ − Z)), in 1/m.
+//! * **inverse Abel transform** (paper, eqs. (2), (16)): s(r) = (2/π) ∫₀ʳ v dx/√(r² − x²) = v₀ + Σⱼ
+//!   Cⱼ(r) (vⱼ₊₁ − vⱼ), where Cⱼ is the mean over cell j (in X) of (2/π) acos(x/r). It turns an
+//!   image into a profile and spring slip into surface slip;
+//! * **pressure** (eqs. (12), (17)): p(r) = −(1/π) ∫ᵣ q'(x) dx/√(x² − r²) = Σⱼ Kⱼ(r) (qⱼ − qⱼ₊₁)
+//!   with Kⱼ = (2/π)/(√(Xⱼ₊₁ − Z) + √(Xⱼ − Z)), in 1/m.
 //!
-//! Both are causal node by node: s at node i uses v at nodes ≤ i only, p at node i uses q at nodes ≥ i only. So a
-//! spring row that has not slipped up to a node gives a slip of exactly zero there, and a sticking region never wears.
+//! Both are causal node by node: s at node i uses v at nodes ≤ i only, p at node i uses q at nodes
+//! ≥ i only. So a spring row that has not slipped up to a node gives a slip of exactly zero there,
+//! and a sticking region never wears.
 
 mod abel;
 mod cell;
@@ -21,7 +24,7 @@ mod tree;
 
 pub use abel::{Abel, CROSSOVER, Scratch};
 pub use cell::Density;
-pub(crate) use cell::add_descent;
+pub(crate) use cell::add_inverse;
 pub use dense::DenseAbel;
 pub use fast::FastAbel;
 pub(crate) use fixed::FixedImage;
@@ -36,9 +39,10 @@ pub(crate) fn leg(x: f64, r: f64) -> f64 {
     if (f64::MIN_POSITIVE..=f64::MAX).contains(&square) { square.sqrt() } else { short.sqrt() * long.sqrt() }
 }
 
-/// Row of descent weights for radius r: calls `sink(j, C)` for the cells that begin below r. The last of them may be
-/// cut by r; its weight then is that of the whole linear piece, ∫ up to r only.
-pub(crate) fn descent_row(x: &[f64], r: f64, mut sink: impl FnMut(usize, f64)) {
+/// Row of weights of the inverse Abel transform for radius r: calls `sink(j, C)` for the cells that
+/// begin below r. The last of them may be cut by r; its weight then is that of the whole linear
+/// piece, ∫ up to r only.
+pub(crate) fn inverse_row(x: &[f64], r: f64, mut sink: impl FnMut(usize, f64)) {
     if r <= 0.0 {
         return;
     }
@@ -58,20 +62,20 @@ pub(crate) fn descent_row(x: &[f64], r: f64, mut sink: impl FnMut(usize, f64)) {
     }
 }
 
-/// Descent transform at one radius: s(r) for v given at the nodes x. Constant beyond the last node's value is *not*
-/// assumed: cells end at the last node, beyond it v is taken as constant.
-pub(crate) fn descent_at(x: &[f64], v: &[f64], r: f64) -> f64 {
+/// Inverse Abel transform at one radius: s(r) for v given at the nodes x. Constant beyond the last
+/// node's value is *not* assumed: cells end at the last node, beyond it v is taken as constant.
+pub(crate) fn inverse_at(x: &[f64], v: &[f64], r: f64) -> f64 {
     let mut s = v[0];
-    descent_row(x, r, |j, c| s += c * (v[j + 1] - v[j]));
+    inverse_row(x, r, |j, c| s += c * (v[j + 1] - v[j]));
     s
 }
 
-/// Solves the descent transform for its last value: v at the last node of `x` such that s there equals `target`,
-/// given v at all nodes before.
-pub(crate) fn ascend_last(x: &[f64], v: &[f64], target: f64) -> f64 {
+/// Solves the inverse Abel transform for its last value: v at the last node of `x` such that s
+/// there equals `target`, given v at all nodes before.
+pub(crate) fn abel_last(x: &[f64], v: &[f64], target: f64) -> f64 {
     let last = x.len() - 1;
     let (mut rest, mut diagonal) = (target - v[0], 1.0);
-    descent_row(x, x[last], |j, c| {
+    inverse_row(x, x[last], |j, c| {
         if j + 1 < last {
             rest -= c * (v[j + 1] - v[j]);
         } else {
@@ -86,7 +90,8 @@ pub(crate) fn pressure_weight(x0: f64, x1: f64, r: f64) -> f64 {
     FRAC_2_PI / (leg(x1, r) + leg(x0, r))
 }
 
-/// Pressure transform at one radius: Σ K (qⱼ − qⱼ₊₁) over the cells beyond r, the cell that holds r cut there.
+/// Pressure transform at one radius: Σ K (qⱼ − qⱼ₊₁) over the cells beyond r, the cell that holds r
+/// cut there.
 pub(crate) fn pressure_at(x: &[f64], q: &[f64], r: f64) -> f64 {
     let mut p = 0.0;
     for j in (0..x.len() - 1).rev() {

@@ -2,8 +2,8 @@
 //!
 //! Between profile updates slip is gathered in one dimension ([`WearBacklog`]). A backlog is worn
 //! off by one implicit update ([`worn_depth`]) on nodes at rest, or, where it is nothing but equal
-//! cycles or sliding onward at constant load, by [`live`], on a mesh that moves with the contact
-//! edge.
+//! cycles or sliding onward at constant load, by [`integrate`], on a mesh that moves with the
+//! contact edge.
 //!
 //! The update is linearly implicit: pressure falls where material goes, so with the pressure of the
 //! *new* profile, p + ∂p/∂h Δh, the worn depth Δw = D\[Δh\] obeys
@@ -19,17 +19,17 @@ mod backlog;
 mod edge;
 mod fields;
 mod krylov;
-mod laying;
 mod life;
 mod mesh;
 mod patch;
+mod remesh;
 mod rosenbrock;
 mod system;
 mod update;
 
 pub(crate) use backlog::{RepeatedMotion, SlipAtDepth, WearBacklog};
 pub(crate) use fields::SlipFields;
-pub(crate) use life::{Amount, Fineness, THINNING, live};
+pub(crate) use life::{Amount, IntegrationSettings, THINNING, integrate};
 pub(crate) use mesh::UnitMesh;
 pub(crate) use patch::{Motion, Rig, Sliding};
 pub(crate) use update::worn_depth;
@@ -59,15 +59,15 @@ impl Constants {
     }
 }
 
-/// Largest worn volume between two profile updates, m³: a share of what the slipping annulus still has to lose. The
-/// scale is at least a tenth of the depth, as the contact nears its final state.
+/// Largest worn volume between two profile updates, m³: a share of what the slipping annulus still
+/// has to lose. The scale is at least a tenth of the depth, as the contact nears its final state.
 pub(crate) fn update_limit(tolerance: f64, surface: &Surface, contact: &Contact, stick_radius: f64) -> f64 {
     let room = room(surface, contact, stick_radius);
     tolerance * annulus(contact, stick_radius) * room.max(0.1 * contact.depth.abs())
 }
 
-/// Ratio of a worn volume (m³) to a share of what the slipping annulus has to lose, however little that is, down to a part of
-/// `tolerance` of the depth.
+/// Ratio of a worn volume (m³) to a share of what the slipping annulus has to lose, however little
+/// that is, down to a part of `tolerance` of the depth.
 pub(crate) fn share_of_room(
     volume: f64,
     (share, tolerance): (f64, f64),

@@ -1,7 +1,7 @@
 //! The uniform grid and the three Abel transforms on it, as matrices made once.
 //!
-//! Each is a product rule: the data are taken piecewise linear and the singular kernel is integrated exactly over every
-//! cell, so that no sample falls on a singularity.
+//! Each is a product rule: the data are taken piecewise linear and the singular kernel is
+//! integrated exactly over every cell, so that no sample falls on a singularity.
 //!
 //! | transform | equation |
 //! | --- | --- |
@@ -15,13 +15,14 @@ use std::f64::consts::{FRAC_2_PI, PI};
 /// Where profile and springs are sampled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Scheme {
-    /// Springs on the nodes iΔ, profile, traction and slip in the middle between them; data linear in x and r.
-    /// Derivatives are central differences and no kernel is ever evaluated at its singularity: what one writes down
-    /// first. But a spring sees half a cell of profile that lies outside it, and that half cell sees the next spring:
-    /// wear seeps through the stick edge.
+    /// Springs on the nodes iΔ, profile, traction and slip in the middle between them; data linear
+    /// in x and r. Derivatives are central differences and no kernel is ever evaluated at its
+    /// singularity: what one writes down first. But a spring sees half a cell of profile that lies
+    /// outside it, and that half cell sees the next spring: wear seeps through the stick edge.
     Staggered,
-    /// Everything on the nodes iΔ, data linear in x² and r²: nothing depends on anything further out that eqs. (1)
-    /// and (16) do not let it depend on, so that where all springs stick nothing wears.
+    /// Everything on the nodes iΔ, data linear in x² and r²: nothing depends on anything further
+    /// out that eqs. (1) and (16) do not let it depend on, so that where all springs stick nothing
+    /// wears.
     Causal,
 }
 
@@ -40,7 +41,7 @@ pub(crate) struct Grid {
     /// Line force at the springs → traction at the radii.
     pub(crate) traction: Rows,
     /// Displacement of the springs → that of the surface at the radii.
-    pub(crate) descent: Rows,
+    pub(crate) inverse: Rows,
 }
 
 impl Grid {
@@ -48,9 +49,9 @@ impl Grid {
         let springs: Vec<f64> = (0..count).map(|i| spacing * i as f64).collect();
         let shift = if scheme == Scheme::Staggered { 0.5 } else { 0.0 };
         let radii: Vec<f64> = (0..count).map(|j| spacing * (j as f64 + shift)).collect();
-        let (image, traction, descent): (Row, Row, Row) = match scheme {
-            Scheme::Staggered => (staggered::image, staggered::traction, staggered::descent),
-            Scheme::Causal => (causal::image, causal::traction, causal::descent),
+        let (image, traction, inverse): (Row, Row, Row) = match scheme {
+            Scheme::Staggered => (staggered::image, staggered::traction, staggered::inverse),
+            Scheme::Causal => (causal::image, causal::traction, causal::inverse),
         };
         let rows = |row: Row| Rows::new((0..count).map(|i| row(i, count, spacing)));
         Self {
@@ -58,7 +59,7 @@ impl Grid {
             spacing,
             image: rows(image),
             traction: rows(traction),
-            descent: rows(descent),
+            inverse: rows(inverse),
             springs,
             radii,
         }
@@ -78,7 +79,8 @@ impl Grid {
         }
     }
 
-    /// The sampled field between the radii, linear as the scheme takes it; constant inside the first.
+    /// The sampled field between the radii, linear as the scheme takes it; constant inside the
+    /// first.
     pub(crate) fn at(&self, field: &[f64], r: f64) -> f64 {
         let j = self.radii.partition_point(|&node| node <= r);
         if j == 0 || j == field.len() {
@@ -135,7 +137,7 @@ mod staggered {
         (j, row)
     }
 
-    pub(super) fn descent(j: usize, count: usize, _: f64) -> (usize, Vec<f64>) {
+    pub(super) fn inverse(j: usize, count: usize, _: f64) -> (usize, Vec<f64>) {
         let r = j as f64 + 0.5;
         let mut row = vec![0.0; (j + 2).min(count)];
         for i in 0..=j.min(count - 2) {
@@ -181,7 +183,7 @@ mod causal {
         (i, row)
     }
 
-    pub(super) fn descent(i: usize, _: usize, _: f64) -> (usize, Vec<f64>) {
+    pub(super) fn inverse(i: usize, _: usize, _: f64) -> (usize, Vec<f64>) {
         if i == 0 {
             return (0, vec![1.0]);
         }

@@ -1,22 +1,26 @@
-//! The procedure of Dimaki et al. 2014 as published: a uniform grid, all transforms at every time step, explicit.
+//! The procedure of Dimaki et al. 2014 as published: a uniform grid, all transforms at every time
+//! step, explicit.
 //!
-//! A time step is a small displacement of the body. It (1) transforms the profile into its image by eq. (1), (2) solves
-//! the contact, eqs. (10), (11), moves every spring by eq. (13) and transforms their state by eqs. (16), (17), (3)
-//! takes off what eq. (18) says. Many steps make a cycle, and one cycle stands for many: the wear coefficient is scaled
-//! so that the life asked for is over after [`Settings::cycles`].
+//! A time step is a small displacement of the body. It (1) transforms the profile into its image by
+//! eq. (1), (2) solves the contact, eqs. (10), (11), moves every spring by eq. (13) and transforms
+//! their state by eqs. (16), (17), (3) takes off what eq. (18) says. Many steps make a cycle, and
+//! one cycle stands for many: the wear coefficient is scaled so that the life asked for is over
+//! after [`Settings::cycles`].
 //!
 //! It is written to be as good as that can be, since something is measured against it:
-//! - the transforms are matrices made once, and of each only the part is used that is not multiplied by zero;
+//! - the transforms are matrices made once, and of each only the part is used that is not
+//!   multiplied by zero;
 //! - singular kernels are integrated exactly over each cell ([`grid`]);
 //! - the unworn profile keeps its closed image, so that only the wear is discretised;
 //! - the state starts on the steady loop, at +U₀, so that no cycle is a special one;
-//! - eq. (18) takes the traction at the end of a step, where all springs that slipped are at their bound: for a profile
-//!   that does not change this makes the work independent of the number of steps;
+//! - eq. (18) takes the traction at the end of a step, where all springs that slipped are at their
+//!   bound: for a profile that does not change this makes the work independent of the number of
+//!   steps;
 //! - [`Settings::fewest_cycles`] takes the longest time step that is stable.
 //!
-//! The paper does not describe the "regularized algorithm" that it integrates with. [`Scheme::Staggered`] is what one
-//! writes down first, and its stick edge wanders; the paper's own figures do not show that, so [`Scheme::Causal`],
-//! whose edge stays, is the one to compare with.
+//! The paper does not describe the "regularized algorithm" that it integrates with.
+//! [`Scheme::Staggered`] is what one writes down first, and its stick edge wanders; the paper's own
+//! figures do not show that, so [`Scheme::Causal`], whose edge stays, is the one to compare with.
 #![allow(dead_code, reason = "the benchmark and the test use a part each")]
 
 mod grid;
@@ -43,13 +47,14 @@ pub(crate) struct Settings {
 }
 
 impl Settings {
-    /// With the fewest cycles that are stable for a `life` in Ñ, found as the paper says by looking for the longest
-    /// time step.
+    /// With the fewest cycles that are stable for a `life` in Ñ, found as the paper says by looking
+    /// for the longest time step.
     ///
-    /// Its size: a dent as narrow as a cell Δ lowers the pressure by some (π/4)E*/Δ times its depth, and the slip of
-    /// the next increment, up to 4U₀/m, must not more than make up for it: κ E* U₀ ≤ mΔ/π, or N₀ ≥ π² a₀² d₀ E*/(F_N m
-    /// Δ) cycles. Six tenths of these are stable (the surface slips by less than the body moves), three tenths are not:
-    /// measured for m of 2 to 20, parabola and cone, either control.
+    /// Its size: a dent as narrow as a cell Δ lowers the pressure by some (π/4)E*/Δ times its
+    /// depth, and the slip of the next increment, up to 4U₀/m, must not more than make up for it: κ
+    /// E* U₀ ≤ mΔ/π, or N₀ ≥ π² a₀² d₀ E*/(F_N m Δ) cycles. Six tenths of these are stable (the
+    /// surface slips by less than the body moves), three tenths are not: measured for m of 2 to 20,
+    /// parabola and cone, either control.
     pub(crate) fn fewest_cycles(
         problem: &Problem,
         life: f64,
@@ -90,14 +95,16 @@ pub(crate) struct Published {
     steps: usize,
 }
 
-/// Relative excess over its bound from which a spring slips: a front that stands on a grid point is a tie to rounding.
+/// Relative excess over its bound from which a spring slips: a front that stands on a grid point is
+/// a tie to rounding.
 const TIE: f64 = 1e-9;
-/// Points beyond the contact for which the image is kept up to date: the edge moves by less than one in a time step.
+/// Points beyond the contact for which the image is kept up to date: the edge moves by less than
+/// one in a time step.
 const MARGIN: usize = 8;
 
 impl Published {
-    /// The unworn contact of `problem`, whose wear is scaled to pass a `life` (Ñ) in the cycles of `settings`; the grid
-    /// ends at `reach`·a₀, which the contact must not.
+    /// The unworn contact of `problem`, whose wear is scaled to pass a `life` (Ñ) in the cycles of
+    /// `settings`; the grid ends at `reach`·a₀, which the contact must not.
     pub(crate) fn new(problem: &Problem, life: f64, reach: f64, settings: Settings) -> Self {
         assert!(settings.increments.is_multiple_of(2), "half a cycle is a whole number of increments");
         let problem = problem.clone().with_seed_cycles(settings.cycles as f64 / life);
@@ -120,7 +127,8 @@ impl Published {
             problem,
         };
         this.press();
-        // +U₀ on the steady loop is the state after the first quarter; that quarter wears nothing here
+        // +U₀ on the steady loop is the state after the first quarter; that quarter wears nothing
+        // here
         this.move_springs(this.problem.amplitude);
         this
     }
@@ -171,7 +179,8 @@ impl Published {
         );
     }
 
-    /// The depth that carries the load, by Newton's method: the force is a piecewise quadratic function of it.
+    /// The depth that carries the load, by Newton's method: the force is a piecewise quadratic
+    /// function of it.
     fn find_depth(&mut self) {
         for _ in 0..50 {
             let (force, slope) = self.force();
@@ -183,7 +192,8 @@ impl Published {
         }
     }
 
-    /// F_N = 2E* ∫ (d − g) dx, N, by the trapezium rule with the last cell cut where g = d, and ∂F_N/∂d, N/m.
+    /// F_N = 2E* ∫ (d − g) dx, N, by the trapezium rule with the last cell cut where g = d, and
+    /// ∂F_N/∂d, N/m.
     fn force(&self) -> (f64, f64) {
         let until = (self.edge + MARGIN).min(self.image.len());
         let (mut sum, mut length) = (0.0, 0.0);
@@ -235,7 +245,7 @@ impl Published {
         let per_work = self.problem.parameters.wear_per_work() * self.problem.start.modulus;
         let mut changed = false;
         for j in inner..self.edge {
-            let slip = self.grid.descent.dot(j, &self.slip, first, j + 2);
+            let slip = self.grid.inverse.dot(j, &self.slip, first, j + 2);
             let traction = self.grid.traction.dot(j, &self.springs, j, self.edge);
             // wear never heals
             let worn = (per_work * traction * slip).max(0.0);
@@ -281,7 +291,8 @@ impl Published {
         (0..self.edge).map(|j| (self.grid.radii[j], at(j))).collect()
     }
 
-    /// Where the first spring slips, m: between it and the last that sticks, by the bound's linear course.
+    /// Where the first spring slips, m: between it and the last that sticks, by the bound's linear
+    /// course.
     pub(crate) fn stick_radius(&self) -> f64 {
         let ratio = self.problem.start.slip_ratio();
         let amplitude = self.problem.amplitude;

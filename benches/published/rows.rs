@@ -1,6 +1,7 @@
 //! A matrix whose rows are dense over a range of columns each: the transforms are triangular.
 
-/// Accumulators of a dot product: as many as keep the vector units busy without reordering by the compiler.
+/// Accumulators of a dot product: as many as keep the vector units busy without reordering by the
+/// compiler.
 const LANES: usize = 8;
 
 /// Row by row, without the zeros before and behind.

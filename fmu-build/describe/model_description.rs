@@ -3,13 +3,13 @@
 use fretting_contact::fmi2::enumerations::ENUMERATIONS;
 use fretting_contact::fmi2::variables::{DataType, Range, Start, UNITS, Variable, variables};
 use fretting_contact::fmi2::{CATEGORIES, MODEL_IDENTIFIER};
-use quick_xml::Writer;
-use quick_xml::events::{BytesDecl, Event};
 use std::io;
 use std::ops::Bound;
 use uuid::Uuid;
+use xml::{Xml, document};
 
-type Xml = Writer<Vec<u8>>;
+#[path = "../src/xml.rs"]
+mod xml;
 
 /// What a tool shows beside the name.
 const DESCRIPTION: &str = "Friction and wear of a small oscillating contact: from normal force and tangential displacement to \
@@ -22,25 +22,17 @@ pub(crate) fn model_description() -> String {
 }
 
 fn with_guid(guid: &str) -> String {
-    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
-    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))
-        .expect("memory takes everything");
-    xml.create_element("fmiModelDescription")
-        .with_attributes([
-            ("fmiVersion", "2.0"),
-            ("modelName", MODEL_IDENTIFIER),
-            ("guid", guid),
-            ("description", DESCRIPTION),
-            ("version", env!("CARGO_PKG_VERSION")),
-            ("license", env!("CARGO_PKG_LICENSE")),
-            ("generationTool", concat!("fretting_contact ", env!("CARGO_PKG_VERSION"))),
-            ("variableNamingConvention", "structured"),
-        ])
-        .write_inner_content(content)
-        .expect("memory takes everything");
-    let mut text = String::from_utf8(xml.into_inner()).expect("the writer makes UTF-8");
-    text.push('\n');
-    text
+    let attributes = [
+        ("fmiVersion", "2.0"),
+        ("modelName", MODEL_IDENTIFIER),
+        ("guid", guid),
+        ("description", DESCRIPTION),
+        ("version", env!("CARGO_PKG_VERSION")),
+        ("license", env!("CARGO_PKG_LICENSE")),
+        ("generationTool", concat!("fretting_contact ", env!("CARGO_PKG_VERSION"))),
+        ("variableNamingConvention", "structured"),
+    ];
+    document("fmiModelDescription", attributes, content)
 }
 
 fn content(xml: &mut Xml) -> io::Result<()> {

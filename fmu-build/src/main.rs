@@ -32,6 +32,7 @@ mod totals;
 mod wheel;
 mod wording;
 mod workspace;
+mod xml;
 
 use anyhow::Result;
 use clap::{Parser, Subcommand};

@@ -1,8 +1,7 @@
 //! terminalsAndIcons/terminalsAndIcons.xml (FMI 3.0, section 2.4.9; in FMI 2.0 since 2.0.4): which
 //! variables belong to one connection, and where the icon is drawn.
 
-use quick_xml::Writer;
-use quick_xml::events::{BytesDecl, Event};
+use crate::xml::{Xml, document};
 use std::io;
 
 /// What is connected as one: name, what it is, matching rule, and its variables.
@@ -41,20 +40,9 @@ const TERMINALS: [Terminal; 6] = [
 /// Corners of the square in which the icon is drawn.
 const CORNERS: [(&str, &str); 4] = [("x1", "-100"), ("y1", "-100"), ("x2", "100"), ("y2", "100")];
 
-type Xml = Writer<Vec<u8>>;
-
 /// The file.
 pub(crate) fn description() -> String {
-    let mut xml = Writer::new_with_indent(Vec::new(), b' ', 2);
-    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))
-        .expect("memory takes everything");
-    xml.create_element("fmiTerminalsAndIcons")
-        .with_attribute(("fmiVersion", "3.0"))
-        .write_inner_content(content)
-        .expect("memory takes everything");
-    let mut text = String::from_utf8(xml.into_inner()).expect("the writer makes UTF-8");
-    text.push('\n');
-    text
+    document("fmiTerminalsAndIcons", [("fmiVersion", "3.0")], content)
 }
 
 fn content(xml: &mut Xml) -> io::Result<()> {

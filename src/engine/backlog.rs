@@ -3,14 +3,14 @@
 use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{SlipPiece, Springs};
-use crate::surface::{Contact, FrontWay, Nodes, Surface};
+use crate::surface::{Contact, FrontMotion, Nodes, Surface};
 use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, WearBacklog};
 
 /// How much more than the limit between two updates may wear where an update can wait for the next
 /// reversal: at constant load, whose strokes make one law however many they are.
 pub(super) const STROKE: f64 = 20.0;
 
-/// An annulus that slips is taken to begin at this share of the contact radius at the most: what
+/// An annulus that slips is taken to begin at most at this share of the contact radius: what
 /// little wears in a thin one need not be followed at once.
 pub(super) const WIDE: f64 = 0.9;
 
@@ -68,7 +68,7 @@ impl FrettingContact {
     }
 
     /// Whether the profile has to follow at the end of a line in a contact that does more work (J),
-    /// amid a stroke as well.
+    /// also during a stroke.
     pub(super) fn needs_update(&self, to: &Contact, work: f64, stick_radius: f64) -> bool {
         let Some(wear) = &self.state.wear else { return false };
         let volume = self.model.constants.wear_per_work * (wear.backlog.work + work);
@@ -103,7 +103,7 @@ impl FrettingContact {
         wear::update_limit(self.model.parameters.tolerance, &self.surface, &self.state.contact, inner)
     }
 
-    /// [`Self::absorb_backlog`] where the history is read or ends here: amid a stroke of cycles
+    /// [`Self::absorb_backlog`] where the history is read or ends here: during a stroke of cycles
     /// seen before, what has worn is a part of them, as it will be at the reversal.
     pub(super) fn close_backlog(&mut self) -> Result<(), Error> {
         self.absorb(true)
@@ -210,7 +210,7 @@ impl FrettingContact {
         }
     }
 
-    /// Amid a stroke of cycles that have been seen before: as much of them as its work is.
+    /// During a stroke of cycles that have been seen before: as much of them as its work is.
     fn part_of_cycles(&mut self, backlog: &WearBacklog) -> Option<RepeatedMotion> {
         let Some(Sliding::Cycles(amplitude)) = self.state.wear.as_ref()?.expected else { return None };
         let contact = self.state.contact;
@@ -268,7 +268,7 @@ impl FrettingContact {
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape
         // and takes that volume
         let mut depth = update.depth;
-        let mut image = transforms.ascend(&depth);
+        let mut image = transforms.abel(&depth);
         let volume = nodes.volume(&depth);
         let target = per_work * work;
         let scale = if volume > 0.0 { (target / volume).min(MOST_SCALE) } else { 0.0 };
@@ -312,7 +312,7 @@ impl FrettingContact {
             let (transforms, made) = self.memory.transforms.get(nodes);
             self.state.counters.transform_tables += u64::from(made);
             self.state.counters.descent_transforms += 1;
-            left = nodes.without_mesh(transforms.descend(nodes.worn_image()));
+            left = nodes.without_mesh(transforms.inverse_abel(nodes.worn_image()));
         }
         let deepest = law.iter().map(|law| law.depth).fold(0.0, f64::max);
         if let Some(spread) = left.spread_at_rim(deepest, profile) {
@@ -322,7 +322,7 @@ impl FrettingContact {
         {
             left = thinned;
         }
-        let way = if self.state.planar.is_some() { FrontWay::Creeps } else { FrontWay::Returns };
+        let way = if self.state.planar.is_some() { FrontMotion::Creeps } else { FrontMotion::Returns };
         left.adapt(profile, radius, (inner, way));
         left
     }

@@ -1,13 +1,13 @@
-//! What no step can exceed, however it was followed. A step in which a contact wears more than its profile can follow breaks
-//! these, and is refused instead of giving a wrong number.
+//! What no step can exceed, however it was followed. A step in which a contact wears more than its
+//! profile can follow breaks these, and is refused instead of giving a wrong number.
 
 use super::FrettingContact;
 use crate::error::Error;
 use crate::surface::Contact;
 use crate::wear::annulus;
 
-/// Least share of the worn volume and of π a² d that may have found no place on the profile, the usual tolerance. What an update leaves
-/// for the next does not fall with a tighter one.
+/// Least share of the worn volume and of π a² d that may have found no place on the profile, the
+/// usual tolerance. What an update leaves for the next does not fall with a tighter one.
 const DEFERRED: f64 = 1e-3;
 
 /// On coarse meshes, this over the square of the resolution: a volume computed cell by cell is of
@@ -17,16 +17,16 @@ const OF_CELLS: f64 = 4.0;
 /// Share of that which a step may add where others have left too much: what wears next takes it up.
 const NOT_AT_FAULT: f64 = 0.1;
 
-/// Share of the worn volume and of π a² d by which friction may have taken more than it can, which is lost in those of a step that went
-/// wrong.
+/// Share of the worn volume and of π a² d by which friction may have taken more than it can, which
+/// is lost in those of a step that went wrong.
 const OVERTAKEN: f64 = 0.01;
 
 /// Rounding and the error of an update, relative.
 const SLACK: f64 = 0.05;
 
 impl FrettingContact {
-    /// Runs a change along a straight line. Friction can take what the drive brings, at most μF_N |ΔU|, and what the springs
-    /// hold; and nearly all of it has to show on the profile.
+    /// Runs a change along a straight line. Friction can take what the drive brings, at most μF_N
+    /// |ΔU|, and what the springs hold; and nearly all of it has to show on the profile.
     ///
     /// # Errors
     /// Those of the change; [`Error::WearOutrun`] if it breaks one of these.
@@ -81,8 +81,8 @@ impl FrettingContact {
         (self.model.constants.wear_per_work * work).abs()
     }
 
-    /// Whether nearly all that has worn shows on the profile, or what does not is hardly more than before a step; the contact of then
-    /// counts, too.
+    /// Whether nearly all that has worn shows on the profile, or what does not is hardly more than
+    /// before a step; the contact of then counts, too.
     fn is_placed(&self, (contact, before): (&Contact, f64)) -> bool {
         let (now, size) = (self.deferred_volume(), disc(contact).max(disc(&self.state.contact)));
         let cells = self.model.parameters.resolution as f64;

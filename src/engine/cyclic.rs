@@ -1,29 +1,30 @@
 //! Cyclic loading: many displacement cycles at constant load in a few steps.
 //!
-//! Under constant load a steady cycle of amplitude U₀ wears ∂w/∂N = 4 κ p(r) s(r) with κ = kμ/σ₀ and s the descent of
-//! U₀ − min(U₀, b(x)), exact for a frozen profile. [`crate::wear::live`] integrates that; sliding on in one direction is the
-//! same with s = 1 per metre. Both serve the transient histories too, wherever these are nothing else.
+//! Under constant load a steady cycle of amplitude U₀ wears ∂w/∂N = 4 κ p(r) s(r) with κ = kμ/σ₀
+//! and s the descent of U₀ − min(U₀, b(x)), exact for a frozen profile. [`crate::wear::integrate`]
+//! integrates that; sliding on in one direction is the same with s = 1 per metre. Both serve the
+//! transient histories too, wherever these are nothing else.
 
 use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Path, Springs};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Amount, Fineness, Motion, Rig, Sliding, UnitMesh, live};
+use crate::wear::{Amount, IntegrationSettings, Motion, Rig, Sliding, UnitMesh, integrate};
 
 /// Most cells of the moving mesh.
 const MOST_CELLS: usize = 8192;
 
 impl FrettingContact {
-    /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) along x at a constant force (N) or
-    /// indentation depth (m). The amplitude is the drive's where there is a rig stiffness. Afterwards the body stands at
-    /// its own, and [`Self::tangential_force`] is the
-    /// amplitude of T.
+    /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) along x
+    /// at a constant force (N) or indentation depth (m). The amplitude is the drive's where there
+    /// is a rig stiffness. Afterwards the body stands at its own, and [`Self::tangential_force`] is
+    /// the amplitude of T.
     ///
     /// # Errors
     /// As [`Self::advance_to`]; [`Error::Input`] also for a negative amplitude or number of cycles;
-    /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed; [`Error::WearOutrun`] where more of it than the
-    /// tolerance finds no place on the profile.
+    /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed;
+    /// [`Error::WearOutrun`] where more of it than the tolerance finds no place on the profile.
     pub fn advance_cycles(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         if self.runs_in() {
             return self.run_in_over(normal, amplitude, cycles);
@@ -50,7 +51,7 @@ impl FrettingContact {
         self.view.take();
         let run =
             self.transaction(|this| this.placed(|this| this.run_cycles_on_coating(value, amplitude, cycles)));
-        run.map_err(|error| self.told_of_step(error, amplitude))?;
+        run.map_err(|error| self.error_of_step(error, amplitude))?;
         self.state.counters.steps += 1;
         Ok(())
     }
@@ -78,7 +79,8 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// The first quarter of a cycle from rest: springs at +amplitude and the work (J), a fourth of a steady cycle's.
+    /// The first quarter of a cycle from rest: springs at +amplitude and the work (J), a fourth of
+    /// a steady cycle's.
     pub(super) fn quarter(&mut self, contact: &Contact, amplitude: f64) -> (Springs, f64) {
         let path = Path {
             surface: &self.surface,
@@ -112,8 +114,9 @@ impl FrettingContact {
         Ok(own)
     }
 
-    /// Wears the surface by an amount of sliding at constant load; returns the work, J. Where that is `known`, the profile
-    /// takes it. With the amplitude of a drive (m), at constant force, the sliding is that at the start.
+    /// Wears the surface by an amount of sliding at constant load; returns the work, J. Where that
+    /// is `known`, the profile takes it. With the amplitude of a drive (m), at constant force, the
+    /// sliding is that at the start.
     pub(super) fn wear_by(
         &mut self,
         value: f64,
@@ -131,7 +134,7 @@ impl FrettingContact {
             (Some((Sliding::Onward, step)), Sliding::Onward) => step,
             _ => 0.0,
         };
-        let fineness = Fineness {
+        let settings = IntegrationSettings {
             cells: UnitMesh::cells_from(self.model.parameters.resolution.min(MOST_CELLS)),
             tolerance: self.model.parameters.tolerance,
             last_step,
@@ -142,12 +145,12 @@ impl FrettingContact {
         let deferred_work = self.state.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
         let worn = on_profile(&self.surface) + per_work * deferred_work;
         let amount = Amount { cycles: amount, worn, known };
-        let life = live(
+        let life = integrate(
             &self.surface,
             &motion,
             &amount,
             &self.model.constants,
-            &fineness,
+            &settings,
             &mut self.state.counters,
         )?;
         let Some(wear) = &mut self.state.wear else { return Ok(0.0) };

@@ -1,12 +1,16 @@
-//! Partial derivatives of what can be read with respect to the two inputs of a step, for masters that solve implicitly.
+//! Partial derivatives of what can be read with respect to the two inputs of a step, for masters
+//! that solve implicitly.
 //!
-//! They are those of the law in the **present sliding direction**: springs that stick keep their deflection, those of the
-//! slip zone (outside the stick radius c, at +b or −b, b = m (d − g)) follow their bound. The law is piecewise linear and
-//! turns from one piece to another at a reversal, and where the load rises so fast that the slip zone sticks, s δU < m δd
-//! (s is the side of the zone); the derivatives belong to the other side of that, s δU > m δd. Where nothing slips yet, they
-//! are those for going on as before. The profile is taken as it is: what wear does to it is slow and comes at its updates.
+//! They are those of the law in the **present sliding direction**: springs that stick keep their
+//! deflection, those of the slip zone (outside the stick radius c, at +b or −b, b = m (d − g))
+//! follow their bound. The law is piecewise linear and turns from one piece to another at a
+//! reversal, and where the load rises so fast that the slip zone sticks, s δU < m δd (s is the side
+//! of the zone); the derivatives belong to the other side of that, s δU > m δd. Where nothing slips
+//! yet, they are those for going on as before. The profile is taken as it is: what wear does to it
+//! is slow and comes at its updates.
 //!
-//! With I = ∫ from c to a of (d − g) dx, per unit of depth and of displacement (Popov & Heß, chapters 3 and 5):
+//! With I = ∫ from c to a of (d − g) dx, per unit of depth and of displacement (Popov & Heß,
+//! chapters 3 and 5):
 //!
 //! | quantity | ∂/∂d | ∂/∂U |
 //! | --- | --- | --- |
@@ -16,11 +20,11 @@
 //! | W | −2G* m² I | 2G* m s I |
 //! | c, where s (U − e(c)) = b(c) | m/(g'(c) (m − s e')) | −s/(g'(c) (m − s e')), e' = de/dg inside c |
 //!
-//! Motion along y that starts on a line along x turns the springs that slip without pulling them: ∂T_y/∂U_y = 2G*a, all else is 0. Once
-//! the body has moved in the plane, see [`super::planar`].
+//! Motion along y that starts on a line along x turns the springs that slip without pulling them:
+//! ∂T_y/∂U_y = 2G*a, all else is 0. Once the body has moved in the plane, see [`super::planar`].
 //!
-//! Under force control all of the first column is divided by ∂F_N/∂d. Where the bodies are apart everything is constant,
-//! but for the depth under depth control.
+//! Under force control all of the first column is divided by ∂F_N/∂d. Where the bodies are apart
+//! everything is constant, except the depth under depth control.
 
 use super::FrettingContact;
 use crate::quadrature;
@@ -41,7 +45,8 @@ pub struct Gradient {
 }
 
 impl Gradient {
-    /// This times a factor; what is infinite there, where a front jumps, is no derivative and becomes 0.
+    /// This times a factor; what is infinite there, where a front jumps, is no derivative and
+    /// becomes 0.
     pub(crate) fn times(self, factor: f64) -> Self {
         let finite = |value: f64| if value.is_finite() { value } else { 0.0 };
         Self {
@@ -66,7 +71,8 @@ impl Gradient {
 /// Relative change of the depth for the one quantity without a closed derivative.
 const STEP: f64 = 1e-6;
 
-/// Relative distance at which a radius lies inside another: at the stick radius of a worn profile the slope of the image jumps.
+/// Relative distance at which a radius lies inside another: at the stick radius of a worn profile
+/// the slope of the image jumps.
 const INSIDE: f64 = 1e-9;
 
 impl FrettingContact {
@@ -78,7 +84,8 @@ impl FrettingContact {
         gradient.times(if self.state.contact.is_open() { 0.0 } else { 1.0 })
     }
 
-    /// With D = U + T/k_rig given in place of U: dU = (dD − ∂T/∂n dn/k_rig) / (1 + k/k_rig), k = ∂T/∂U.
+    /// With D = U + T/k_rig given in place of U: dU = (dD − ∂T/∂n dn/k_rig) / (1 + k/k_rig), k =
+    /// ∂T/∂U.
     fn behind_the_rig(&self, gradient: Gradient) -> Gradient {
         let (by_depth, stiffness) = self.force_slopes();
         let own = 1.0 / (1.0 + self.model.compliance * stiffness);
@@ -102,7 +109,8 @@ impl FrettingContact {
         if self.model.constants.force_control { 1.0 / self.normal_stiffness() } else { 1.0 }
     }
 
-    /// Stick radius and side s of the slip zone for going on; s = ±1 also where that zone is still empty.
+    /// Stick radius and side s of the slip zone for going on; s = ±1 also where that zone is still
+    /// empty.
     fn moving_zone(&self) -> (f64, f64) {
         let onward = if self.state.direction < 0.0 { -1.0 } else { 1.0 };
         let (stick, side) = self.state.springs.slip_zone(
@@ -157,8 +165,8 @@ impl FrettingContact {
         self.contact_radius_gradient().times(self.force_scale() / self.model.axes.size)
     }
 
-    /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`] k or, behind a rig,
-    /// k k_rig/(k + k_rig).
+    /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`] k
+    /// or, behind a rig, k k_rig/(k + k_rig).
     pub fn tangential_force_gradient(&self) -> Gradient {
         if let Some(gradient) = self.force_gradient_in_plane(0) {
             return gradient;
@@ -227,8 +235,8 @@ impl FrettingContact {
         self.model.parameters.wear_per_work_of_bodies().map(|per_work| work.times(per_work))
     }
 
-    /// Of [`Self::wear_depth`]: dw = (k/σ₀) |τ| ds at the deepest point, where a slip δ of all springs outside c moves the
-    /// surface by δ (2/π) arccos(c/r).
+    /// Of [`Self::wear_depth`]: dw = (k/σ₀) |τ| ds at the deepest point, where a slip δ of all
+    /// springs outside c moves the surface by δ (2/π) arccos(c/r).
     pub fn wear_depth_gradient(&self) -> Gradient {
         if let Some(gradient) = self.wear_depth_gradient_in_plane() {
             return gradient;
@@ -255,7 +263,8 @@ impl FrettingContact {
         (*deepest.1 > 0.0).then(|| nodes.x()[deepest.0])
     }
 
-    /// Of [`Self::max_pressure`], by central differences in the depth: it is one of many places that move with the edge.
+    /// Of [`Self::max_pressure`], by central differences in the depth: it is one of many places
+    /// that move with the edge.
     pub fn max_pressure_gradient(&self) -> Gradient {
         let Contact { radius, depth, load, .. } = self.state.contact;
         if radius == 0.0 {
@@ -276,7 +285,8 @@ impl FrettingContact {
         self.gradient((pressure(step) - pressure(-step)) / (2.0 * step), 0.0)
     }
 
-    /// Work of one cycle of this amplitude (m) at the present load and profile, J. The amplitude is the drive's here, too.
+    /// Work of one cycle of this amplitude (m) at the present load and profile, J. The amplitude is
+    /// the drive's here, too.
     pub fn work_per_cycle(&self, amplitude: f64) -> f64 {
         let mut copy = self.clone();
         let amplitude = copy.own_amplitude(amplitude);
@@ -294,8 +304,9 @@ impl FrettingContact {
         self.model.parameters.wear_per_work_of_bodies().map(|per_work| per_work * work)
     }
 
-    /// Depth by which one cycle of this amplitude (m) wears the deepest point: dw/dN = 4 (kμ/σ₀) p s there, with the surface
-    /// slip s = (2/π) ∫ (U₀ − b(x))⁺ dx/√(r² − x²) from 0 to r, b = m (d − g).
+    /// Depth by which one cycle of this amplitude (m) wears the deepest point: dw/dN = 4 (kμ/σ₀) p
+    /// s there, with the surface slip s = (2/π) ∫ (U₀ − b(x))⁺ dx/√(r² − x²) from 0 to r, b = m (d
+    /// − g).
     pub fn wear_depth_per_cycle(&self, amplitude: f64) -> f64 {
         if self.state.wear.is_none() || self.state.contact.is_open() {
             return 0.0;

@@ -20,14 +20,17 @@ const LOAD_SHARE: f64 = 0.05;
 const MOST_PIECES: f64 = 512.0;
 
 impl FrettingContact {
-    /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or indentation depth
-    /// in m, by `normal_control`, and displacement in m, that of the drive where there is a rig stiffness.
+    /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or
+    /// indentation depth in m, by `normal_control`, and displacement in m, that of the drive where
+    /// there is a rig stiffness.
     ///
-    /// How the caller splits a line does not matter: without wear to rounding, with wear to the set tolerance.
+    /// How the caller splits a line does not matter: without wear to rounding, with wear to the set
+    /// tolerance.
     ///
     /// # Errors
-    /// [`Error::Input`] for numbers that are not finite; [`Error::NonMonotoneImage`], [`Error::BeyondTable`] where the
-    /// profile cannot carry the load; [`Error::BeyondNumbers`] for a contact too large to be computed.
+    /// [`Error::Input`] for numbers that are not finite; [`Error::NonMonotoneImage`],
+    /// [`Error::BeyondTable`] where the profile cannot carry the load; [`Error::BeyondNumbers`] for
+    /// a contact too large to be computed.
     pub fn advance_to(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         if self.runs_in() {
             return self.run_in_to(normal, [displacement, self.drive_displacement_y()]);
@@ -57,17 +60,18 @@ impl FrettingContact {
         let walked = if self.pieces(&line) == 1 {
             self.walk(value, displacement, 1)
         } else {
-            // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
+            // a load that the profile cannot carry is refused with the caller's number, not with
+            // that of a piece
             self.solve_contact(value)?;
             self.transaction(|this| this.walk_line(&line))
         };
-        walked.map_err(|error| self.told_of_step(error, displacement))?;
+        walked.map_err(|error| self.error_of_step(error, displacement))?;
         self.state.counters.steps += 1;
         Ok(())
     }
 
     /// An error with the step that the caller asked for in the place of a piece of it.
-    pub(super) fn told_of_step(&self, error: Error, displacement: f64) -> Error {
+    pub(super) fn error_of_step(&self, error: Error, displacement: f64) -> Error {
         match error {
             // cycles have a finite amplitude: this was a slide
             Error::TooMuchWear { amplitude: f64::INFINITY, .. } | Error::WearOutrun { .. } => {
@@ -107,7 +111,7 @@ impl FrettingContact {
         self.pieces_by(line, |load| load, LOAD_SHARE)
     }
 
-    /// Pieces over which a measure of the load changes by a share of the larger one at the most.
+    /// Pieces over which a measure of the load changes by at most a share of the larger one.
     fn pieces_by(&self, line: &Line, measure: impl Fn(f64) -> f64, share: f64) -> u32 {
         if line.from.0 == line.to.0 {
             return 1;
@@ -119,7 +123,7 @@ impl FrettingContact {
             return 1;
         }
         let (from, to) = (measure(from), measure(to));
-        // a share at the most, divided last: a part of the smallest numbers may be none
+        // divided by the share last: a part of the smallest numbers may be 0
         ((to - from).abs() / to.max(from) / share).ceil().max(1.0) as u32
     }
 
@@ -153,7 +157,8 @@ impl FrettingContact {
         }
     }
 
-    /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where it exceeds that.
+    /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where
+    /// it exceeds that.
     pub(super) fn exceeds_limit(&self, volume: f64, contact: &Contact, stick_radius: f64) -> Option<f64> {
         let tolerance = if stick_radius > 0.0 { STROKE } else { 1.0 } * self.model.parameters.tolerance;
         wear::exceeds_limit(volume, tolerance, &self.surface, contact, stick_radius)
@@ -177,7 +182,7 @@ impl FrettingContact {
         let inner = springs.stick_radius(&to, self.model.bound_slope, displacement);
         let volume = self.model.constants.wear_per_work * work;
         if let Some(ratio) = self.exceeds_limit(volume, &to, inner)
-            && (splits > 0 || (ratio > MOST_PIECES && self.outwears(work)))
+            && (splits > 0 || (ratio > MOST_PIECES && self.exceeds_wear_capacity(work)))
         {
             if splits == 0 {
                 return Err(Error::WearOutrun { from: self.state.displacement, displacement });
@@ -212,8 +217,9 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact could follow.
-    pub(super) fn outwears(&self, work: f64) -> bool {
+    /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact
+    /// could follow.
+    pub(super) fn exceeds_wear_capacity(&self, work: f64) -> bool {
         let ratio = self.exceeds_limit(self.model.constants.wear_per_work * work, &self.state.contact, 0.0);
         ratio.is_some_and(|ratio| ratio > MOST_PIECES)
     }

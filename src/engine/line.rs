@@ -17,8 +17,8 @@ impl Line {
         (mix(self.from.0, self.to.0), mix(self.from.1, self.to.1))
     }
 
-    /// Point k of n that are even in the square root of the control, which is none below 0; the last
-    /// is the end to the bit.
+    /// Point k of n that are even in the square root of the control (0 where the control is
+    /// negative); the last is the end to the bit.
     pub(super) fn at_root(&self, k: u32, n: u32) -> (f64, f64) {
         let (from, to) = (self.from.0, self.to.0);
         if k == n || from == to {

@@ -72,7 +72,8 @@ impl FrettingContact {
 
     /// Takes the memory of a step from where it is kept, or puts it back there.
     pub(crate) fn exchange_memory(&mut self, memory: &mut Memory) {
-        // tables are those of one profile; those of the mesh serve all, but live as long as they are kept
+        // tables are those of one profile; those of the mesh serve all, but live as long as they
+        // are kept
         self.memory.transforms = TransformCache::default();
         swap(&mut self.memory, memory);
         swap(&mut self.memory.mesh, &mut memory.mesh);

@@ -22,8 +22,8 @@ pub(super) struct Model {
 }
 
 impl Model {
-    /// The model of parameters that have been validated, and the body of revolution that is pressed:
-    /// that of the parameters, or the equivalent sphere of an ellipse.
+    /// The model of parameters that have been validated, and the body of revolution that is
+    /// pressed: that of the parameters, or the equivalent sphere of an ellipse.
     ///
     /// # Errors
     /// [`Error::Parameter`] for radii that make no ellipse.

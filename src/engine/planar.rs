@@ -1,7 +1,7 @@
 //! Motion in both tangential directions.
 //!
-//! As long as the body keeps its place along y while it is in contact, all is as in one dimension,
-//! and a field that is empty is all that it costs. The first motion along y takes the row of knots
+//! As long as the body does not move along y while it is in contact, all is as in one dimension, at
+//! the cost of an empty field. The first motion along y takes the row of knots
 //! over into one of vectors ([`PlanarRow`]), which serves from then on until the bodies part. Slip
 //! is gathered in the backlog as on a line, by its length: traction and slip are taken for parallel
 //! at each radius. Where steady cycles are asked for, they are along x, from rest, whatever was
@@ -51,8 +51,9 @@ impl Planar {
 }
 
 impl FrettingContact {
-    /// Walks the straight line from the present state to (`normal`, `displacement`), displacement along x and y in m, those of the drive
-    /// where there is a rig stiffness. [`Self::advance_to`] is the same with y as it is.
+    /// Walks the straight line from the present state to (`normal`, `displacement`), displacement
+    /// along x and y in m, those of the drive where there is a rig stiffness. [`Self::advance_to`]
+    /// is the same with y as it is.
     ///
     /// # Errors
     /// As [`Self::advance_to`].
@@ -77,17 +78,18 @@ impl FrettingContact {
         }
         let line = Line { from: (self.state.contact.control, 0.0), to: (value, 1.0) };
         if !(self.state.contact.is_open() && value <= self.touch_control()) {
-            // a load that the profile cannot carry is refused with the caller's number, not with that of a piece
+            // a load that the profile cannot carry is refused with the caller's number, not with
+            // that of a piece
             self.solve_contact(value)?;
         }
         self.transaction(|this| this.walk_line_in_plane(&line, displacement))
-            .map_err(|error| self.told_of_step(error, x))?;
+            .map_err(|error| self.error_of_step(error, x))?;
         self.state.counters.steps += 1;
         Ok(())
     }
 
-    /// Walks a line of (load, share of the way) to a place, that of the drive where there is a rig stiffness, in pieces, cut where the
-    /// bodies touch or part.
+    /// Walks a line of (load, share of the way) to a place, that of the drive where there is a rig
+    /// stiffness, in pieces, cut where the bodies touch or part.
     fn walk_line_in_plane(&mut self, line: &Line, to: Vector) -> Result<(), Error> {
         let from = self.drive_place();
         for part in line.split_at(self.touch_control()).iter().flatten() {
@@ -148,7 +150,8 @@ impl FrettingContact {
         x * way[0] + y * way[1] < 0.0
     }
 
-    /// Takes the row of knots over into one of vectors, after what the line so far has worn has been taken off.
+    /// Takes the row of knots over into one of vectors, after what the line so far has worn has
+    /// been taken off.
     fn enter_plane(&mut self) -> Result<(), Error> {
         self.absorb_backlog()?;
         if self.state.direction == 0.0 {
@@ -222,7 +225,7 @@ impl FrettingContact {
             let volume = self.model.constants.wear_per_work * end.work;
             let far = self.exceeds_limit(volume, &end.to, WIDE * end.to.radius).is_some();
             let whole = self.exceeds_limit(volume, &end.to, 0.0).unwrap_or(0.0);
-            if whole > MOST_WEAR || (halvings == 0 && self.outwears(end.work)) {
+            if whole > MOST_WEAR || (halvings == 0 && self.exceeds_wear_capacity(end.work)) {
                 return Err(Error::WearOutrun { from: self.state.displacement, displacement: place[0] });
             }
             let middle = [0, 1].map(|k| 0.5 * (self.place()[k] + place[k]));
@@ -280,7 +283,8 @@ impl FrettingContact {
         (stored - self.stored_energy()).max(0.0)
     }
 
-    /// Takes over the state at the end of a piece. Where the bodies have parted, the next contact begins on a line.
+    /// Takes over the state at the end of a piece. Where the bodies have parted, the next contact
+    /// begins on a line.
     fn arrive_in_plane(&mut self, end: PlanarEnd, place: Vector) {
         let moved = [place[0] - self.state.displacement, place[1] - self.state.displacement_y];
         let length = moved[0].hypot(moved[1]);

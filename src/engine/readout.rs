@@ -1,4 +1,5 @@
-//! What can be read from a contact. Scalars come from the knots; fields are computed when asked for.
+//! What can be read from a contact. Scalars come from the knots; fields are computed when asked
+//! for.
 
 use super::{FrettingContact, SlipState};
 use crate::range::LEAST_RISE;
@@ -10,13 +11,14 @@ use std::f64::consts::PI;
 const PROBES: usize = 64;
 
 impl FrettingContact {
-    /// Tangential displacement U of the body in the contact, m; in cyclic loading its amplitude. Where there is a rig stiffness,
-    /// [`Self::drive_displacement`] is that of the drive.
+    /// Tangential displacement U of the body in the contact, m; in cyclic loading its amplitude.
+    /// Where there is a rig stiffness, [`Self::drive_displacement`] is that of the drive.
     pub fn displacement(&self) -> f64 {
         self.state.displacement
     }
 
-    /// Tangential force T = 2G* ∫ u dx along x that the moving body exerts on the substrate, N; |T| ≤ μF_N.
+    /// Tangential force T = 2G* ∫ u dx along x that the moving body exerts on the substrate, N; |T|
+    /// ≤ μF_N.
     pub fn tangential_force(&self) -> f64 {
         if let Some(force) = self.force_in_plane() {
             return force[0];
@@ -44,9 +46,9 @@ impl FrettingContact {
         self.model.axes.size * self.state.contact.radius
     }
 
-    /// Stick radius c, m: inner edge of the outer annulus in which all springs are at their friction bound on one
-    /// side; 0 in gross slip, a in full stick. In an ellipse the stick region has the shape of the
-    /// contact, and this is the radius of the circle of its area.
+    /// Stick radius c, m: inner edge of the outer annulus in which all springs are at their
+    /// friction bound on one side; 0 in gross slip, a in full stick. In an ellipse the stick region
+    /// has the shape of the contact, and this is the radius of the circle of its area.
     pub fn stick_radius(&self) -> f64 {
         self.model.axes.size * self.stick_edge()
     }
@@ -68,8 +70,8 @@ impl FrettingContact {
         self.state.work
     }
 
-    /// Volume (k₁/σ₁ + k₂/σ₂) W that both bodies have lost so far, m³: the exact integral of the wear law, at every instant. Each part of the work counts by
-    /// the coefficient of its time.
+    /// Volume (k₁/σ₁ + k₂/σ₂) W that both bodies have lost so far, m³: the exact integral of the
+    /// wear law, at every instant. Each part of the work counts by the coefficient of its time.
     pub fn wear_volume(&self) -> f64 {
         let [body_1, body_2] = self.wear_volumes();
         body_1 + body_2
@@ -87,7 +89,8 @@ impl FrettingContact {
         self.force_scale() * self.state.contact.radius
     }
 
-    /// ∂T/∂U for going on in the direction of the last movement, N/m: 2G* times the length of springs that stick.
+    /// ∂T/∂U for going on in the direction of the last movement, N/m: 2G* times the length of
+    /// springs that stick.
     pub fn tangential_stiffness(&self) -> f64 {
         if let Some(stiffness) = self.stiffness_in_plane() {
             return stiffness;
@@ -115,8 +118,8 @@ impl FrettingContact {
         }
     }
 
-    /// 64 radii from the axis to [`crate::Parameters::probe_radius_max`], m; where that is 0, to the
-    /// outermost radius that has ever been in contact. None lies beyond the end of the body.
+    /// 64 radii from the axis to [`crate::Parameters::probe_radius_max`], m; where that is 0, to
+    /// the outermost radius that has ever been in contact. None lies beyond the end of the body.
     ///
     /// In an ellipse a radius r stands for the points of the ellipse of the shape of the contact
     /// whose area is π r²: the pressure is the same at all of them, and so is the traction.
@@ -164,13 +167,14 @@ impl FrettingContact {
         self.view().map_or(0.0, |nodes| nodes.depth_at(r))
     }
 
-    /// Deepest worn point, the sum of both bodies, m. Where updates of the profile have moved it, it may be a few parts in
-    /// 10⁶ less than before.
+    /// Deepest worn point, the sum of both bodies, m. Where updates of the profile have moved it,
+    /// it may be a few parts in 10⁶ less than before.
     pub fn wear_depth(&self) -> f64 {
         self.view().map_or(0.0, |nodes| nodes.depth().iter().fold(0.0, |most, w| most.max(*w)))
     }
 
-    /// Volume ∫ 2πr w dr of the worn profile, m³: the same as [`Self::wear_volume`] by another route, the transforms.
+    /// Volume ∫ 2πr w dr of the worn profile, m³: the same as [`Self::wear_volume`] by another
+    /// route, the transforms.
     pub fn profile_volume(&self) -> f64 {
         self.view().map_or(0.0, Nodes::worn_volume)
     }
@@ -202,7 +206,8 @@ impl FrettingContact {
         self.view.get().or(self.surface.worn())
     }
 
-    /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn cone or flat.
+    /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn
+    /// cone or flat.
     pub fn pressure_at(&self, r: f64) -> f64 {
         self.model.axes.stress(self.pressure_in(&self.state.contact, self.model.axes.inner(r)))
     }
@@ -226,7 +231,8 @@ impl FrettingContact {
         if r >= a {
             return 0.0;
         }
-        // where the pressure is infinite, at the apex of a cone, the traction may be a difference of infinities
+        // where the pressure is infinite, at the apex of a cone, the traction may be a difference
+        // of infinities
         let r = if self.slope_integral(r, a).is_finite() { r } else { r + 1e-9 * a };
         // u is linear in g between the knots: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²)
         let mut sum = 0.0;
@@ -263,8 +269,8 @@ impl FrettingContact {
         unworn + PI * transform::pressure_at(&x, &falling, r)
     }
 
-    /// Largest pressure, Pa, among the axis, the middles of even cells across the contact and the nodes of the wear;
-    /// singular points are passed over, so that the value stays finite.
+    /// Largest pressure, Pa, among the axis, the middles of even cells across the contact and the
+    /// nodes of the wear; singular points are passed over, so that the value stays finite.
     pub fn max_pressure(&self) -> f64 {
         self.max_pressure_in(&self.state.contact)
     }

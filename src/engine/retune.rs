@@ -19,13 +19,13 @@ pub(super) struct FormerWear {
 }
 
 impl FrettingContact {
-    /// Goes on with other coefficients of friction and wear. What has passed is worn off by the old ones. Springs beyond their
-    /// new bound slip back to it where the body stands, and friction takes the energy that they lose, as in a gradual
-    /// change.
+    /// Goes on with other coefficients of friction and wear. What has passed is worn off by the old
+    /// ones. Springs beyond their new bound slip back to it where the body stands, and friction
+    /// takes the energy that they lose, as in a gradual change.
     ///
     /// # Errors
-    /// [`Error::Parameter`] for a coefficient out of its range, or that would switch friction or wear on or off; those of
-    /// [`Self::advance_to`].
+    /// [`Error::Parameter`] for a coefficient out of its range, or that would switch friction or
+    /// wear on or off; those of [`Self::advance_to`].
     pub fn retune(&mut self, friction_coefficient: f64, wear_coefficient: f64) -> Result<(), Error> {
         self.retune_bodies(friction_coefficient, [wear_coefficient, self.model.parameters.wear_coefficient_2])
     }
@@ -75,7 +75,7 @@ impl FrettingContact {
             let work = if this.state.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
             this.state.counters.spring_walks += 1;
             if let Some(wear) = &mut this.state.wear {
-                // a volume, told as the work that wears it
+                // a volume, kept as the work that wears it
                 wear.deferred_work *= former_wear_per_work / constants.wear_per_work;
                 (wear.expected, wear.next_step) = (None, None);
             }
@@ -84,7 +84,8 @@ impl FrettingContact {
         })
     }
 
-    /// Springs beyond a bound that has become another slip back to it where the body stands. Returns the energy that they lose, J.
+    /// Springs beyond a bound that has become another slip back to it where the body stands.
+    /// Returns the energy that they lose, J.
     fn slip_back(&mut self) -> f64 {
         let stored = self.stored_energy();
         let (springs, _) = self.state.springs.walk(

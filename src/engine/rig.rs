@@ -1,20 +1,23 @@
-//! A spring in series with the contact: what holds the body, and what a measured displacement contains of it.
+//! A spring in series with the contact: what holds the body, and what a measured displacement
+//! contains of it.
 //!
 //! The drive stands at D, the body at U, and both carry the same force,
 //!
 //! k_rig (D − U) = T(U).
 //!
-//! **At constant load** T is a concave function of the way that the body has gone since its last reversal, since springs that slip go on
-//! slipping (Popov & Heß, chapter 5), and |T| ≤ μF_N. So Newton's method, and the place U = D ∓ μF_N/k_rig of gross slip, both end short
-//! of the solution or in it. The body is simply walked to them in turn: no motion is tried in vain, and wear sees a
+//! **At constant load** T is a concave function of the way that the body has gone since its last
+//! reversal, since springs that slip go on slipping (Popov & Heß, chapter 5), and |T| ≤ μF_N. So
+//! Newton's method, and the place U = D ∓ μF_N/k_rig of gross slip, both end short of the solution
+//! or in it. The body is simply walked to them in turn: no motion is tried in vain, and wear sees a
 //! single stroke. Stick and gross slip take one walk, partial slip a few.
 //!
-//! **Where the load changes** T at the end depends on how body and load went there. The line of load and drive is walked in pieces like
-//! any other, the body goes straight in each, and its end is found by regula falsi over trial walks: D − U − T/k_rig falls with U.
-//! Where springs touch or leave amid that, a piece has an error of second order in its change of load.
+//! **Where the load changes** T at the end depends on how body and load went there. The line of
+//! load and drive is walked in pieces like any other, the body goes straight in each, and its end
+//! is found by regula falsi over trial walks: D − U − T/k_rig falls with U. Where springs touch or
+//! leave during that, a piece has an error of second order in its change of load.
 //!
-//! Nothing is kept: D follows from U and T. What an update of the worn profile changes in T is made up for with the motion that
-//! follows, so that it is never a reversal of its own.
+//! Nothing is kept: D follows from U and T. What an update of the worn profile changes in T is made
+//! up for with the motion that follows, so that it is never a reversal of its own.
 
 mod cycles;
 
@@ -23,14 +26,16 @@ use super::line::Line;
 use crate::error::Error;
 use crate::roots;
 
-/// Most walks for one equilibrium. Newton's method takes 3 to 6; a bisection in its place would take 52.
+/// Most walks for one equilibrium. Newton's method takes 3 to 6; a bisection in its place would
+/// take 52.
 const MOST_WALKS: u32 = 100;
 
 /// How far from equilibrium counts as none, relative to the lengths that are compared.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl FrettingContact {
-    /// Displacement of the drive: U + T/k_rig, m. It is [`Self::displacement`] where the rig is rigid.
+    /// Displacement of the drive: U + T/k_rig, m. It is [`Self::displacement`] where the rig is
+    /// rigid.
     pub fn drive_displacement(&self) -> f64 {
         if self.model.compliance == 0.0 {
             return self.state.displacement;
@@ -51,8 +56,8 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// Follows the drive under an unchanged load by slip of outer springs alone; `false`, with nothing changed, if it takes a
-    /// walk.
+    /// Follows the drive under an unchanged load by slip of outer springs alone; `false`, with
+    /// nothing changed, if it takes a walk.
     fn slides_after(&mut self, drive: f64) -> bool {
         if self.state.contact.is_open() {
             return false;
@@ -119,7 +124,8 @@ impl FrettingContact {
         if pull.abs() <= ROUNDING * scale { 0.0 } else { pull }
     }
 
-    /// A place nearer to equilibrium on one side of where the body stands, and not beyond it; `None` in equilibrium.
+    /// A place nearer to equilibrium on one side of where the body stands, and not beyond it;
+    /// `None` in equilibrium.
     fn next_place(&self, drive: f64, side: f64) -> Option<f64> {
         let pull = side * self.pull(drive);
         let moves = pull > 0.0 && pull.is_finite();
@@ -170,7 +176,8 @@ impl FrettingContact {
         Ok(displacement)
     }
 
-    /// Amplitude of the drive (m) in steady cycles of the contact itself at the present load: U₀ + T₀/k_rig.
+    /// Amplitude of the drive (m) in steady cycles of the contact itself at the present load: U₀ +
+    /// T₀/k_rig.
     pub(super) fn drive_amplitude(&mut self, own: f64) -> f64 {
         if self.model.compliance == 0.0 {
             return own;
@@ -183,7 +190,8 @@ impl FrettingContact {
             * springs.deflection_integral(own)
     }
 
-    /// Amplitude of the contact itself in steady cycles of a drive (m) at the present load: the same law from rest.
+    /// Amplitude of the contact itself in steady cycles of a drive (m) at the present load: the
+    /// same law from rest.
     pub(super) fn own_amplitude(&mut self, drive: f64) -> f64 {
         if self.model.compliance == 0.0 || self.state.contact.is_open() {
             return drive;

@@ -4,8 +4,8 @@
 use super::FrettingContact;
 
 impl FrettingContact {
-    /// Moves the body under an unchanged load if that takes no more than slip of its outer springs; `false`, with
-    /// nothing changed, if it takes a walk.
+    /// Moves the body under an unchanged load if that takes no more than slip of its outer springs;
+    /// `false`, with nothing changed, if it takes a walk.
     #[inline]
     pub(super) fn slides_to(&mut self, value: f64, displacement: f64) -> bool {
         if value != self.state.contact.control

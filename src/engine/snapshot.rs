@@ -22,8 +22,8 @@ impl FrettingContact {
         Snapshot { state: self.state.clone(), nodes: self.surface.worn().cloned() }
     }
 
-    /// Goes back to a state saved by a contact with the same parameters; what follows is the same to
-    /// the bit. The state may come from anywhere: everything in it is checked.
+    /// Goes back to a state saved by a contact with the same parameters; what follows is the same
+    /// to the bit. The state may come from anywhere: everything in it is checked.
     ///
     /// # Errors
     /// [`Error::Snapshot`] if the state does not fit this contact.

@@ -114,7 +114,8 @@ fn copied<T: Clone>(to: Option<Box<T>>, from: &Option<Box<T>>, copy: impl Fn(&mu
     }
 }
 
-/// A state to return to, with all that it holds for. It shares parameters and nodes with the contact.
+/// A state to return to, with all that it holds for. It shares parameters and nodes with the
+/// contact.
 #[derive(Debug, Clone)]
 pub(crate) struct Mark {
     model: Model,

@@ -17,10 +17,10 @@ impl FrettingContact {
     /// surface, and adds the work to the history's. Afterwards the contact is that of the new
     /// surface; the springs are still those of before.
     ///
-    /// The moving mesh of [`crate::wear::live`] needs fields that are smooth at the contact edge.
-    /// Where they are not, the motion is worn off by implicit updates, as much at a time as may
-    /// wear before the profile follows. That smooths the profile, so that the mesh is tried again
-    /// after every doubling.
+    /// The moving mesh of [`crate::wear::integrate`] needs fields that are smooth at the contact
+    /// edge. Where they are not, the motion is worn off by implicit updates, as much at a time as
+    /// may wear before the profile follows. That smooths the profile, so that the mesh is tried
+    /// again after every doubling.
     ///
     /// # Errors
     /// [`Error::TooMuchWear`] where neither the mesh nor [`MOST_CHUNKS`] updates can follow; those
@@ -84,8 +84,9 @@ impl FrettingContact {
         (amount, unit_work * amount)
     }
 
-    /// Puts the slipping springs where a steady cycle has them at its end, on a surface that has just worn. Those that stuck
-    /// all the time keep what they remember: the cycle need not be about the place where they are relaxed.
+    /// Puts the slipping springs where a steady cycle has them at its end, on a surface that has
+    /// just worn. Those that stuck all the time keep what they remember: the cycle need not be
+    /// about the place where they are relaxed.
     pub(super) fn rest_at_reversal(&mut self, amplitude: f64, stick_before: f64) {
         let contact = self.state.contact;
         let (mut springs, _) = self.quarter(&contact, amplitude);
@@ -94,8 +95,8 @@ impl FrettingContact {
         self.state.springs.take_outer(front.min(stick_before), &springs);
     }
 
-    /// Displacement at which all springs slip, on a line at constant load that goes on so far beyond it that the wear
-    /// matters.
+    /// Displacement at which all springs slip, on a line at constant load that goes on so far
+    /// beyond it that the wear matters.
     pub(super) fn onset_of_long_slide(&self, value: f64, displacement: f64) -> Option<f64> {
         self.state.wear.as_ref()?;
         if value != self.state.contact.control || self.state.contact.is_open() {

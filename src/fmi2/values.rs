@@ -80,7 +80,7 @@ fn not_found(found: Option<&Variable>, reference: u32, asked: Asked) -> Box<Refu
 fn check_writable(model: &Model, variable: &Variable, value: impl Debug) -> Checked {
     match variable.access {
         Access::Input(_) | Access::Tunable(_) => Ok(()),
-        Access::Parameter(_) | Access::Number(_) | Access::Text(_) if !model.is_initialized() => Ok(()),
+        access if !access.is_computed() && !model.is_initialized() => Ok(()),
         _ => Err(not_writable(variable, &value)),
     }
 }
@@ -88,19 +88,10 @@ fn check_writable(model: &Model, variable: &Variable, value: impl Debug) -> Chec
 #[cold]
 fn not_writable(variable: &Variable, value: &dyn Debug) -> Box<Refusal> {
     let (name, value) = (variable.name.to_string(), format!("{value:?}"));
-    match variable.access {
-        Access::Input(_)
-        | Access::Parameter(_)
-        | Access::Tunable(_)
-        | Access::Number(_)
-        | Access::Text(_) => Refusal::Fixed { name, value },
-        Access::Output(_)
-        | Access::Slip(_)
-        | Access::SlipNumber(_)
-        | Access::WornThrough
-        | Access::WearThrough(_)
-        | Access::Count { .. }
-        | Access::Field { .. } => Refusal::ReadOnly { name, value, causality: variable.causality() },
+    if variable.access.is_computed() {
+        Refusal::ReadOnly { name, value, causality: variable.causality() }
+    } else {
+        Refusal::Fixed { name, value }
     }
     .into()
 }

@@ -201,6 +201,23 @@ pub(super) enum Access {
     },
 }
 
+impl Access {
+    /// Whether the model computes the value, so that an importer only reads it.
+    #[inline]
+    pub(super) fn is_computed(&self) -> bool {
+        match self {
+            Self::Input(_) | Self::Parameter(_) | Self::Tunable(_) | Self::Number(_) | Self::Text(_) => false,
+            Self::Output(_)
+            | Self::Slip(_)
+            | Self::SlipNumber(_)
+            | Self::WornThrough
+            | Self::WearThrough(_)
+            | Self::Count { .. }
+            | Self::Field { .. } => true,
+        }
+    }
+}
+
 /// When a coating has worn through.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum WearThrough {
@@ -263,27 +280,19 @@ impl Variable {
     pub fn causality(&self) -> &'static str {
         match self.access {
             Access::Input(_) => "input",
-            Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => "parameter",
-            Access::Output(_)
-            | Access::Slip(_)
-            | Access::WornThrough
-            | Access::WearThrough(_)
-            | Access::Count { .. } => "output",
             Access::Field { .. } | Access::SlipNumber(_) => "local",
+            access if access.is_computed() => "output",
+            _ => "parameter",
         }
     }
 
     /// FMI variability.
     pub fn variability(&self) -> &'static str {
         match self.access {
-            Access::Parameter(_) | Access::Number(_) | Access::Text(_) => "fixed",
             Access::Tunable(_) => "tunable",
             Access::Input(_) | Access::Output(_) | Access::Field { .. } => "continuous",
-            Access::Slip(_)
-            | Access::SlipNumber(_)
-            | Access::WornThrough
-            | Access::WearThrough(_)
-            | Access::Count { .. } => "discrete",
+            access if access.is_computed() => "discrete",
+            _ => "fixed",
         }
     }
 
@@ -291,14 +300,8 @@ impl Variable {
     pub fn initial(&self) -> Option<&'static str> {
         match self.access {
             Access::Input(_) => None,
-            Access::Parameter(_) | Access::Tunable(_) | Access::Number(_) | Access::Text(_) => Some("exact"),
-            Access::Output(_)
-            | Access::Slip(_)
-            | Access::SlipNumber(_)
-            | Access::WornThrough
-            | Access::WearThrough(_)
-            | Access::Count { .. }
-            | Access::Field { .. } => Some("calculated"),
+            access if access.is_computed() => Some("calculated"),
+            _ => Some("exact"),
         }
     }
 
@@ -310,13 +313,7 @@ impl Variable {
             Access::Parameter(field) | Access::Tunable(field) => Some(Start::Real(*field(&mut settings))),
             Access::Number(field) => Some(Start::Integer(*field(&mut settings))),
             Access::Text(field) => Some(Start::Text(field(&mut settings).to_string_lossy().into_owned())),
-            Access::Output(_)
-            | Access::Slip(_)
-            | Access::SlipNumber(_)
-            | Access::WornThrough
-            | Access::WearThrough(_)
-            | Access::Count { .. }
-            | Access::Field { .. } => None,
+            _ => None,
         }
     }
 }

@@ -43,7 +43,8 @@ impl Interval {
         }
     }
 
-    /// ∫ b s dx of bound and slip, both ≥ 0: in a cell in which nearly all the rise is at one end, rounding may deny it.
+    /// ∫ b s dx of bound and slip, both ≥ 0: in a cell in which nearly all the rise is at one end,
+    /// rounding may deny it.
     #[inline(always)]
     pub(super) fn slip_work(&self, bound: (f64, f64), slip: (f64, f64)) -> f64 {
         at_least(self.product(bound, slip), 0.0)
@@ -65,8 +66,8 @@ impl Interval {
     /// ∫ f h dx for two such functions.
     pub(super) fn product(&self, f: (f64, f64), h: (f64, f64)) -> f64 {
         if self.rise > 0.0 {
-            // not by the reciprocal: on a punch worn flat, where the rise is rounding, it split one line of the snapshot test
-            // into 15,000 profile updates
+            // not by the reciprocal: on a punch worn flat, where the rise is rounding, it split one
+            // line of the snapshot test into 15,000 profile updates
             let (df, dh) = ((f.1 - f.0) / self.rise, (h.1 - h.0) / self.rise);
             f.0 * h.0 * self.width + (f.0 * dh + df * h.0) * self.first + df * dh * self.second
         } else {
@@ -81,7 +82,8 @@ fn least(first: f64, width: f64) -> f64 {
     first * first / at_least(width, f64::MIN_POSITIVE)
 }
 
-/// `value`, but not below `bound`: `f64::max` without its care for a bound that is no number, which costs as much again.
+/// `value`, but not below `bound`: `f64::max` without its care for a bound that is no number, which
+/// costs as much again.
 #[inline]
 fn at_least(value: f64, bound: f64) -> f64 {
     if value < bound { bound } else { value }

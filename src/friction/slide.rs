@@ -1,5 +1,5 @@
-//! Slip under a contact that does not change, where the outer springs all slip to one side: nearly every step of nearly
-//! every run, and so done in place.
+//! Slip under a contact that does not change, where the outer springs all slip to one side: nearly
+//! every step of nearly every run, and so done in place.
 
 use super::Springs;
 use super::walk::{Trial, append, between, rounding, share_at_bound, slip_work};
@@ -7,11 +7,12 @@ use crate::friction::SlipPiece;
 use crate::surface::{Contact, Surface};
 
 impl Springs {
-    /// Moves the body to `displacement` under an unchanged contact. Returns the work of friction, J: `work_scale` = 2G*
-    /// times the integral that [`Springs::walk`] gives. `None`, with nothing changed, where the state is of another kind
-    /// or the work is more than `most_work`.
+    /// Moves the body to `displacement` under an unchanged contact. Returns the work of friction,
+    /// J: `work_scale` = 2G* times the integral that [`Springs::walk`] gives. `None`, with nothing
+    /// changed, where the state is of another kind or the work is more than `most_work`.
     ///
-    /// Springs that stick stay as they are. Those that slip end up on one line in g, so that two knots do for all.
+    /// Springs that stick stay as they are. Those that slip end up on one line in g, so that two
+    /// knots do for all.
     pub(crate) fn slide(
         &mut self,
         surface: &Surface,

@@ -39,14 +39,15 @@ fn moved(springs: &Springs, surface: &Surface, contact: Contact, start: f64, end
     springs.walk(&path(surface, contact, contact, start, end), Springs::default(), None)
 }
 
-/// ∫ (g − g₁)ⁿ dx by Gauss on even panels, in (x − x₁)/Δx so that narrow intervals keep their digits.
+/// ∫ (g − g₁)ⁿ dx by Gauss on even panels, in (x − x₁)/Δx so that narrow intervals keep their
+/// digits.
 fn moment(profile: &Profile, x: f64, width: f64, power: i32) -> f64 {
     let image = profile.image(x);
     width * composite(0.0, 20.0, |t| (profile.image(x + width * t / 20.0) - image).powi(power)) / 20.0
 }
 
-/// Wide intervals take differences of closed integrals, narrow ones a form of their own that takes g as linear in x²
-/// (good to 1e-4); either keeps Cauchy's inequality.
+/// Wide intervals take differences of closed integrals, narrow ones a form of their own that takes
+/// g as linear in x² (good to 1e-4); either keeps Cauchy's inequality.
 #[test]
 fn moments_agree_with_quadrature_down_to_narrow_intervals() {
     for profile in profiles() {
@@ -108,7 +109,8 @@ fn intervals_under_a_flat_are_linear_in_the_radius() {
     assert!((interval.product((1.0, 3.0), (2.0, 1.0)) - product).abs() < 1e-18);
 }
 
-/// A first clip puts one knot at the front, g(c) = d − U/m; the next, which passes it, removes it again.
+/// A first clip puts one knot at the front, g(c) = d − U/m; the next, which passes it, removes it
+/// again.
 #[test]
 fn a_clip_adds_a_knot_at_the_front_and_removes_those_it_wipes_out() {
     let surface = Surface::new(Profile::Parabola { radius: 0.01 });
@@ -142,12 +144,14 @@ fn many_loops_need_a_handful_of_knots() {
             at = next;
             most = most.max(springs.knots().len());
         }
-        // axis, edge, two fronts, and what a few slightly lower maxima leave behind, as they have to
+        // axis, edge, two fronts, and what a few slightly lower maxima leave behind, as they have
+        // to
         assert!(most <= 20, "{profile:?}: {most} knots");
     }
 }
 
-/// A ramp of load and displacement in many small steps keeps its knots at the sampling's spacing, not one per step.
+/// A ramp of load and displacement in many small steps keeps its knots at the sampling's spacing,
+/// not one per step.
 #[test]
 fn a_ramp_in_small_steps_does_not_pile_up_knots() {
     let surface = Surface::new(Profile::Parabola { radius: 0.01 });
@@ -200,8 +204,8 @@ fn origins_are_read_between_knots_linearly_in_the_image() {
     }
 }
 
-/// The short way under a steady contact gives what the general walk gives, over 2,000 random lines, in force, work and
-/// front; a line that it refuses has changed nothing.
+/// The short way under a steady contact gives what the general walk gives, over 2,000 random lines,
+/// in force, work and front; a line that it refuses has changed nothing.
 #[test]
 fn a_slide_gives_what_a_walk_gives() {
     for profile in profiles() {
@@ -240,7 +244,8 @@ fn a_slide_refuses_zones_that_slip_both_ways_and_work_without_bound() {
     let surface = Surface::new(Profile::Parabola { radius: 0.01 });
     let (start, contact) = pressed(&surface, 4e-6);
     let full = M * contact.depth;
-    // beyond their bound on one side at the axis, on the other in the middle, as no path leaves them
+    // beyond their bound on one side at the axis, on the other in the middle, as no path leaves
+    // them
     let origins = [(0.0, 1.1 * full), (0.5 * contact.radius, -1.1 * full), (contact.radius, -1.1 * full)];
     let mut twisted = Springs::from_origins(&surface, &origins);
     let before = twisted.clone();
@@ -251,8 +256,9 @@ fn a_slide_refuses_zones_that_slip_both_ways_and_work_without_bound() {
     assert_eq!(far, start);
 }
 
-/// W over a loop of amplitude U₀ = θ u_max tends to ½ θ³ μF_N u_max as θ falls (the series of Mindlin's loop for the
-/// sphere; μF_N/2G* is m φ(a) here). What sticks must not add to it: its slip is rounding, but its area is everything.
+/// W over a loop of amplitude U₀ = θ u_max tends to ½ θ³ μF_N u_max as θ falls (the series of
+/// Mindlin's loop for the sphere; μF_N/2G* is m φ(a) here). What sticks must not add to it: its
+/// slip is rounding, but its area is everything.
 #[test]
 fn the_work_of_a_minute_loop_is_that_of_its_minute_annulus() {
     let surface = Surface::new(Profile::Parabola { radius: 0.01 });
@@ -270,7 +276,8 @@ fn the_work_of_a_minute_loop_is_that_of_its_minute_annulus() {
                 .expect("one zone slips to one side");
         }
         let expected = 0.5 * theta.powi(3) * M * contact.load * full;
-        // the bound is known to eps u_max, the annulus reaches θ u_max below its edge and the slip is of that size, too
+        // the bound is known to eps u_max, the annulus reaches θ u_max below its edge and the slip
+        // is of that size, too
         let tolerance = theta + 1e-14 / (theta * theta);
         assert!((work / expected - 1.0).abs() < tolerance, "{theta:e}: {work:e} against {expected:e}");
     }

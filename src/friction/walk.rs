@@ -1,5 +1,5 @@
-//! The walk of a spring row along a straight line in (load, displacement): springs touch and leave, slip where their
-//! bound is exceeded, and do work.
+//! The walk of a spring row along a straight line in (load, displacement): springs touch and leave,
+//! slip where their bound is exceeded, and do work.
 
 use super::interval::Interval;
 use super::{Knot, Springs, interpolate};
@@ -24,7 +24,8 @@ pub(crate) struct Path<'a> {
     pub(crate) sampling: f64,
 }
 
-/// Share of a line between two contacts after which the spring at `place` comes into or leaves contact.
+/// Share of a line between two contacts after which the spring at `place` comes into or leaves
+/// contact.
 pub(super) fn share_at_touch(control: NormalControl, (from, to): (&Contact, &Contact), place: &Place) -> f64 {
     let level = match control {
         NormalControl::Force => place.load,
@@ -92,14 +93,14 @@ impl Path<'_> {
         let bound = bound(self.start_slope, &self.from, place.image);
         let share = |place| share_at_touch(self.control, (&self.from, &self.to), place);
         // the part of the path on which it is in contact
-        let (room, part) = if touches {
+        let (margin, part) = if touches {
             (0.0, 1.0 - share(place))
         } else {
-            let room = (bound - side * (self.start - trial.knot.origin)).max(0.0);
-            (room, if leaves { share(place) } else { 1.0 })
+            let margin = (bound - side * (self.start - trial.knot.origin)).max(0.0);
+            (margin, if leaves { share(place) } else { 1.0 })
         };
         let bulge = bulge * part * part;
-        let onset = onset(room, trial.excess, bulge);
+        let onset = onset(margin, trial.excess, bulge);
         let left = 1.0 - onset;
         let onset_bound = bound + onset * (trial.bound - bound + bulge * left);
         let mean = 0.5 * (onset_bound + trial.bound);
@@ -116,24 +117,25 @@ fn bound(bound_slope: f64, contact: &Contact, image: f64) -> f64 {
     if contact.is_open() { 0.0 } else { bound_slope * (contact.depth - image).max(0.0) }
 }
 
-/// Share of a path after which a spring slips that has `room` to its bound at the start and is
-/// `excess` beyond it at the end: the root of (room + excess) t − `bulge` t (1 − t) = room.
+/// Share of a path after which a spring slips that has `margin` to its bound at the start and is
+/// `excess` beyond it at the end: the root of (margin + excess) t − `bulge` t (1 − t) = margin.
 #[inline]
-fn onset(room: f64, excess: f64, bulge: f64) -> f64 {
+fn onset(margin: f64, excess: f64, bulge: f64) -> f64 {
     if bulge == 0.0 {
-        return room / (room + excess);
+        return margin / (margin + excess);
     }
-    let slope = room + excess - bulge;
-    let root = (slope * slope + 4.0 * bulge * room).sqrt();
-    let share = if slope > 0.0 { 2.0 * room / (slope + root) } else { (root - slope) / (2.0 * bulge) };
+    let slope = margin + excess - bulge;
+    let root = (slope * slope + 4.0 * bulge * margin).sqrt();
+    let share = if slope > 0.0 { 2.0 * margin / (slope + root) } else { (root - slope) / (2.0 * bulge) };
     share.min(1.0)
 }
 
-/// Spacing of the samples of one line, relative to that of many.
+/// Spacing of the samples of one line, relative to that of many: T of a first press on 64 cells is
+/// 8e-6 of μF_N off, 1.4e-5 at 1.
 const WITHIN_A_LINE: f64 = 0.75;
 
 /// Change of load, relative to the larger one, up to which the bound is taken to change evenly: the
-/// work is off by less than 1e-4 of it, and a step takes half the time.
+/// work of a line is off by up to 2e-4, that of histories by 3e-5, in two thirds of the time.
 const EVEN: f64 = 0.05;
 
 /// Share of what a spring slips below which its bound would be lost to rounding.
@@ -156,8 +158,8 @@ pub(super) struct Trial<'k> {
 }
 
 impl<'k> Trial<'k> {
-    /// An excess within the `rounding` of the bound is none: else a motion too small for the bound to be told from 0
-    /// would move the whole row's origins.
+    /// A spring whose excess is within the `rounding` of the bound sticks: else a motion too small
+    /// to differ from 0 beside the bound would move the whole row's origins.
     #[inline]
     pub(super) fn new(knot: &'k Knot, displacement: f64, bound: f64, rounding: f64) -> Self {
         let deflection = displacement - knot.origin;
@@ -190,8 +192,9 @@ impl<'k> Trial<'k> {
         side * self.deflection - self.bound
     }
 
-    /// The knot of a front, at its bound as it is: clipping it would put the bound's rounding into the springs that stick. After a way so
-    /// long that its own rounding is far above that it is clipped all the same.
+    /// The knot of a front, at its bound as it is: clipping it would put the bound's rounding into
+    /// the springs that stick. After a way so long that its own rounding is far above that it is
+    /// clipped nevertheless.
     #[inline]
     pub(super) fn at_front(&self, rounding: f64) -> Knot {
         if self.excess > FAR_OFF * rounding { self.clipped() } else { *self.knot }
@@ -211,9 +214,9 @@ impl<'k> Trial<'k> {
 }
 
 impl Springs {
-    /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³ (half the row).
-    /// `spare` is a row no longer needed whose memory is used again.
-    /// Where `slips` are asked for, they are put there.
+    /// Walks a path. Returns the new row and ∫ |u| |de| dx, the work of friction over 2G*, m³ (half
+    /// the row). `spare` is a row no longer needed whose memory is used again. Where `slips` are
+    /// asked for, they are put there.
     pub(crate) fn walk(&self, path: &Path, spare: Self, slips: Option<&mut Vec<SlipPiece>>) -> (Self, f64) {
         let mut row = spare.knots;
         row.clear();
@@ -227,8 +230,8 @@ impl Springs {
         (Self { knots: walk.row }, walk.work)
     }
 
-    /// Shows `take` the knots of the old row, extended by those that touch along the path, or with one at the new,
-    /// smaller edge; in turn, from the axis outward.
+    /// Shows `take` the knots of the old row, extended by those that touch along the path, or with
+    /// one at the new, smaller edge; in turn, from the axis outward.
     fn reach(&self, path: &Path, mut take: impl FnMut(&[Knot])) {
         let (old, new) = (path.from.radius, path.to.radius);
         if new == old {
@@ -318,8 +321,9 @@ impl Walk<'_> {
         self.last = knots.last().copied().or(last);
     }
 
-    /// Work of an interval of which at least one end slips. Inserts the knots where its springs leave the side of the
-    /// bound on which the inner end slips, and where they reach that on which the outer end does.
+    /// Work of an interval of which at least one end slips. Inserts the knots where its springs
+    /// leave the side of the bound on which the inner end slips, and where they reach that on which
+    /// the outer end does.
     fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
         if inner.slips_with(&outer) {
             return self.slip_work(&inner, &outer);
@@ -355,8 +359,8 @@ impl Walk<'_> {
         }
     }
 
-    /// [`slip_work`] where the bound does not change evenly: its product with the slip is a parabola
-    /// in g through its values at the ends and in the middle.
+    /// [`slip_work`] where the bound does not change evenly: its product with the slip is a
+    /// parabola in g through its values at the ends and in the middle.
     #[inline(never)]
     fn uneven_slip_work(&mut self, inner: &Trial, outer: &Trial) -> f64 {
         let Some(interval) = slip_interval(inner, outer, self.slips.as_deref_mut()) else { return 0.0 };
@@ -375,14 +379,15 @@ impl Walk<'_> {
     }
 }
 
-/// Share (in g) of the way between two springs at which they are just at their bound on one side, of which one is beyond it
-/// and the other, but for rounding, is not.
+/// Share (in g) of the way between two springs at which they are just at their bound on one side,
+/// of which one is beyond it and the other, but for rounding, is not.
 pub(super) fn share_at_bound(inner: &Trial, outer: &Trial, side: f64) -> f64 {
     let (e0, e1) = (inner.excess_on(side), outer.excess_on(side));
     (e0 / (e0 - e1)).clamp(0.0, 1.0)
 }
 
-/// Deviation below which a knot lies on the line between its neighbours, and a spring is not beyond its bound, m.
+/// Deviation below which a knot lies on the line between its neighbours, and a spring is not beyond
+/// its bound, m.
 pub(super) fn rounding(bound_slope: f64, contact: &Contact, displacement: f64) -> f64 {
     4.0 * f64::EPSILON * (bound_slope * contact.depth.abs() + displacement.abs())
 }
@@ -440,8 +445,8 @@ pub(super) fn between(surface: &Surface, inner: &Trial, outer: &Trial, share: f6
     if rise > 0.0 {
         let image = p.place.image + share * rise;
         let place = surface.place(surface.radius_of_image(image, p.place.x, q.place.x));
-        // at a worn front the image is so steep that the rounding of x would show in it, and move the front from stroke to
-        // stroke
+        // at a worn front the image is so steep that the rounding of x would show in it, and move
+        // the front from stroke to stroke
         let steep = surface.worn().is_some() && (place.image - image).abs() > 1e-12 * q.place.image.abs();
         let image = if steep { image } else { place.image };
         Knot { place: Place { image, ..place }, origin }

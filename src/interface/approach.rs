@@ -1,13 +1,14 @@
 //! The approach at which all contacts together carry a force.
 //!
-//! Σ Fᵢ(d − zᵢ) = F_N. The stiffness of a contact grows with its depth, so that the sum is a convex,
-//! rising function of d, and Newton's method has the slope Σ 2E* aᵢ from the contact radii.
+//! Σ Fᵢ(d − zᵢ) = F_N. The stiffness of a contact grows with its depth, so that the sum is a
+//! convex, rising function of d, and Newton's method has the slope Σ 2E* aᵢ from the contact radii.
 
 use super::Interface;
 use super::members::Loads;
 use crate::error::Error;
 
-/// Most steps of the search. Newton's method takes 2 or 3; bisection to the last digit would take 60.
+/// Most steps of the search. Newton's method takes 2 or 3; bisection to the last digit would take
+/// 60.
 const MOST_STEPS: usize = 200;
 
 /// Steps after which one of bisection is taken.
@@ -91,8 +92,8 @@ impl Interface {
         Err(refused.unwrap_or(none))
     }
 
-    /// Depth (m) at which the first contact alone, of an unworn profile, carries a force, N: more than
-    /// all contacts need together.
+    /// Depth (m) at which the first contact alone, of an unworn profile, carries a force, N: more
+    /// than all contacts need together.
     fn first_depth(&self, force: f64) -> f64 {
         let first = self.members.first();
         let profile = self.members.profile(first);

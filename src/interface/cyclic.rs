@@ -1,10 +1,10 @@
 //! Cyclic loading: many displacement cycles of all contacts in a few blocks.
 //!
-//! In a block the approach is constant, so that each contact wears by its own law of constant depth.
-//! Under a constant force the approach grows by what wears. The block is run at the approach of its
-//! middle, which is extrapolated from the blocks before, so that the force swings about the one asked
-//! for: an error of second order in the swing. A block whose mean force is off, or whose swing is too
-//! large, is run again.
+//! In a block the approach is constant, so that each contact wears by its own law of constant
+//! depth. Under a constant force the approach grows by what wears. The block is run at the approach
+//! of its middle, which is extrapolated from the blocks before, so that the force swings about the
+//! one asked for: an error of second order in the swing. A block whose mean force is off, or whose
+//! swing is too large, is run again.
 
 use super::members::Loads;
 use super::{Interface, Pose};
@@ -16,9 +16,10 @@ use crate::range;
 const MEAN_ERROR: f64 = 1.0;
 
 /// Square of the largest half swing of the force in a block, relative, over the tolerance. By the
-/// tolerance of 1e-3 the swing is 1.6 %, and ten contacts of which one call wears 0.53 a² d each need
-/// 19 blocks. Ten contacts in twice as many differ from one by no less: what is left, 0.8 % of the
-/// volume at 64 cells and 0.25 % at 256, comes from meshes that are made again at another depth.
+/// tolerance of 1e-3 the swing is 1.6 %, and ten contacts of which one call wears 0.53 a² d each
+/// need 19 blocks. Ten contacts in twice as many differ from one by no less: what is left, 0.8 % of
+/// the volume at 64 cells and 0.25 % at 256, comes from meshes that are made again at another
+/// depth.
 const SWING: f64 = 0.25;
 
 /// How much of the largest swing a block is meant to have.
@@ -31,12 +32,13 @@ const MOST_TRIALS: usize = 4;
 const MOST_BLOCKS: u64 = 100_000;
 
 impl Interface {
-    /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) along x of all
-    /// contacts, at a constant normal force (N) or approach (m). Afterwards the body stands at
-    /// `amplitude`, and [`Self::tangential_force`] is the amplitude of T.
+    /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) along x
+    /// of all contacts, at a constant normal force (N) or approach (m). Afterwards the body stands
+    /// at `amplitude`, and [`Self::tangential_force`] is the amplitude of T.
     ///
     /// # Errors
-    /// As [`crate::FrettingContact::advance_cycles`]; [`Error::Input`] also where the body is turned.
+    /// As [`crate::FrettingContact::advance_cycles`]; [`Error::Input`] also where the body is
+    /// turned.
     pub fn advance_cycles(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         let [_, y] = self.pose.displacement;
         self.check(normal, [amplitude, y], self.pose.rotation)?;

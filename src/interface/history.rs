@@ -5,9 +5,9 @@ use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::range;
 
-/// Largest change of the stiffness along a part of a step, relative, over the root of the tolerance.
-/// The springs that touch in such a part do so at a displacement that is off by an eighth of that
-/// change, which makes an error of the tangential force of a twelfth of its square.
+/// Largest change of the stiffness along a part of a step, relative, over the root of the
+/// tolerance. The springs that touch in such a part do so at a displacement that is off by an
+/// eighth of that change, which makes an error of the tangential force of a twelfth of its square.
 const STIFFNESS_SHARE: f64 = 2.0;
 
 /// Most parts of a step under force control, whatever the tolerance.
@@ -20,13 +20,15 @@ const LOST_SHARE: f64 = 4.0;
 /// Most parts into which wear divides a part of a step.
 const MOST_DIVISION: f64 = 4096.0;
 
-/// Steps after which all contacts are marked again. Marking each time took a third of a step with wear.
+/// Steps after which all contacts are marked again. Marking each time took a third of a step with
+/// wear.
 const STEPS_PER_MARK: usize = 32;
 
 /// Share of the force that counts as rounding: a force that is held keeps its approach to the bit.
 const ROUNDING: f64 = 1e-12;
 
-/// Most corrections of the approach after wear. Pressing wears nothing: the second finds nothing to do.
+/// Most corrections of the approach after wear. Pressing wears nothing: the second finds nothing to
+/// do.
 const MOST_CORRECTIONS: usize = 8;
 
 /// How a part of a step went.
@@ -171,8 +173,8 @@ impl Interface {
         Ok(parts.ceil().clamp(1.0, MOST_PARTS) as u64)
     }
 
-    /// Walks a part of a line to a force, N; where that wears so much that the approach would have to
-    /// follow within it, in shorter parts. `first`: the step began here.
+    /// Walks a part of a line to a force, N; where that wears so much that the approach would have
+    /// to follow within it, in shorter parts. `first`: the step began here.
     fn walk_part(&mut self, (from_force, force): (f64, f64), end: Pose, first: bool) -> Result<(), Error> {
         let from = self.pose;
         let moves = end.displacement != from.displacement || end.rotation != from.rotation;
@@ -245,8 +247,8 @@ impl Interface {
         Ok(Outcome::Done { easy: lost < 0.5 * limit })
     }
 
-    /// Takes all contacts straight to where they carry a force (N), and lets the approach follow their
-    /// wear. Returns the share of the force that was lost before it followed.
+    /// Takes all contacts straight to where they carry a force (N), and lets the approach follow
+    /// their wear. Returns the share of the force that was lost before it followed.
     fn press_to(&mut self, force: f64, mut end: Pose) -> Result<f64, Error> {
         end.approach = match self.ahead.take() {
             _ if self.carries(force) => self.pose.approach,
@@ -292,8 +294,8 @@ impl Interface {
         Ok(())
     }
 
-    /// Corrects the approach so that the contacts carry a force, N. Returns the share of it that they
-    /// did not carry before.
+    /// Corrects the approach so that the contacts carry a force, N. Returns the share of it that
+    /// they did not carry before.
     pub(super) fn follow(&mut self, force: f64) -> Result<f64, Error> {
         if force <= 0.0 || !self.wears() {
             return Ok(0.0);

@@ -205,7 +205,8 @@ impl Members {
         })
     }
 
-    /// Lifts all contacts off and presses them down in a pose, so that none carries a tangential force.
+    /// Lifts all contacts off and presses them down in a pose, so that none carries a tangential
+    /// force.
     pub(super) fn start(&mut self, pose: &Pose, apart: bool) -> Result<(), Error> {
         self.turn(pose, pose, |contact, summit| {
             let mut depth = pose.approach - summit.offset;

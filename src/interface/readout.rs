@@ -66,7 +66,8 @@ impl Interface {
         self.sum(FrettingContact::wear_volume)
     }
 
-    /// Volume of the worn profiles, m³: the same by another route, [`FrettingContact::profile_volume`].
+    /// Volume of the worn profiles, m³: the same by another route,
+    /// [`FrettingContact::profile_volume`].
     pub fn profile_volume(&self) -> f64 {
         self.sum(FrettingContact::profile_volume)
     }
@@ -86,9 +87,9 @@ impl Interface {
         self.members.touched().filter(|(_, contact)| contact.contact_radius() > 0.0).count()
     }
 
-    /// Index from 0 of the contact whose profile is worn deepest by its last update, before the first
-    /// update of any that with the most friction work, before any work that with the largest force,
-    /// and of separated bodies the first to touch.
+    /// Index from 0 of the contact whose profile is worn deepest by its last update, before the
+    /// first update of any that with the most friction work, before any work that with the largest
+    /// force, and of separated bodies the first to touch.
     pub fn deepest_contact(&self) -> usize {
         let largest = |of: fn(&FrettingContact) -> f64| {
             let values = self.members.touched().map(|(index, contact)| (index, of(contact)));
@@ -111,8 +112,8 @@ impl Interface {
         }
     }
 
-    /// Deepest worn point, m: that of [`Self::deepest_contact`]. Another contact may be deeper by what
-    /// one update wears.
+    /// Deepest worn point, m: that of [`Self::deepest_contact`]. Another contact may be deeper by
+    /// what one update wears.
     pub fn wear_depth(&self) -> f64 {
         self.read_deepest(FrettingContact::wear_depth)
     }
@@ -167,8 +168,8 @@ impl Interface {
         if stiffness > 0.0 { 1.0 / stiffness } else { 0.0 }
     }
 
-    /// Sum of gradients with respect to depth and displacement of single contacts, with respect to the
-    /// inputs of the interface.
+    /// Sum of gradients with respect to depth and displacement of single contacts, with respect to
+    /// the inputs of the interface.
     fn chained(&self, gradients: impl Iterator<Item = (usize, Gradient)>) -> Gradient {
         let sum = gradients.fold(Gradient::default(), |sum, (index, gradient)| {
             let summit = &self.summits()[index];

@@ -6,8 +6,8 @@ use crate::error::Error;
 use crate::parameters::NormalControl;
 use serde::{Deserialize, Serialize};
 
-/// How far the place of a contact may differ from that of the body, relative: machines differ in the
-/// last digits.
+/// How far the place of a contact may differ from that of the body, relative: machines differ in
+/// the last digits.
 const CLOSE: f64 = 1e-6;
 
 /// Everything that an [`Interface`] needs to go on from where it was, without its parameters and
@@ -32,8 +32,9 @@ impl Interface {
         }
     }
 
-    /// Goes back to a state saved by an interface with the same parameters and contacts; what follows is
-    /// the same to the bit. The state may come from anywhere: everything in it is checked.
+    /// Goes back to a state saved by an interface with the same parameters and contacts; what
+    /// follows is the same to the bit. The state may come from anywhere: everything in it is
+    /// checked.
     ///
     /// # Errors
     /// [`Error::Snapshot`] if the state does not fit.

@@ -28,8 +28,8 @@ impl Summit {
         Self { offset, x: 0.0, y: 0.0, radius_factor: 1.0 }
     }
 
-    /// Displacement of this contact, m, where the body is displaced and turned by an angle (rad) that
-    /// is small enough to count to first order.
+    /// Displacement of this contact, m, where the body is displaced and turned by an angle (rad)
+    /// that is small enough to count to first order.
     pub(crate) fn displacement(&self, [x, y]: [f64; 2], rotation: f64) -> [f64; 2] {
         if rotation == 0.0 {
             return [x, y];
@@ -37,14 +37,15 @@ impl Summit {
         [x - rotation * self.y, y + rotation * self.x]
     }
 
-    /// Reads a table with one contact in each line: its offset, or offset, x and y, or these and the
-    /// radius factor, in the given unit except for the factor. Separators, decimal commas, comments and
-    /// a header are as in [`crate::ProfileTable::parse_in`].
+    /// Reads a table with one contact in each line: its offset, or offset, x and y, or these and
+    /// the radius factor, in the given unit except for the factor. Separators, decimal commas,
+    /// comments and a header are as in [`crate::ProfileTable::parse_in`].
     ///
     /// ```
     /// use fretting_contact::{LengthUnit, Summit};
     ///
-    /// let summits = Summit::parse("offset x y factor\n0 1 0 1\n0.5 -1 0 1.5  # a blunter one\n", LengthUnit::Um)?;
+    /// let table = "offset x y factor\n0 1 0 1\n0.5 -1 0 1.5  # a blunter one\n";
+    /// let summits = Summit::parse(table, LengthUnit::Um)?;
     /// assert_eq!(summits[1], Summit { offset: 5e-7, x: -1e-6, y: 0.0, radius_factor: 1.5 });
     /// # Ok::<(), fretting_contact::Error>(())
     /// ```

@@ -25,8 +25,8 @@ fn assert_close(value: f64, exact: f64, relative: f64, what: &str) {
     assert!(error <= relative, "{what}: {value:e} against {exact:e}, off by {error:e}");
 }
 
-/// Worn by some 1e-4 of the unit, the engine's V/Ñ is the closed initial rate: Ñ, N₀, the amplitude and the load belong
-/// together.
+/// Worn by some 1e-4 of the unit, the engine's V/Ñ is the closed initial rate: Ñ, N₀, the amplitude
+/// and the load belong together.
 #[test]
 fn life_is_counted_in_seed_cycles() {
     for problem in all() {
@@ -79,7 +79,8 @@ fn the_final_state_belongs_to_the_problem() {
         assert_close(problem.amplitude, end.amplitude(problem.start.slip_ratio()), 1e-11, "U0");
         assert!(end.outer_radius() > problem.contact_radius());
         assert!(end.normal_force(problem.start.normal.modulus()) < NORMAL_FORCE);
-        // its profile has no error, one without wear misses the deepest point, one beyond the front the whole of it
+        // its profile has no error, one without wear misses the deepest point, one beyond the front
+        // the whole of it
         assert_eq!(problem.profile_error(|r| end.worn_depth(r)), Some(0.0));
         let deepest = end.deepest_wear().1 / problem.depth();
         assert_close(problem.profile_error(|_| 0.0).expect("it has an end"), deepest, 1e-6, "unworn");

@@ -1,6 +1,7 @@
 //! Unworn profiles f(r) and their one-dimensional MDR images g(x).
 //!
-//! Every analytic profile offers, in closed form, what the contact needs (paper, eqs. (1), (9)–(12)):
+//! Every analytic profile offers, in closed form, what the contact needs (paper, eqs. (1),
+//! (9)–(12)):
 //!
 //! | method | quantity | unit |
 //! | --- | --- | --- |
@@ -11,8 +12,8 @@
 //! | [`Profile::square_integral`] | Q(x) = ∫₀ˣ g² dξ, for the work of friction | m³ |
 //! | [`Profile::pressure_integral`] | J(r, a) = ∫ᵣᵃ g'(x) dx/√(x² − r²), so that p = E* J/π | 1 |
 //!
-//! Sources: Hertz (parabola), Love (cone), Galin/Sneddon and Popov & Heß, *Method of Dimensionality Reduction in
-//! Contact Mechanics and Friction* (power law, truncated shapes).
+//! Sources: Hertz (parabola), Love (cone), Galin/Sneddon and Popov & Heß, *Method of Dimensionality
+//! Reduction in Contact Mechanics and Friction* (power law, truncated shapes).
 
 mod rounded;
 mod table;
@@ -145,8 +146,8 @@ impl Profile {
         }
     }
 
-    /// The geometrically similar profile f(r) = k f₀(r/k): all its lengths are `factor` = k times those
-    /// of this one. Angles and exponents stay.
+    /// The geometrically similar profile f(r) = k f₀(r/k): all its lengths are `factor` = k times
+    /// those of this one. Angles and exponents stay.
     ///
     /// # Errors
     /// As [`Self::validate`] where a length leaves its range.
@@ -285,7 +286,8 @@ impl Profile {
             Self::Cone { .. } => self.image(x).powi(2) * x / 3.0,
             Self::PowerLaw { exponent: n, .. } => self.image(x).powi(2) * x / (2.0 * n + 1.0),
             Self::BluntedSphere { radius, flat_radius: b } => {
-                // ∫ξ²(ξ² − b²) from b to x, written in s = √(x² − b²) and δ = x − b so that nothing cancels near b
+                // ∫ξ²(ξ² − b²) from b to x, written in s = √(x² − b²) and δ = x − b so that nothing
+                // cancels near b
                 let delta = (x - b).max(0.0);
                 let polynomial = b.powi(3) + delta * (5.0 / 3.0 * b * b + delta * (b + delta / 5.0));
                 delta * delta * polynomial / (radius * radius)
@@ -297,7 +299,8 @@ impl Profile {
         }
     }
 
-    /// Image, load integral and square integral at one radius, which a sphere has at the price of one.
+    /// Image, load integral and square integral at one radius, which a sphere has at the price of
+    /// one.
     #[inline]
     pub(crate) fn image_and_integrals(&self, x: f64) -> (f64, f64, f64) {
         if let Self::Parabola { radius } = self {
@@ -308,8 +311,9 @@ impl Profile {
         }
     }
 
-    /// Pressure integral J(r, a) = ∫ᵣᵃ g'(x) dx/√(x² − r²) for 0 ≤ r ≤ a; the pressure under the smooth part of
-    /// the unworn profile is p = E* J/π. Infinite at the apex of a cone and at the rim of a blunted sphere's flat.
+    /// Pressure integral J(r, a) = ∫ᵣᵃ g'(x) dx/√(x² − r²) for 0 ≤ r ≤ a; the pressure under the
+    /// smooth part of the unworn profile is p = E* J/π. Infinite at the apex of a cone and at the
+    /// rim of a blunted sphere's flat.
     pub fn pressure_integral(&self, r: f64, a: f64) -> f64 {
         if r >= a {
             return 0.0;
@@ -332,7 +336,8 @@ impl Profile {
                 if r == *b && matches!(self, Self::BluntedSphere { .. }) {
                     return f64::INFINITY;
                 }
-                // x² = inner² + (δ sinh u)² with δ² = |r² − b²|: both square roots of the integrand become smooth
+                // x² = inner² + (δ sinh u)² with δ² = |r² − b²|: both square roots of the integrand
+                // become smooth
                 let delta = leg(r.max(*b), r.min(*b)).max(1e-12 * b);
                 quadrature::composite(0.0, (leg(a, inner) / delta).asinh(), |u| {
                     let x = inner.hypot(delta * u.sinh());
@@ -353,8 +358,8 @@ impl Profile {
         }
     }
 
-    /// Contact radius at which the image of a smooth unworn profile reaches the indentation depth `depth`, m, or
-    /// `None` where only iteration finds it.
+    /// Contact radius at which the image of a smooth unworn profile reaches the indentation depth
+    /// `depth`, m, or `None` where only iteration finds it.
     pub(crate) fn radius_at_depth(&self, depth: f64) -> Option<f64> {
         match self {
             Self::Parabola { radius } => Some((radius * depth).sqrt()),
@@ -372,7 +377,8 @@ impl Profile {
         }
     }
 
-    /// Contact radius at which the load integral of a smooth unworn profile is `load`, m, or `None`.
+    /// Contact radius at which the load integral of a smooth unworn profile is `load`, m, or
+    /// `None`.
     pub(crate) fn radius_at_load(&self, load: f64) -> Option<f64> {
         match self {
             Self::Parabola { radius } => Some((1.5 * radius * load).cbrt()),

@@ -1,7 +1,7 @@
 //! Image of a flat tip with a rounded edge, f = (r − b)²/(2R) for r > b.
 //!
-//! With cos α = b/x: g = (b x/R)(tan α − α), g' = (b/R)(2 tan α − α), φ = (b³/R)[⅔ tan³α + ½(tan α − α) − ½ α tan²α].
-//! The brackets cancel to third order in α, so small angles take their series.
+//! With cos α = b/x: g = (b x/R)(tan α − α), g' = (b/R)(2 tan α − α), φ = (b³/R)[⅔ tan³α + ½(tan α
+//! − α) − ½ α tan²α]. The brackets cancel to third order in α, so small angles take their series.
 
 use crate::quadrature;
 
@@ -23,7 +23,8 @@ fn excess(alpha: f64) -> f64 {
     }
 }
 
-/// b (tan α − α), from the leg ℓ = b tan α, which far outside the tip tan α would lose the digits of.
+/// b (tan α − α), from the leg ℓ = b tan α, which far outside the tip tan α would lose the digits
+/// of.
 fn lost(leg: f64, alpha: f64, b: f64) -> f64 {
     if alpha < SMALL { b * excess(alpha) } else { leg - b * alpha }
 }
@@ -54,7 +55,8 @@ pub(super) fn load_integral(x: f64, radius: f64, b: f64) -> f64 {
     (leg * leg * (2.0 / 3.0 * leg - b * alpha / 2.0) + b * b * lost(leg, alpha, b) / 2.0) / radius
 }
 
-/// Leg in units of b up to which the angle is a good variable; beyond, it runs into the pole of its tangent.
+/// Leg in units of b up to which the angle is a good variable; beyond, it runs into the pole of its
+/// tangent.
 const STEEP: f64 = 4.0;
 
 /// e⁻⁵ of this is beyond the digits of a double.

@@ -1,8 +1,9 @@
 //! A profile given by points (r, f), for instance from a profilometer.
 //!
-//! The image is taken piecewise linear in x² between the radii of the points, such that the profile it belongs to
-//! passes through every point (the descent transform of [`crate::transform`], solved node by node). The points of a
-//! sphere so give the image of that sphere exactly, and everything else follows in closed form on each piece.
+//! The image is taken piecewise linear in x² between the radii of the points, such that the profile
+//! it belongs to passes through every point (the inverse Abel transform of [`crate::transform`],
+//! solved node by node). The points of a sphere so give the image of that sphere exactly, and
+//! everything else follows in closed form on each piece.
 //!
 //! For n points the image costs O(n) operations, and whatever is asked of it afterwards O(log n).
 
@@ -60,10 +61,12 @@ impl ProfileTable {
         Self::parse_in(text, LengthUnit::M)
     }
 
-    /// Reads two columns r and f, separated by blanks, tabs, commas or semicolons; `#` starts a comment.
+    /// Reads two columns r and f, separated by blanks, tabs, commas or semicolons; `#` starts a
+    /// comment.
     ///
-    /// A byte-order mark, one header line of words, and falling r are accepted. With tabs or semicolons a comma is a decimal comma.
-    /// A height on the axis, f(0), is subtracted from all heights: see [`Self::subtracted_height`].
+    /// A byte-order mark, one header line of words, and falling r are accepted. With tabs or
+    /// semicolons a comma is a decimal comma. A height on the axis, f(0), is subtracted from all
+    /// heights: see [`Self::subtracted_height`].
     ///
     /// # Errors
     /// [`Error::ProfileTable`] that quotes the line.
@@ -150,14 +153,16 @@ impl ProfileTable {
         self.0.monotone_up_to
     }
 
-    /// Largest depth by which the image lies below an earlier value of its own, m; 0 where it never falls.
+    /// Largest depth by which the image lies below an earlier value of its own, m; 0 where it never
+    /// falls.
     pub fn largest_fall(&self) -> f64 {
         let pairs = self.0.highest.iter().zip(self.0.image.values());
         pairs.map(|(highest, g)| highest - g).fold(0.0, f64::max)
     }
 
-    /// Roughness, m: root mean square deviation of the points from the line in r² through both neighbours. On evenly spaced points
-    /// independent noise is √(2/3) times that; a sphere has none.
+    /// Roughness, m: root mean square deviation of the points from the line in r² through both
+    /// neighbours. On evenly spaced points independent noise is √(2/3) times that; a sphere has
+    /// none.
     pub fn roughness(&self) -> f64 {
         let deviation = |three: &[(f64, f64)]| {
             let [(r0, f0), (r1, f1), (r2, f2)] = *three else { return 0.0 };
@@ -169,7 +174,8 @@ impl ProfileTable {
         (windows.map(deviation).sum::<f64>() / count).sqrt()
     }
 
-    /// f(0) of the file that was read, m, which has been subtracted from all heights; 0 for points that were not read from a text.
+    /// f(0) of the file that was read, m, which has been subtracted from all heights; 0 for points
+    /// that were not read from a text.
     pub fn subtracted_height(&self) -> f64 {
         self.0.subtracted
     }
@@ -234,7 +240,8 @@ impl ProfileTable {
         Some(x1 * (inner * inner + share * (1.0 - inner) * (1.0 + inner)).sqrt())
     }
 
-    /// Outermost radius at which the load integral takes the value `load`, where there is one inside the table.
+    /// Outermost radius at which the load integral takes the value `load`, where there is one
+    /// inside the table.
     pub(super) fn radius_at_load(&self, load: f64) -> Option<f64> {
         let j = outermost_below(&self.0.lightest, load)?;
         let piece = self.nth(j);
@@ -244,8 +251,8 @@ impl ProfileTable {
     }
 }
 
-/// Last point whose value, and none further out, is above `value`, if it is not the last of all: `lowest` holds the
-/// smallest of the values from each point on.
+/// Last point whose value, and none further out, is above `value`, if it is not the last of all:
+/// `lowest` holds the smallest of the values from each point on.
 fn outermost_below(lowest: &[f64], value: f64) -> Option<usize> {
     let above = lowest.partition_point(|&low| low <= value);
     (above > 0 && above < lowest.len()).then(|| above - 1)

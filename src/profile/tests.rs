@@ -69,7 +69,8 @@ fn pressures_carry_the_load() {
     // 2π ∫ p r dr = F_N = 2 E* φ(a), with p = E* J/π: ∫ J r dr = φ(a)
     for (profile, a) in analytic() {
         let b = profile.flat_radius();
-        // r = b ∓ s² smooths the singular rim, r = a sin-like end is smoothed by the second substitution
+        // r = b ∓ s² smooths the singular rim, r = a sin-like end is smoothed by the second
+        // substitution
         let inner = if b > 0.0 {
             (0..60)
                 .map(|k| {
@@ -285,7 +286,8 @@ fn copies_of_a_table_share_their_data() {
     assert_ne!(table, waved_sphere(101));
 }
 
-/// A tip that is all but a point: what is left is the parabola f = r²/(2R), by as much as b is of x.
+/// A tip that is all but a point: what is left is the parabola f = r²/(2R), by as much as b is of
+/// x.
 #[test]
 fn a_rounded_punch_with_next_to_no_flat_is_a_parabola() {
     let (radius, x) = (0.01, 2e-4);
@@ -300,7 +302,8 @@ fn a_rounded_punch_with_next_to_no_flat_is_a_parabola() {
     }
 }
 
-/// Whatever the flat is of the radius: the integrals have the derivatives that they should, also where their forms meet.
+/// Whatever the flat is of the radius: the integrals have the derivatives that they should, also
+/// where their forms meet.
 #[test]
 fn the_integrals_of_a_rounded_punch_have_its_image_as_derivative() {
     let (radius, b) = (0.01, 1e-5);

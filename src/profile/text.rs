@@ -46,7 +46,8 @@ pub(super) struct Points {
     pub(super) places: Vec<String>,
 }
 
-/// Reads r and f, m, in the order of the file or reversed if r falls. `#` starts a comment. One header line of words is skipped.
+/// Reads r and f, m, in the order of the file or reversed if r falls. `#` starts a comment. One
+/// header line of words is skipped.
 ///
 /// # Errors
 /// [`Error::ProfileTable`] that quotes the line.

@@ -1,8 +1,8 @@
 //! Closed forms of the model, and two brute-force checks, independent of the engine.
 //!
-//! Tests, benchmarks and reports measure the engine against this module, so it shares no code with it: plain
-//! functions of `f64`, arguments in SI units, no state except in the rows of springs. Inputs are trusted; a violated
-//! precondition panics.
+//! Tests, benchmarks and reports measure the engine against this module, so it shares no code with
+//! it: plain functions of `f64`, arguments in SI units, no state except in the rows of springs.
+//! Inputs are trusted; a violated precondition panics.
 //!
 //! | symbol | meaning | unit |
 //! | --- | --- | --- |

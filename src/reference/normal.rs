@@ -1,7 +1,7 @@
 //! Frictionless normal contact of a [`Shape`] with a half-space.
 //!
-//! g(a) = d, F_N = 2E* [a d − ∫₀ᵃ g dx], p(r) = (E*/π) ∫ᵣᵃ g' dx / √(x² − r²) (Sneddon 1965; Popov and Heß). For the
-//! parabola these are Hertz's formulas (1882).
+//! g(a) = d, F_N = 2E* [a d − ∫₀ᵃ g dx], p(r) = (E*/π) ∫ᵣᵃ g' dx / √(x² − r²) (Sneddon 1965; Popov
+//! and Heß). For the parabola these are Hertz's formulas (1882).
 
 use super::quadrature::{Node, integrate};
 use super::root::bisect;
@@ -9,7 +9,8 @@ use super::shape::{Shape, less_arc, monomial_factor};
 use Shape::{BluntedSphere, Cone, FlatPunch, Parabola, PowerLaw, RoundedPunch};
 use std::f64::consts::PI;
 
-/// One state of contact. Depth, radius and force agree to rounding, also where a is next to a flat's radius.
+/// One state of contact. Depth, radius and force agree to rounding, also where a is next to a
+/// flat's radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NormalContact {
     shape: Shape,
@@ -20,7 +21,8 @@ pub struct NormalContact {
 }
 
 impl NormalContact {
-    /// At indentation depth `depth`, m; E* = `modulus`, Pa. A depth ≤ 0 means bodies apart: a = F_N = 0.
+    /// At indentation depth `depth`, m; E* = `modulus`, Pa. A depth ≤ 0 means bodies apart: a = F_N
+    /// = 0.
     pub fn at_depth(shape: Shape, modulus: f64, depth: f64) -> Self {
         let depth = depth.max(0.0);
         let overhang = if depth > 0.0 { shape.overhang_at_depth(depth) } else { 0.0 };
@@ -142,8 +144,8 @@ impl NormalContact {
         }
     }
 
-    /// p(r), Pa; 0 outside the contact. Infinite at the edge of the flat punch and, as a logarithm, at the rim r = b
-    /// of the blunted sphere.
+    /// p(r), Pa; 0 outside the contact. Infinite at the edge of the flat punch and, as a logarithm,
+    /// at the rim r = b of the blunted sphere.
     ///
     /// | shape | p(r) |
     /// | --- | --- |

@@ -1,13 +1,14 @@
 //! Double-exponential (tanh–sinh) quadrature.
 //!
-//! ∫ f dx over (start, end) with x = mid + (length/2) tanh((π/2) sinh t) and the trapezoidal rule in t (Takahasi and
-//! Mori 1974). Integrable singularities at the two ends cost nothing, which is what the Abel integrals of the model
-//! need; inside the interval the integrand has to be smooth, so split at kinks.
+//! ∫ f dx over (start, end) with x = mid + (length/2) tanh((π/2) sinh t) and the trapezoidal rule
+//! in t (Takahasi and Mori 1974). Integrable singularities at the two ends cost nothing, which is
+//! what the Abel integrals of the model need; inside the interval the integrand has to be smooth,
+//! so split at kinks.
 
 use std::f64::consts::PI;
 
-/// Where the integrand is wanted. Near an end the two distances keep the digits that `x` alone has lost: write
-/// √(x² − start²) as √(from_start · (x + start)).
+/// Where the integrand is wanted. Near an end the two distances keep the digits that `x` alone has
+/// lost: write √(x² − start²) as √(from_start · (x + start)).
 #[derive(Debug, Clone, Copy)]
 pub struct Node {
     /// The abscissa.
@@ -18,16 +19,17 @@ pub struct Node {
     pub to_end: f64,
 }
 
-/// The trapezoidal sum runs over |t| ≤ 4.5: there the ends are e^(−π sinh 4.5) ≈ 4e-62 interval lengths away.
+/// The trapezoidal sum runs over |t| ≤ 4.5: there the ends are e^(−π sinh 4.5) ≈ 4e-62 interval
+/// lengths away.
 const REACH: f64 = 4.5;
 /// Halvings of the step, from 1, before the sum is believed at all, and at most.
 const HALVINGS: std::ops::RangeInclusive<u32> = 3..=8;
-/// The sum has converged when a halving changes it by less than this part of ∫ abs(f): the error left then is
-/// about the square of the change.
+/// The sum has converged when a halving changes it by less than this part of ∫ abs(f): the error
+/// left then is about the square of the change.
 const CONVERGED: f64 = 1e-13;
 
-/// ∫ f dx from `start` to `end` ≥ `start`, to about 1e-14 of ∫ abs(f) where f is analytic inside the interval and
-/// no more singular than (distance)^(−2/3) at its ends.
+/// ∫ f dx from `start` to `end` ≥ `start`, to about 1e-14 of ∫ abs(f) where f is analytic inside
+/// the interval and no more singular than (distance)^(−2/3) at its ends.
 pub fn integrate(start: f64, end: f64, mut integrand: impl FnMut(Node) -> f64) -> f64 {
     let length = end - start;
     if length == 0.0 {

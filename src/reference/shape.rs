@@ -1,11 +1,11 @@
 //! Axisymmetric profiles f(r) and their one-dimensional images g(x).
 //!
-//! g(x) = x ∫₀ˣ f'(r) dr / √(x² − r²), and back f(r) = (2/π) ∫₀ʳ g(x) dx / √(r² − x²). The images of the monomials
-//! and of the blunted shapes are collected in Popov and Heß, *Method of Dimensionality Reduction in Contact Mechanics
-//! and Friction*; all follow from Sneddon (1965).
+//! g(x) = x ∫₀ˣ f'(r) dr / √(x² − r²), and back f(r) = (2/π) ∫₀ʳ g(x) dx / √(r² − x²). The images
+//! of the monomials and of the blunted shapes are collected in Popov and Heß, *Method of
+//! Dimensionality Reduction in Contact Mechanics and Friction*; all follow from Sneddon (1965).
 //!
-//! For the shapes with a flat, everything is written in s = √(x² − b²): it stays exact where x and b agree to many
-//! digits.
+//! For the shapes with a flat, everything is written in s = √(x² − b²): it stays exact where x and
+//! b agree to many digits.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -36,7 +36,8 @@ pub enum Shape {
         /// b ≥ 0, m.
         flat_radius: f64,
     },
-    /// Flat that turns smoothly into a parabola: f = 0, then (r − b)²/(2R). g = 0, then (x/R) [s − b·acos(b/x)].
+    /// Flat that turns smoothly into a parabola: f = 0, then (r − b)²/(2R). g = 0, then (x/R) [s −
+    /// b·acos(b/x)].
     RoundedPunch {
         /// R of the rim, m.
         radius: f64,
@@ -97,7 +98,8 @@ impl Shape {
         self.image_at_overhang(self.overhang(x))
     }
 
-    /// g'(x) for x > 0; infinite at the edge of the blunted sphere's flat, and from the edge of the flat punch on.
+    /// g'(x) for x > 0; infinite at the edge of the blunted sphere's flat, and from the edge of the
+    /// flat punch on.
     pub fn image_slope(&self, x: f64) -> f64 {
         if x < self.flat_radius() {
             return 0.0;
@@ -186,7 +188,8 @@ impl Shape {
                 let moment = depth * radius;
                 moment * (2.0 / (b * b + (b * b).hypot(2.0 * moment))).sqrt()
             }
-            // √(s²+b²) (s − b·atan(s/b)) = R d; the left side is above s²/4 for s ≥ 2b and above s³/(5b) below
+            // √(s²+b²) (s − b·atan(s/b)) = R d; the left side is above s²/4 for s ≥ 2b and above
+            // s³/(5b) below
             RoundedPunch { radius, flat_radius: b } => {
                 let moment = depth * radius;
                 let bound = (2.0 * moment.sqrt()).max((5.0 * b * moment).cbrt());
@@ -197,7 +200,8 @@ impl Shape {
     }
 }
 
-/// κₙ = √π Γ(n/2 + 1) / Γ((n + 1)/2): the image of rⁿ is κₙ xⁿ. n > 0, and below 300 to stay finite.
+/// κₙ = √π Γ(n/2 + 1) / Γ((n + 1)/2): the image of rⁿ is κₙ xⁿ. n > 0, and below 300 to stay
+/// finite.
 pub fn monomial_factor(n: f64) -> f64 {
     PI.sqrt() * libm::tgamma(0.5 * n + 1.0) / libm::tgamma(0.5 * (n + 1.0))
 }
@@ -278,7 +282,8 @@ pub(super) mod tests {
             for x in RADII.into_iter().filter(|&x| x > 1.1 * b) {
                 let what = format!("{shape:?} at {x}");
                 assert_close(shape.image_integral(x), integrate(b, x, |n| shape.image(n.x)), 1e-13, &what);
-                // the blunted sphere's slope has a root singularity at b, which x alone cannot resolve
+                // the blunted sphere's slope has a root singularity at b, which x alone cannot
+                // resolve
                 assert_close(shape.image(x), integrate(b, x, |n| shape.image_slope(n.x)), 1e-7, &what);
                 let h = 1e-3 * (x - b);
                 let central = |f: &dyn Fn(f64) -> f64| {

@@ -1,11 +1,12 @@
-//! The one-dimensional image as a row of springs, moved in small steps: a brute-force check for load histories that no
-//! closed form covers.
+//! The one-dimensional image as a row of springs, moved in small steps: a brute-force check for
+//! load histories that no closed form covers.
 //!
-//! Eq. (13) of Dimaki et al. 2014, spring by spring: a spring in contact follows ΔU until G* abs(u) reaches μq and is
-//! then held at ±μq/G*. It enters contact unstressed and forgets its state on leaving. Nothing else is assumed; in
-//! particular a straight line in (F_N, U) is walked in sub-steps, not jumped. The error is of second order in the
-//! spacing and, for the friction work, in the length of the sub-steps (between first and second where a line passes
-//! through F_N = 0). No wear.
+//! Eq. (13) of Dimaki et al. 2014, spring by spring: a spring in contact follows ΔU until G* abs(u)
+//! reaches μq and is then held at ±μq/G*. It enters contact unstressed and forgets its state on
+//! leaving. Nothing else is assumed; in particular a straight line in (F_N, U) is walked in
+//! sub-steps, not jumped. The error is of second order in the spacing and, for the friction work,
+//! in the length of the sub-steps (between first and second where a line passes through F_N = 0).
+//! No wear.
 
 use super::shape::Shape;
 
@@ -22,7 +23,8 @@ pub struct PlainSpringRow {
     normal_modulus: f64,
     tangential_modulus: f64,
     friction: f64,
-    /// The force last asked for, N: where the next straight line starts; negative while pulled apart.
+    /// The force last asked for, N: where the next straight line starts; negative while pulled
+    /// apart.
     force: f64,
     depth: f64,
     displacement: f64,
@@ -39,9 +41,9 @@ enum Control {
 }
 
 impl PlainSpringRow {
-    /// A row with the given images (m) at x = (i + ½) `spacing`, bodies apart, U = 0. `normal_modulus` E* and
-    /// `tangential_modulus` G* in Pa, `friction` μ. Beyond the last spring there is nothing: once that one touches, the
-    /// row is a punch that ends there.
+    /// A row with the given images (m) at x = (i + ½) `spacing`, bodies apart, U = 0.
+    /// `normal_modulus` E* and `tangential_modulus` G* in Pa, `friction` μ. Beyond the last spring
+    /// there is nothing: once that one touches, the row is a punch that ends there.
     ///
     /// # Panics
     /// If the images decrease somewhere, or there is none.
@@ -78,8 +80,8 @@ impl PlainSpringRow {
         }
     }
 
-    /// `count` springs over 0 < x < `length` (m) under a shape; `length` beyond the largest contact radius, or the radius
-    /// of the flat punch.
+    /// `count` springs over 0 < x < `length` (m) under a shape; `length` beyond the largest contact
+    /// radius, or the radius of the flat punch.
     pub fn under(
         shape: Shape,
         length: f64,
@@ -93,7 +95,8 @@ impl PlainSpringRow {
         Self::new(image, spacing, normal_modulus, tangential_modulus, friction)
     }
 
-    /// Walks the straight line in (F_N, U) to `force` (N) and `displacement` (m) in equal sub-steps. F_N ≤ 0 means apart.
+    /// Walks the straight line in (F_N, U) to `force` (N) and `displacement` (m) in equal
+    /// sub-steps. F_N ≤ 0 means apart.
     pub fn advance(&mut self, force: f64, displacement: f64, substeps: usize) {
         let (from_force, from) = (self.force, self.displacement);
         for k in 1..=substeps {
@@ -121,7 +124,8 @@ impl PlainSpringRow {
         let step = displacement - self.displacement;
         let limit_per_depth = self.friction * self.normal_modulus / self.tangential_modulus;
         let depth_before = self.depth;
-        // what each spring needs to touch, in the quantity that moves evenly, and its larger value of the two ends
+        // what each spring needs to touch, in the quantity that moves evenly, and its larger value
+        // of the two ends
         let (touch, before, now) = match control {
             Control::Force { before, now } => (&self.touch_force, before, now),
             Control::Depth { before, now } => (&self.image, before, now),
@@ -130,7 +134,8 @@ impl PlainSpringRow {
         let touched = touch.partition_point(|&needed| needed < most);
         let springs = touch.iter().zip(&self.image).zip(&mut self.deflection).zip(&mut self.work);
         for (((needed, g), u), work) in springs.take(touched) {
-            // the part of the sub-step in contact: all of it, unless the spring enters or leaves meanwhile
+            // the part of the sub-step in contact: all of it, unless the spring enters or leaves
+            // meanwhile
             let share = ((most - needed) * per_change).min(1.0);
             let limit_before = (limit_per_depth * (depth_before - g)).max(0.0);
             let limit = (limit_per_depth * (depth - g)).max(0.0);
@@ -143,7 +148,8 @@ impl PlainSpringRow {
         self.displacement = displacement;
     }
 
-    /// d at which the springs carry `force`, m: from 2E* Δx Σ (d − g) over the n springs with g < d.
+    /// d at which the springs carry `force`, m: from 2E* Δx Σ (d − g) over the n springs with g <
+    /// d.
     fn depth_at_force(&self, force: f64) -> f64 {
         let n = self.touch_force.partition_point(|&needed| needed < force);
         if n == 0 {
@@ -156,7 +162,8 @@ impl PlainSpringRow {
         self.image.partition_point(|&g| g < self.depth)
     }
 
-    /// d, m; the lowest image once a force ≤ 0 has taken the bodies apart, and 0 (or the lowest image below) at the start.
+    /// d, m; the lowest image once a force ≤ 0 has taken the bodies apart, and 0 (or the lowest
+    /// image below) at the start.
     pub fn depth(&self) -> f64 {
         self.depth
     }
@@ -182,7 +189,8 @@ impl PlainSpringRow {
         2.0 * self.tangential_modulus * self.spacing * self.work.iter().sum::<f64>()
     }
 
-    /// a, m, from g = d between the last spring in contact and the next; the end of the row if there is none.
+    /// a, m, from g = d between the last spring in contact and the next; the end of the row if
+    /// there is none.
     pub fn contact_radius(&self) -> f64 {
         let n = self.springs_in_contact();
         if n == 0 {
@@ -279,7 +287,8 @@ mod tests {
         }
     }
 
-    /// The contact edge falls anywhere in its cell, so that single errors scatter: their mean square over many rows.
+    /// The contact edge falls anywhere in its cell, so that single errors scatter: their mean
+    /// square over many rows.
     #[test]
     fn the_error_against_mindlin_is_of_second_order_in_the_spacing() {
         let exact = contact(BALL, 100.0);
@@ -298,8 +307,8 @@ mod tests {
         assert!(errors[2] < 2e-8 * MU * 100.0, "{errors:?}");
     }
 
-    /// Force and displacement change together, up and down. d is concave in F_N, so that one clip at the end of a line
-    /// happens to leave each spring where many do; the work has no such luck.
+    /// Force and displacement change together, up and down. d is concave in F_N, so that one clip
+    /// at the end of a line happens to leave each spring where many do; the work has no such luck.
     #[test]
     fn sub_steps_leave_the_force_and_refine_the_work_to_second_order() {
         let run = |substeps: usize| {

@@ -1,9 +1,10 @@
 //! Tangential contact with Coulomb friction after a normal load that is then held.
 //!
-//! Cattaneo (1938) and Mindlin (1949) for spheres; Jäger (1995) and Ciavarella (1998) for any axisymmetric profile: the
-//! sheared contact is μ times the difference of two normal contacts of the same body, the real one and the one whose
-//! radius is the stick radius c, g(c) = d − G* U/(μE*). On reversal the same holds for the change since then, with half
-//! the displacement and twice the force (Masing).
+//! Cattaneo (1938) and Mindlin (1949) for spheres; Jäger (1995) and Ciavarella (1998) for any
+//! axisymmetric profile: the sheared contact is μ times the difference of two normal contacts of
+//! the same body, the real one and the one whose radius is the stick radius c, g(c) = d − G*
+//! U/(μE*). On reversal the same holds for the change since then, with half the displacement and
+//! twice the force (Masing).
 //!
 //! Sign: T has the sign of the displacement that causes it.
 
@@ -12,8 +13,8 @@ use super::quadrature::{Node, integrate};
 use super::shape::Shape;
 use std::f64::consts::{FRAC_2_PI, PI};
 
-/// Contact whose normal force is a power of depth, F_N ∝ dᵐ: parabola m = 3/2, cone m = 2, flat punch m = 1, power law
-/// m = 1 + 1/n. Everything is closed in θ = U/u_max.
+/// Contact whose normal force is a power of depth, F_N ∝ dᵐ: parabola m = 3/2, cone m = 2, flat
+/// punch m = 1, power law m = 1 + 1/n. Everything is closed in θ = U/u_max.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MonomialContact {
     /// m ≥ 1.
@@ -25,7 +26,8 @@ pub struct MonomialContact {
 }
 
 impl MonomialContact {
-    /// The friction limit and full-slip displacement of `normal` for G* = `tangential_modulus` (Pa) and μ = `friction`.
+    /// The friction limit and full-slip displacement of `normal` for G* = `tangential_modulus` (Pa)
+    /// and μ = `friction`.
     ///
     /// # Panics
     /// For the shapes with a rim, whose force is no power of depth.
@@ -51,8 +53,8 @@ impl MonomialContact {
     }
 
     /// T at `displacement` on the way back from the first reversal at `reversal` (both m), N:
-    /// T = T(reversal) − 2 T((reversal − displacement)/2). Holds up to the opposite reversal, and by symmetry on every
-    /// later branch of the closed loop.
+    /// T = T(reversal) − 2 T((reversal − displacement)/2). Holds up to the opposite reversal, and
+    /// by symmetry on every later branch of the closed loop.
     pub fn returning(&self, reversal: f64, displacement: f64) -> f64 {
         self.loading(reversal) - 2.0 * self.loading(0.5 * (reversal - displacement))
     }
@@ -63,9 +65,11 @@ impl MonomialContact {
         if theta < 1.0 { (1.0 - theta).powf(self.exponent - 1.0) } else { 0.0 }
     }
 
-    /// Friction work of one closed loop between ±`amplitude` (m), J. A first quarter from rest dissipates one fourth.
+    /// Friction work of one closed loop between ±`amplitude` (m), J. A first quarter from rest
+    /// dissipates one fourth.
     ///
-    /// θ ≤ 1: μF_N u_max {4θ + 4θ(1−θ)ᵐ − [8/(m+1)] [1 − (1−θ)^(m+1)]}; θ > 1: 4μF_N [U₀ − 2u_max/(m+1)].
+    /// θ ≤ 1: μF_N u_max {4θ + 4θ(1−θ)ᵐ − [8/(m+1)] [1 − (1−θ)^(m+1)]}; θ > 1: 4μF_N [U₀ −
+    /// 2u_max/(m+1)].
     pub fn loop_work(&self, amplitude: f64) -> f64 {
         let (m, theta) = (self.exponent, amplitude.abs() / self.full_slip);
         let unit = self.friction_limit * self.full_slip;
@@ -101,8 +105,8 @@ pub struct TangentialContact {
 }
 
 impl TangentialContact {
-    /// μ E*/G*: a spring's limit of displacement per depth of compression; also the largest dU/dd that U and d can rise
-    /// with together, from any state, without slip.
+    /// μ E*/G*: a spring's limit of displacement per depth of compression; also the largest dU/dd
+    /// that U and d can rise with together, from any state, without slip.
     pub fn slip_ratio(&self) -> f64 {
         self.friction * self.normal.modulus() / self.modulus
     }
@@ -112,7 +116,8 @@ impl TangentialContact {
         self.slip_ratio() * self.normal.depth()
     }
 
-    /// The normal contact of the stick disc on first loading: its radius is c. Bodies apart means gross slip.
+    /// The normal contact of the stick disc on first loading: its radius is c. Bodies apart means
+    /// gross slip.
     fn sticking(&self, displacement: f64) -> NormalContact {
         let depth = self.normal.depth() - displacement.abs() / self.slip_ratio();
         NormalContact::at_depth(self.normal.shape(), self.normal.modulus(), depth)
@@ -125,8 +130,9 @@ impl TangentialContact {
 
     /// T on first loading, N: μ [F_N(a) − F_N(c)].
     ///
-    /// Also T after a normal load that was first higher and then fell to the present one at the held displacement:
-    /// every spring then carries min(U, μq/G*) with the present q, as on first loading.
+    /// Also T after a normal load that was first higher and then fell to the present one at the
+    /// held displacement: every spring then carries min(U, μq/G*) with the present q, as on first
+    /// loading.
     pub fn loading(&self, displacement: f64) -> f64 {
         self.friction * (self.normal.force() - self.sticking(displacement).force()).copysign(displacement)
     }
@@ -148,7 +154,8 @@ impl TangentialContact {
         self.friction * (self.normal.pressure(r) - stuck.pressure(r)).copysign(displacement)
     }
 
-    /// U − u₃(r) on first loading, m, for r ≤ a: how far the moving body has slid over the substrate at radius r.
+    /// U − u₃(r) on first loading, m, for r ≤ a: how far the moving body has slid over the
+    /// substrate at radius r.
     ///
     /// (2/π) ∫ [U − μq/G*] dx / √(r² − x²) over c < x < r; in gross slip U − μE*/G* · (d − f(r)).
     pub fn slip(&self, displacement: f64, r: f64) -> f64 {
@@ -165,7 +172,8 @@ impl TangentialContact {
         distance.copysign(displacement)
     }
 
-    /// Friction work of one closed loop between ±`amplitude` (m), J. A first quarter from rest dissipates one fourth.
+    /// Friction work of one closed loop between ±`amplitude` (m), J. A first quarter from rest
+    /// dissipates one fourth.
     ///
     /// Between reversals a spring that slips at all slides 2 (U₀ − μq/G*) under the force μq, hence
     /// W = 8 ∫ μq (U₀ − μq/G*) dx over c < x < a; by quadrature.
@@ -181,15 +189,17 @@ impl TangentialContact {
         on_flat + integrate(rim, self.normal.radius(), |n| density(n.x))
     }
 
-    /// Worn volume of one closed loop between ±`amplitude` (m) at frozen profile, from the local law
-    /// Δf = (k/σ₀) · 4 μ p(r) s(r), per k/σ₀: 4μ ∫ 2πr p s dr, J. Equals [`Self::loop_work`]; by nested quadrature,
-    /// slow, and not for the flat punch, whose p and s are both those of its edge.
+    /// Worn volume of one closed loop between ±`amplitude` (m) at frozen profile, from the local
+    /// law Δf = (k/σ₀) · 4 μ p(r) s(r), per k/σ₀: 4μ ∫ 2πr p s dr, J. Equals [`Self::loop_work`];
+    /// by nested quadrature, slow, and not for the flat punch, whose p and s are both those of its
+    /// edge.
     pub fn loop_work_from_fields(&self, amplitude: f64) -> f64 {
         let amplitude = amplitude.abs();
         let (a, c) = (self.normal.radius(), self.stick_radius(amplitude));
         let ring = |n: Node| {
             let pressure = self.normal.pressure(n.x);
-            // rounding puts nodes on the blunted sphere's rim, where the logarithm of p has no weight
+            // rounding puts nodes on the blunted sphere's rim, where the logarithm of p has no
+            // weight
             if pressure.is_finite() { 2.0 * PI * n.x * pressure * self.slip(amplitude, n.x) } else { 0.0 }
         };
         let rim = self.normal.shape().flat_radius().max(c);
@@ -198,13 +208,15 @@ impl TangentialContact {
     }
 }
 
-/// ΔT while U and d rise together at dU/dd = `ratio`, N, for a rise of the normal force by `force_rise` (N):
-/// (dU/dd)(G*/E*) ΔF_N. From any state, `ratio` at most μE*/G* in size: no spring slips.
+/// ΔT while U and d rise together at dU/dd = `ratio`, N, for a rise of the normal force by
+/// `force_rise` (N): (dU/dd)(G*/E*) ΔF_N. From any state, `ratio` at most μE*/G* in size: no spring
+/// slips.
 pub fn oblique_rise(ratio: f64, tangential_modulus: f64, normal_modulus: f64, force_rise: f64) -> f64 {
     ratio * tangential_modulus / normal_modulus * force_rise
 }
 
-/// τ(r) on the sphere on first loading, Pa (Cattaneo–Mindlin): μp₀ √(1 − r²/a²), less μp₀ (c/a) √(1 − r²/c²) inside c.
+/// τ(r) on the sphere on first loading, Pa (Cattaneo–Mindlin): μp₀ √(1 − r²/a²), less μp₀ (c/a) √(1
+/// − r²/c²) inside c.
 pub fn sphere_traction(friction: f64, central_pressure: f64, a: f64, c: f64, r: f64) -> f64 {
     let dome = |radius: f64| ((radius - r).max(0.0) * (radius + r)).sqrt() / a;
     friction * central_pressure * (dome(a) - dome(c))
@@ -305,7 +317,8 @@ mod tests {
                     );
                 }
                 let ratio = contact.stick_radius(u) / contact.normal.radius();
-                // (c/a)ⁿ = 1 − θ, and 1/n = m − 1: the rounding of the depth shows through this power at θ = 1
+                // (c/a)ⁿ = 1 − θ, and 1/n = m − 1: the rounding of the depth shows through this
+                // power at θ = 1
                 let rounding = 1e-15f64.powf((closed.exponent - 1.0).min(1.0)).max(1e-13);
                 let tolerance = if theta == 1.0 { rounding } else { 1e-13 };
                 assert!((ratio - closed.stick_ratio(u)).abs() <= tolerance, "{what}: {ratio}");
@@ -434,7 +447,8 @@ mod tests {
         }
     }
 
-    /// u₃(r) by its definition, eq. (16), on a shape without closed form, in partial and in gross slip.
+    /// u₃(r) by its definition, eq. (16), on a shape without closed form, in partial and in gross
+    /// slip.
     #[test]
     fn the_slip_is_what_the_surface_displacement_leaves() {
         for shape in

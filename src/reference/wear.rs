@@ -1,8 +1,9 @@
 //! Fretting wear where it has a closed form.
 //!
-//! Local law (eq. (18) of Dimaki et al. 2014): Δf = (k/σ₀) τ Δs, hence worn volume = (k/σ₀) · friction work. Under a
-//! constant indentation depth the stick radius c stands still and wear ends when the ring around it carries nothing:
-//! g = g₀ inside c and g = d from there to the new edge a∞ (Popov 2014).
+//! Local law (eq. (18) of Dimaki et al. 2014): Δf = (k/σ₀) τ Δs, hence worn volume = (k/σ₀) ·
+//! friction work. Under a constant indentation depth the stick radius c stands still and wear ends
+//! when the ring around it carries nothing: g = g₀ inside c and g = d from there to the new edge a∞
+//! (Popov 2014).
 
 use super::quadrature::{Node, integrate};
 use super::root::bisect;
@@ -23,8 +24,8 @@ impl ConstantDepthEnd {
     /// Of an initial `shape` held at `depth` (m) with the stick radius c = `stick_radius` (m).
     ///
     /// # Panics
-    /// Unless b ≤ c < a₀, with the flat radius b and the initial contact radius a₀; for the flat punch, which knows no
-    /// partial slip.
+    /// Unless b ≤ c < a₀, with the flat radius b and the initial contact radius a₀; for the flat
+    /// punch, which knows no partial slip.
     pub fn new(shape: Shape, depth: f64, stick_radius: f64) -> Self {
         let initial = shape.contact_radius(depth);
         assert!(!matches!(shape, FlatPunch { .. }), "a flat punch knows no partial slip");
@@ -91,7 +92,8 @@ impl ConstantDepthEnd {
 
     /// Radius and depth of the deepest wear, m.
     ///
-    /// Root of (f∞ − f₀)' by bisection; f∞' = (2/πr) [∫₀ᶜ x g₀' dx / √(r² − x²) + (d − g₀(c)) c / √(r² − c²)].
+    /// Root of (f∞ − f₀)' by bisection; f∞' = (2/πr) [∫₀ᶜ x g₀' dx / √(r² − x²) + (d − g₀(c)) c /
+    /// √(r² − c²)].
     pub fn deepest_wear(&self) -> (f64, f64) {
         let (c, shape) = (self.stick_radius, self.shape);
         let step = self.depth - shape.image(c);
@@ -114,7 +116,8 @@ impl ConstantDepthEnd {
         2.0 * normal_modulus * (self.depth * c - self.shape.image_integral(c))
     }
 
-    /// U₀, m: the amplitude that has this stick radius, (μE*/G*)(d − g₀(c)), for `slip_ratio` = μE*/G*.
+    /// U₀, m: the amplitude that has this stick radius, (μE*/G*)(d − g₀(c)), for `slip_ratio` =
+    /// μE*/G*.
     pub fn amplitude(&self, slip_ratio: f64) -> f64 {
         slip_ratio * (self.depth - self.shape.image(self.stick_radius))
     }
@@ -143,7 +146,8 @@ fn stuck_slope(shape: Shape, c: f64, r: f64) -> f64 {
     integrate(0.0, rim, kernel)
 }
 
-/// N₀ = π a₀² d₀ σ₀ / (k μ F_N U₀), cycles: the unit of Ñ = N/N₀. `energy_coefficient` is k/σ₀, m³/J.
+/// N₀ = π a₀² d₀ σ₀ / (k μ F_N U₀), cycles: the unit of Ñ = N/N₀. `energy_coefficient` is k/σ₀,
+/// m³/J.
 pub fn seed_cycles(
     radius: f64,
     depth: f64,
@@ -154,17 +158,20 @@ pub fn seed_cycles(
     PI * radius * radius * depth / (energy_coefficient * friction_limit * amplitude)
 }
 
-/// dV/dÑ at the start, in units of a₀² d₀: π W / (μF_N U₀), with the friction work W of one loop (J) of the unworn body.
+/// dV/dÑ at the start, in units of a₀² d₀: π W / (μF_N U₀), with the friction work W of one loop
+/// (J) of the unworn body.
 pub fn initial_rate(loop_work: f64, friction_limit: f64, amplitude: f64) -> f64 {
     PI * loop_work / (friction_limit * amplitude)
 }
 
-/// V after sliding over a `path` (m) in gross slip, m³: (k/σ₀) μF_N s. Exact for every shape and at every wear.
+/// V after sliding over a `path` (m) in gross slip, m³: (k/σ₀) μF_N s. Exact for every shape and at
+/// every wear.
 pub fn gross_slip_volume(energy_coefficient: f64, friction_limit: f64, path: f64) -> f64 {
     energy_coefficient * friction_limit * path
 }
 
-/// a of a parabola long after the start of gross slip, m: a⁴ → 4RV/π, the volume of the segment worn off.
+/// a of a parabola long after the start of gross slip, m: a⁴ → 4RV/π, the volume of the segment
+/// worn off.
 pub fn worn_flat_radius(radius: f64, volume: f64) -> f64 {
     (4.0 * radius * volume / PI).powf(0.25)
 }
@@ -290,7 +297,8 @@ mod tests {
             let a = end.outer_radius();
             assert_close(end.worn_depth(a * (1.0 - 1e-12)), 0.0, 1e-10, "continuous at a∞");
             assert_eq!([end.worn_depth(0.99 * c), end.worn_depth(1.01 * a)], [0.0; 2]);
-            // no ring is worn deeper, and the rings sum to the volume (midpoint rule in r² with a root cusp at c)
+            // no ring is worn deeper, and the rings sum to the volume (midpoint rule in r² with a
+            // root cusp at c)
             let (radius, deepest) = end.deepest_wear();
             let cells = 20_000;
             let mut volume = 0.0;

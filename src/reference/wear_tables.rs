@@ -1,7 +1,8 @@
 //! Wear histories that have no closed form, computed independently to a stated uncertainty.
 //!
-//! All in seed units: lengths along the surface in a₀, depths in d₀, volumes in a₀² d₀, cycles as Ñ = N/N₀
-//! ([`super::wear::seed_cycles`]); a₀, d₀, F_N of the unworn body at the start. Scenes of Dimaki et al. 2014.
+//! All in seed units: lengths along the surface in a₀, depths in d₀, volumes in a₀² d₀, cycles as Ñ
+//! = N/N₀ ([`super::wear::seed_cycles`]); a₀, d₀, F_N of the unworn body at the start. Scenes of
+//! Dimaki et al. 2014.
 
 /// Stick radius at the start of every partial-slip table, c₀/a₀.
 pub const INITIAL_STICK_RATIO: f64 = 0.4;
@@ -50,13 +51,16 @@ pub const CONE_CONSTANT_FORCE: [ConstantForceRow; 5] = [
 /// Relative uncertainty of the constant-force rows; the later rows are the less certain.
 pub const CONSTANT_FORCE_UNCERTAINTY: f64 = 3e-3;
 
-/// Flat punch of radius b in gross slip over a path s: (S, p(0)/p_mean), S = κE*s/b, κ = kμ/σ₀. Given to its last digit.
+/// Flat punch of radius b in gross slip over a path s: (S, p(0)/p_mean), S = κE*s/b, κ = kμ/σ₀.
+/// Given to its last digit.
 pub const FLAT_PUNCH_GROSS_SLIP: [(f64, f64); 5] =
     [(0.05, 0.5441), (0.2, 0.6367), (0.5, 0.7702), (1.0, 0.9016), (2.0, 0.9855)];
-/// Sphere at constant force in gross slip over a path s: (S, central wear w₀/d₀), S = κE*s/a₀. Given to its last digit.
+/// Sphere at constant force in gross slip over a path s: (S, central wear w₀/d₀), S = κE*s/a₀.
+/// Given to its last digit.
 pub const SPHERE_GROSS_SLIP: [(f64, f64); 5] =
     [(0.5, 0.277275), (1.0, 0.489101), (2.0, 0.797111), (5.0, 1.371819), (10.0, 1.992577)];
-/// Half a unit of the last digit of [`FLAT_PUNCH_GROSS_SLIP`] and [`SPHERE_GROSS_SLIP`], relative, rounded up.
+/// Half a unit of the last digit of [`FLAT_PUNCH_GROSS_SLIP`] and [`SPHERE_GROSS_SLIP`], relative,
+/// rounded up.
 pub const GROSS_SLIP_UNCERTAINTY: f64 = 4e-4;
 
 #[cfg(test)]
@@ -110,7 +114,8 @@ mod tests {
         // flat punch: p(0)/p_mean = 1/2 unworn, 1 when worn in
         let first = FLAT_PUNCH_GROSS_SLIP[0];
         assert!(first.1 > 0.5 && FLAT_PUNCH_GROSS_SLIP.windows(2).all(|w| w[0].1 < w[1].1 && w[1].1 < 1.0));
-        // sphere: dw₀/ds = κ p(0), so w₀/d₀ < S (2/π) with p(0) = (2/π) E* d₀/a₀ falling as it wears
+        // sphere: dw₀/ds = κ p(0), so w₀/d₀ < S (2/π) with p(0) = (2/π) E* d₀/a₀ falling as it
+        // wears
         assert!(SPHERE_GROSS_SLIP.iter().all(|&(s, worn)| worn < FRAC_2_PI * s));
         assert!(SPHERE_GROSS_SLIP[0].1 > 0.85 * FRAC_2_PI * 0.5);
         // late: a⁴ = 4RV/π with w₀ ≈ a²/(2R) and V = κF_N s gives (w₀/d₀)² → (4/3π) S in seed units

@@ -1,11 +1,12 @@
-//! A row of springs that wears, in small explicit steps on an even grid: a brute-force check for wear under load histories
-//! that no closed form covers.
+//! A row of springs that wears, in small explicit steps on an even grid: a brute-force check for
+//! wear under load histories that no closed form covers.
 //!
-//! Eqs. (12), (13), (16) and (18) of Dimaki et al. 2014 as they stand, at every step: springs slip, the transforms turn
-//! spring loads into pressure and spring slip into slip, w grows by (k/σ₀) μ p Δs, and the inverse transform gives the new
-//! image. Images are linear in x and loads linear in x² between the nodes, so that each transform is a sum of elementary
-//! integrals. Nothing is implicit: steps must wear less than about (4/π)(p/E*) Δx. The contact edge is known to a cell,
-//! so that the error is of first order in the spacing. O(n²) a step.
+//! Eqs. (12), (13), (16) and (18) of Dimaki et al. 2014 as they stand, at every step: springs slip,
+//! the transforms turn spring loads into pressure and spring slip into slip, w grows by (k/σ₀) μ p
+//! Δs, and the inverse transform gives the new image. Images are linear in x and loads linear in x²
+//! between the nodes, so that each transform is a sum of elementary integrals. Nothing is implicit:
+//! steps must wear less than about (4/π)(p/E*) Δx. The contact edge is known to a cell, so that the
+//! error is of first order in the spacing. O(n²) a step.
 
 mod planar;
 
@@ -25,7 +26,7 @@ pub struct WearingRow {
     /// Displacement at which each spring is relaxed, m.
     origin: Vec<f64>,
     /// Rows of (2/π) ∫ h dx/√(r² − x²) for h linear in x between the nodes, lower triangle.
-    descent: Vec<Vec<f64>>,
+    inverse: Vec<Vec<f64>>,
     /// Rows of −(1/π) ∫ q' dx/√(x² − r²) by drops of q from node to node, from the diagonal on.
     pressure: Vec<Vec<f64>>,
     normal_modulus: f64,
@@ -38,8 +39,8 @@ pub struct WearingRow {
 }
 
 impl WearingRow {
-    /// A body with the image g(x) (m) on nodes from 0 to `extent` (m), apart from the flat, at U = 0. E* and G* in Pa,
-    /// k/σ₀ in m³/J.
+    /// A body with the image g(x) (m) on nodes from 0 to `extent` (m), apart from the flat, at
+    /// U = 0. E* and G* in Pa, k/σ₀ in m³/J.
     pub fn new(
         image: impl Fn(f64) -> f64,
         (extent, cells): (f64, usize),
@@ -50,7 +51,7 @@ impl WearingRow {
         let unworn: Vec<f64> = radii.iter().map(|x| image(*x)).collect();
         let zero = vec![0.0; cells + 1];
         Self {
-            descent: (0..=cells).map(|i| descent_row(&radii, i)).collect(),
+            inverse: (0..=cells).map(|i| inverse_row(&radii, i)).collect(),
             pressure: (0..=cells).map(|i| pressure_row(&radii, i)).collect(),
             image: unworn.clone(),
             unworn,
@@ -111,16 +112,16 @@ impl WearingRow {
         let rate = self.wear_per_work * self.friction;
         for i in 0..self.radii.len() {
             let pressure = sum(&self.pressure[i], &drops[i..]);
-            self.depth[i] += rate * pressure.max(0.0) * sum(&self.descent[i], &slip).abs();
+            self.depth[i] += rate * pressure.max(0.0) * sum(&self.inverse[i], &slip).abs();
         }
-        self.ascend();
+        self.abel();
     }
 
     /// g = g₀ + the image of w, by forward substitution.
-    fn ascend(&mut self) {
+    fn abel(&mut self) {
         let mut worn = vec![self.depth[0]; self.radii.len()];
         for i in 1..worn.len() {
-            let row = &self.descent[i];
+            let row = &self.inverse[i];
             worn[i] = (self.depth[i] - sum(&row[..i], &worn)) / row[i];
         }
         for (image, (unworn, worn)) in self.image.iter_mut().zip(self.unworn.iter().zip(&worn)) {
@@ -181,7 +182,7 @@ fn sum(weights: &[f64], values: &[f64]) -> f64 {
     weights.iter().zip(values).map(|(weight, value)| weight * value).sum()
 }
 
-fn descent_row(x: &[f64], i: usize) -> Vec<f64> {
+fn inverse_row(x: &[f64], i: usize) -> Vec<f64> {
     let r = x[i];
     let mut row = vec![0.0; i + 1];
     if i == 0 {
@@ -229,11 +230,11 @@ mod tests {
     }
 
     #[test]
-    fn descent_and_its_inverse_are_exact_for_lines() {
+    fn abel_and_its_inverse_are_exact_for_lines() {
         // h = x has w = (2/π) r
         let mut row = WearingRow::new(|_| 0.0, (1.0, 50), (1.0, 1.0), (0.5, 1.0));
         row.depth = row.radii.iter().map(|r| FRAC_2_PI * r).collect();
-        row.ascend();
+        row.abel();
         for (image, x) in row.image.iter().zip(&row.radii) {
             assert!((image - x).abs() < 1e-12, "{image} {x}");
         }

@@ -23,16 +23,16 @@ impl NodeTransforms {
 
     /// Depth (m) of the profile that belongs to an image (m), or slip to that of the springs. Zero
     /// up to the first value that is not.
-    pub(crate) fn descend(&self, image: &[f64]) -> Vec<f64> {
+    pub(crate) fn inverse_abel(&self, image: &[f64]) -> Vec<f64> {
         let mut depth = vec![0.0; self.nodes];
-        self.abel.descend(image, &mut depth, &mut Scratch::default());
+        self.abel.inverse_abel(image, &mut depth, &mut Scratch::default());
         depth
     }
 
-    /// The inverse of [`Self::descend`].
-    pub(crate) fn ascend(&self, depth: &[f64]) -> Vec<f64> {
+    /// The inverse of [`Self::inverse_abel`].
+    pub(crate) fn abel(&self, depth: &[f64]) -> Vec<f64> {
         let mut image = vec![0.0; self.nodes];
-        self.abel.ascend(depth, &mut image, &mut Scratch::default());
+        self.abel.abel(depth, &mut image, &mut Scratch::default());
         image
     }
 

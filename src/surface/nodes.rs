@@ -1,6 +1,6 @@
 //! Nodes that carry the image of the wear.
 
-mod laying;
+mod placement;
 mod rim;
 mod shape;
 mod thinning;
@@ -8,12 +8,13 @@ mod thinning;
 use super::depth_volume::depth_volume;
 use super::{Contact, Region};
 use crate::profile::Profile;
-pub(crate) use laying::FrontWay;
+pub(crate) use placement::FrontMotion;
 use serde::{Deserialize, Serialize};
 pub(crate) use thinning::kept_nodes;
 
-/// Nodes 0 = x₀ < x₁ < … with the image h of the wear at each, linear in X = x² between them; behind the last node,
-/// where nothing has worn yet, h falls as 1/x² (the far field of a worn volume).
+/// Nodes 0 = x₀ < x₁ < … with the image h of the wear at each, linear in X = x² between them;
+/// behind the last node, where nothing has worn yet, h falls as 1/x² (the far field of a worn
+/// volume).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Nodes {
     x: Vec<f64>,
@@ -30,8 +31,8 @@ pub(crate) struct Nodes {
     resolution: usize,
     /// The moving mesh among the nodes, where one has left its state here.
     mesh: Option<MeshPlace>,
-    /// Where one has done so before other motion: from which radius on (m) cells narrower than the second number (m) are its
-    /// remains.
+    /// Where one has done so before other motion: from which radius on (m) cells narrower than the
+    /// second number (m) are its remains.
     remains: Option<(f64, f64)>,
 }
 
@@ -41,15 +42,16 @@ pub(crate) struct MeshPlace {
     pub(crate) region: Region,
     pub(crate) cells: usize,
     pub(crate) first: usize,
-    /// The contact under the load that has worn it. Near its final state the image is flat up to the contact edge, and
-    /// only the mesh knows where that is.
+    /// The contact under the load that has worn it. Near its final state the image is flat up to
+    /// the contact edge, and only the mesh knows where that is.
     pub(crate) contact: Contact,
 }
 
 /// Most nodes for each cell of the resolution, far beyond what histories leave.
 const MOST_NODES: usize = 64;
 
-/// Weight of the outer end in ∫ over a cell [x0, x1] of a function linear in X: Δx ((1 − ω) f₀ + ω f₁).
+/// Weight of the outer end in ∫ over a cell [x0, x1] of a function linear in X: Δx ((1 − ω) f₀ + ω
+/// f₁).
 pub(crate) fn outer_weight(x0: f64, x1: f64) -> f64 {
     (x1 + 2.0 * x0) / (3.0 * (x1 + x0))
 }
@@ -85,8 +87,9 @@ impl Nodes {
         self.update_integrals(profile);
     }
 
-    /// These nodes without the mesh among them, with the depths of their image, m. The mesh tells both by lines in x² of the image over x,
-    /// which at a front near the axis is another profile between nodes.
+    /// These nodes without the mesh among them, with the depths of their image, m. The mesh tells
+    /// both by lines in x² of the image over x, which at a front near the axis is another profile
+    /// between nodes.
     pub(crate) fn without_mesh(&self, depth: Vec<f64>) -> Self {
         let mut nodes = Self { depth: depth.into_iter().map(|w| w.max(0.0)).collect(), ..self.clone() };
         nodes.leave_mesh();
@@ -116,8 +119,9 @@ impl Nodes {
         }
     }
 
-    /// ∫ 2πr w dr, m³: from the image where a mesh has left it, up to its edge; else from the depths, since on nodes that
-    /// reach far beyond the wear the image's integral is a difference of large numbers.
+    /// ∫ 2πr w dr, m³: from the image where a mesh has left it, up to its edge; else from the
+    /// depths, since on nodes that reach far beyond the wear the image's integral is a difference
+    /// of large numbers.
     pub(crate) fn worn_volume(&self) -> f64 {
         if self.mesh.is_none() {
             return self.volume(&self.depth);
@@ -132,8 +136,8 @@ impl Nodes {
             .sum()
     }
 
-    /// ∫ 2πr w dr of a field given at the nodes, linear in r² between them (m³ for a depth in m): what is added to it node by
-    /// node adds up.
+    /// ∫ 2πr w dr of a field given at the nodes, linear in r² between them (m³ for a depth in m):
+    /// what is added to it node by node adds up.
     pub(crate) fn volume(&self, field: &[f64]) -> f64 {
         let mut volume = 0.0;
         for (x, w) in self.x.windows(2).zip(field.windows(2)) {
@@ -154,7 +158,8 @@ impl Nodes {
         sum * std::f64::consts::PI / 2.0
     }
 
-    /// Whether these are nodes of a worn profile: numbers in order, with integrals that follow from them.
+    /// Whether these are nodes of a worn profile: numbers in order, with integrals that follow from
+    /// them.
     pub(crate) fn is_sound(&self, profile: &Profile, resolution: usize) -> bool {
         let count = self.x.len();
         let arrays = [&self.worn_image, &self.depth, &self.whole, &self.worn_load, &self.square];

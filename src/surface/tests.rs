@@ -4,7 +4,8 @@ fn ball() -> Profile {
     Profile::Parabola { radius: 0.01 }
 }
 
-/// Nodes for a contact of 0.2 mm whose slip reaches inward to 0.1 mm, with some wear outside of that.
+/// Nodes for a contact of 0.2 mm whose slip reaches inward to 0.1 mm, with some wear outside of
+/// that.
 fn worn_nodes() -> Nodes {
     let mut nodes = Nodes::around(&ball(), 32, 2e-4, 1e-4);
     let image: Vec<f64> =
@@ -32,12 +33,13 @@ fn nodes_lie_in_the_slipping_annulus_with_one_at_the_front() {
     assert_eq!(nodes.x()[nodes.last()], 2e-4);
 }
 
-/// h is piecewise linear in x²: halving its cells is an identity, also for the integrals made from it.
+/// h is piecewise linear in x²: halving its cells is an identity, also for the integrals made from
+/// it.
 #[test]
 fn refinement_changes_neither_the_image_nor_its_integrals() {
     let before = worn_nodes();
     let mut after = before.clone();
-    after.adapt(&ball(), 1.7e-4, (0.6e-4, FrontWay::Returns));
+    after.adapt(&ball(), 1.7e-4, (0.6e-4, FrontMotion::Returns));
     assert!(after.x().len() > before.x().len() + 5);
     assert!(after.x().contains(&0.6e-4), "the new front has a node");
     let end = before.x()[before.last()];
@@ -55,9 +57,9 @@ fn refinement_changes_neither_the_image_nor_its_integrals() {
 #[test]
 fn nothing_to_adapt_leaves_the_nodes() {
     let mut nodes = worn_nodes();
-    nodes.adapt(&ball(), 2e-4, (1e-4, FrontWay::Returns));
+    nodes.adapt(&ball(), 2e-4, (1e-4, FrontMotion::Returns));
     let before = nodes.clone();
-    nodes.adapt(&ball(), 2e-4, (1e-4, FrontWay::Returns));
+    nodes.adapt(&ball(), 2e-4, (1e-4, FrontMotion::Returns));
     assert_eq!(nodes, before);
 }
 
@@ -66,10 +68,10 @@ fn nothing_to_adapt_leaves_the_nodes() {
 fn extension_keeps_the_profile_unworn_outside() {
     let mut nodes = worn_nodes();
     let end = nodes.x()[nodes.last()];
-    let inside = crate::transform::descent_at(nodes.x(), nodes.worn_image(), 1.5e-4);
-    nodes.adapt(&ball(), 1.5 * end, (1e-4, FrontWay::Returns));
+    let inside = crate::transform::inverse_at(nodes.x(), nodes.worn_image(), 1.5e-4);
+    nodes.adapt(&ball(), 1.5 * end, (1e-4, FrontMotion::Returns));
     assert!(nodes.x()[nodes.last()] > 1.5 * end);
-    let worn = |r: f64| crate::transform::descent_at(nodes.x(), nodes.worn_image(), r);
+    let worn = |r: f64| crate::transform::inverse_at(nodes.x(), nodes.worn_image(), r);
     assert!((worn(1.5e-4) - inside).abs() < 1e-20, "inside nothing changes");
     let deepest = worn(1.9e-4);
     for &x in nodes.x().iter().filter(|x| **x > 1.001 * end) {
@@ -87,7 +89,8 @@ fn volume_is_that_of_the_cells() {
     assert!((nodes.volume(&depth) / exact - 1.0).abs() < 1e-12);
 }
 
-/// The contact of a worn surface solves its own equations: g(a) = d and the load integral, under either control.
+/// The contact of a worn surface solves its own equations: g(a) = d and the load integral, under
+/// either control.
 #[test]
 fn worn_contacts_satisfy_their_equations_and_the_controls_agree() {
     let mut surface = Surface::new(ball());
@@ -102,7 +105,8 @@ fn worn_contacts_satisfy_their_equations_and_the_controls_agree() {
     }
 }
 
-/// Where the image is level or falls a little, as near the end of a wear life, the edge is the outermost crossing.
+/// Where the image is level or falls a little, as near the end of a wear life, the edge is the
+/// outermost crossing.
 #[test]
 fn the_contact_edge_is_the_outermost_crossing() {
     let mut nodes = Nodes::around(&ball(), 32, 2e-4, 1e-4);

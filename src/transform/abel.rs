@@ -5,8 +5,9 @@ use super::dense::DenseAbel;
 use super::fast::FastAbel;
 use super::sweep::Expansions;
 
-/// Number of nodes from which the fast transforms are the quicker ones. Measured with `cargo bench --bench transforms`: at
-/// 128 cells both take 2 µs; at half as many the tables take a sixth less, at twice as many the fast form a third less.
+/// Number of nodes from which the fast transforms are the quicker ones. Measured with `cargo bench
+/// --bench transforms`: at 128 cells both take 2 µs; at half as many the tables take a sixth less,
+/// at twice as many the fast form a third less.
 pub const CROSSOVER: usize = 129;
 
 /// The Abel transforms on fixed nodes.
@@ -36,7 +37,8 @@ impl Scratch {
 }
 
 impl Abel {
-    /// Prepares the transforms for nodes X (m² or any unit), rising strictly; for [`Density::Image`] from X = 0.
+    /// Prepares the transforms for nodes X (m² or any unit), rising strictly; for
+    /// [`Density::Image`] from X = 0.
     ///
     /// # Panics
     /// For fewer than two nodes.
@@ -48,7 +50,7 @@ impl Abel {
         }
     }
 
-    /// Multiplications of one descent or ascent, and of one pressure.
+    /// Multiplications of one Abel transform or its inverse, and of one pressure.
     pub fn work(&self) -> (usize, usize) {
         match self {
             Self::Dense(dense) => dense.work(),
@@ -56,19 +58,19 @@ impl Abel {
         }
     }
 
-    /// As [`FastAbel::descend`].
-    pub fn descend(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+    /// As [`FastAbel::inverse_abel`].
+    pub fn inverse_abel(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         match self {
-            Self::Dense(dense) => dense.descend(values, out, scratch),
-            Self::Fast(fast) => fast.descend(values, out, scratch),
+            Self::Dense(dense) => dense.inverse_abel(values, out, scratch),
+            Self::Fast(fast) => fast.inverse_abel(values, out, scratch),
         }
     }
 
-    /// As [`FastAbel::ascend`].
-    pub fn ascend(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+    /// As [`FastAbel::abel`].
+    pub fn abel(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         match self {
-            Self::Dense(dense) => dense.ascend(s, out, scratch),
-            Self::Fast(fast) => fast.ascend(s, out, scratch),
+            Self::Dense(dense) => dense.abel(s, out, scratch),
+            Self::Fast(fast) => fast.abel(s, out, scratch),
         }
     }
 
@@ -96,9 +98,9 @@ mod tests {
                 let mut scratch = Scratch::default();
                 let mut results = |transforms: &Abel| {
                     let (mut s, mut p, mut back) = (vec![0.0; nodes], vec![0.0; nodes], vec![v[0]; nodes]);
-                    transforms.descend(&v, &mut s, &mut scratch);
+                    transforms.inverse_abel(&v, &mut s, &mut scratch);
                     transforms.pressure(&v, &mut p, &mut scratch);
-                    transforms.ascend(&s, &mut back, &mut scratch);
+                    transforms.abel(&s, &mut back, &mut scratch);
                     [s, p, back]
                 };
                 let (chosen, dense) = (results(&chosen), results(&Abel::Dense(dense)));
@@ -124,8 +126,8 @@ mod tests {
             let x: Vec<f64> = share.iter().map(|x| shift + width * x).collect();
             let (unit, wide) = (Abel::new(&share, density), Abel::new(&x, density));
             let (mut a, mut b) = (vec![0.0; 301], vec![0.0; 301]);
-            unit.descend(&v, &mut a, &mut Scratch::default());
-            wide.descend(&v, &mut b, &mut Scratch::default());
+            unit.inverse_abel(&v, &mut a, &mut Scratch::default());
+            wide.inverse_abel(&v, &mut b, &mut Scratch::default());
             assert!(a.iter().zip(&b).all(|(a, b)| (factor * a - b).abs() < 1e-12), "{density:?}");
             unit.pressure(&v, &mut a, &mut Scratch::default());
             wide.pressure(&v, &mut b, &mut Scratch::default());

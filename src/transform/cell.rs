@@ -1,9 +1,10 @@
-//! Exact weights of one cell in the Abel transforms: differences of square roots or of angles, none of which cancel.
+//! Exact weights of one cell in the Abel transforms: differences of square roots or of angles, none
+//! of which cancel.
 
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 use std::ops::Range;
 
-/// What is piecewise linear in X = x² between the nodes of a descent transform.
+/// What is piecewise linear in X = x² between the nodes of an inverse Abel transform.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Density {
     /// k = v/x, with v = 0 inside the first node: for an annulus.
@@ -13,8 +14,8 @@ pub enum Density {
 }
 
 impl Density {
-    /// What is taken off all values before a descent and added after it: a constant v descends to itself, and so it does
-    /// to the last digit.
+    /// What is taken off all values before an inverse transform and added after it: that of a
+    /// constant v is v, and so it is to the last digit.
     pub(super) fn base(self, first: f64) -> f64 {
         match self {
             Self::Quotient => 0.0,
@@ -23,9 +24,10 @@ impl Density {
     }
 }
 
-/// Adds the weights of k or v at the nodes `cells.start..=cells.end` in (1/π) ∫ k dX/√(Z − X), k = v/√X, over these
-/// cells, all of them below Z. `square` are the nodes X, `root` their square roots; one weight per node.
-pub(crate) fn add_descent(
+/// Adds the weights of k or v at the nodes `cells.start..=cells.end` in (1/π) ∫ k dX/√(Z − X), k =
+/// v/√X, over these cells, all of them below Z. `square` are the nodes X, `root` their square
+/// roots; one weight per node.
+pub(crate) fn add_inverse(
     density: Density,
     square: &[f64],
     root: &[f64],
@@ -48,8 +50,8 @@ pub(crate) fn add_descent(
     }
 }
 
-/// (1/π) ∫ k dX/√(Z − X) over a cell of the given width for k linear in X: weights of its inner and outer end, whose
-/// distances from Z are far² and near².
+/// (1/π) ∫ k dX/√(Z − X) over a cell of the given width for k linear in X: weights of its inner and
+/// outer end, whose distances from Z are far² and near².
 pub(super) fn quotient_weights(width: f64, far: f64, near: f64) -> (f64, f64) {
     let sum = far + near;
     let whole = FRAC_2_PI * width / sum;
@@ -57,10 +59,11 @@ pub(super) fn quotient_weights(width: f64, far: f64, near: f64) -> (f64, f64) {
     (whole - outer, outer)
 }
 
-/// (1/π) ∫ v dX/√(X (Z − X)) over a cell for v linear in X: weights of its ends, each given as (x, √(Z − X)).
+/// (1/π) ∫ v dX/√(X (Z − X)) over a cell for v linear in X: weights of its ends, each given as (x,
+/// √(Z − X)).
 ///
-/// With x = r sin φ the measure is (2/π) dφ. In Δ = φ₁ − φ₀ and Σ = φ₀ + φ₁ the weights are (Δ ± cot Σ (1 − Δ cot Δ))/π,
-/// where the second term never exceeds a third of the first.
+/// With x = r sin φ the measure is (2/π) dφ. In Δ = φ₁ − φ₀ and Σ = φ₀ + φ₁ the weights are (Δ ±
+/// cot Σ (1 − Δ cot Δ))/π, where the second term never exceeds a third of the first.
 pub(super) fn image_weights(width: f64, inner: (f64, f64), outer: (f64, f64)) -> (f64, f64) {
     let ((x0, far), (x1, near)) = (inner, outer);
     // r² sin Σ, r² cos Δ, r² cos Σ; sin Δ = width/(r² sin Σ)
@@ -88,7 +91,8 @@ fn excess_of_tangent(t2: f64) -> f64 {
     t2 * (1.0 / 3.0 - t2 * (1.0 / 5.0 - t2 * (1.0 / 7.0 - t2 * (1.0 / 9.0 - t2 * (1.0 / 11.0 - t2 * sum)))))
 }
 
-/// Weights of the drops qⱼ − qⱼ₊₁ over the given cells, all of them beyond Z, in −(1/π) ∫ q' dX/√(X − Z).
+/// Weights of the drops qⱼ − qⱼ₊₁ over the given cells, all of them beyond Z, in −(1/π) ∫ q' dX/√(X
+/// − Z).
 pub(super) fn pressure(square: &[f64], z: f64, cells: Range<usize>, weights: &mut [f64]) {
     let mut near = (square[cells.start] - z).sqrt();
     for (weight, j) in weights.iter_mut().zip(cells) {

@@ -1,13 +1,15 @@
 //! The Abel transforms and the inverse of the first in O(n) operations on any rising nodes.
 //!
-//! The cells are gathered in a binary tree of blocks. Between two blocks whose gap is at least as wide as either, the
-//! kernel 1/√|X − Z| is smooth and interpolated in both, so that the sources act through 12 moments on 12 values
-//! (hierarchical far field in the manner of Greengard & Rokhlin, *J. Comput. Phys.* 73 (1987), by interpolation as in Fong &
-//! Darve, *J. Comput. Phys.* 228 (2009)). Neighbours act by exact weights. The far field is good to about 1e-13 of its
+//! The cells are gathered in a binary tree of blocks. Between two blocks whose gap is at least as
+//! wide as either, the kernel 1/√|X − Z| is smooth and interpolated in both, so that the sources
+//! act through 12 moments on 12 values (hierarchical far field in the manner of Greengard &
+//! Rokhlin, *J. Comput. Phys.* 73 (1987), by interpolation as in Fong & Darve, *J. Comput. Phys.*
+//! 228 (2009)). Neighbours act by exact weights. The far field is good to about 1e-13 of its
 //! largest value.
 //!
-//! A sum of exponentials for 1/√t, advanced from cell to cell, was measured against this: it takes 1.7 times as long for
-//! an error of 7e-12, needs more terms the smaller the smallest cell, and does neither the disc nor single radii.
+//! A sum of exponentials for 1/√t, advanced from cell to cell, was measured against this: it takes
+//! 1.7 times as long for an error of 7e-12, needs more terms the smaller the smallest cell, and
+//! does neither the disc nor single radii.
 
 use super::Scratch;
 use super::cell::Density;
@@ -24,7 +26,8 @@ pub struct FastAbel {
 }
 
 impl FastAbel {
-    /// Prepares the transforms for nodes X (m² or any unit), rising strictly; for [`Density::Image`] from X = 0.
+    /// Prepares the transforms for nodes X (m² or any unit), rising strictly; for
+    /// [`Density::Image`] from X = 0.
     ///
     /// # Panics
     /// For fewer than two nodes.
@@ -34,19 +37,19 @@ impl FastAbel {
         Self {
             density,
             nodes: nodes.len(),
-            outward: Sweep::descent(&tree, &pairs, density),
+            outward: Sweep::inverse(&tree, &pairs, density),
             inward: Sweep::pressure(&tree, &pairs),
         }
     }
 
-    /// Multiplications of one descent or ascent, and of one pressure.
+    /// Multiplications of one Abel transform or its inverse, and of one pressure.
     pub fn work(&self) -> (usize, usize) {
         (self.outward.work(), self.inward.work())
     }
 
-    /// Descent s(Zᵢ) = (1/π) ∫ k dX/√(Zᵢ − X) from X₀ to Zᵢ = Xᵢ, with k = v/x ([`Density::Quotient`]) or v/√X
-    /// ([`Density::Image`]) of the values given at the nodes.
-    pub fn descend(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+    /// Descent s(Zᵢ) = (1/π) ∫ k dX/√(Zᵢ − X) from X₀ to Zᵢ = Xᵢ, with k = v/x
+    /// ([`Density::Quotient`]) or v/√X ([`Density::Image`]) of the values given at the nodes.
+    pub fn inverse_abel(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         let base = self.density.base(values[0]);
         let (shifted, expansions) = scratch.parts(self.nodes);
         for (shifted, value) in shifted.iter_mut().zip(values) {
@@ -58,10 +61,11 @@ impl FastAbel {
         });
     }
 
-    /// The inverse of [`Self::descend`] by forward substitution: values whose descent is `s` at the nodes.
-    /// For [`Density::Quotient`], whose descent at the first node is 0 whatever the value there, `out[0]` has to be set
-    /// before and `s[0]` is not read; for [`Density::Image`] `out[0]` becomes `s[0]`.
-    pub fn ascend(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+    /// The inverse of [`Self::inverse_abel`] by forward substitution: values whose inverse
+    /// transform is `s` at the nodes. For [`Density::Quotient`], whose inverse transform at the
+    /// first node is 0 whatever the value there, `out[0]` has to be set before and `s[0]` is not
+    /// read; for [`Density::Image`] `out[0]` becomes `s[0]`.
+    pub fn abel(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         if self.density == Density::Image {
             out[0] = s[0];
         }
@@ -74,20 +78,21 @@ impl FastAbel {
         });
     }
 
-    /// Writes a functional Σ fⱼ vⱼ of the values in their descents, Σ fᵢ' sᵢ, in place: the transpose of [`Self::ascend`].
-    /// For [`Density::Quotient`] the first entry becomes the weight of the value at the first node.
-    pub fn ascend_transposed(&self, functional: &mut [f64], scratch: &mut Scratch) {
+    /// Writes a functional Σ fⱼ vⱼ of the values as one of their inverse transforms, Σ fᵢ' sᵢ, in
+    /// place: the transpose of [`Self::abel`]. For [`Density::Quotient`] the first entry becomes
+    /// the weight of the value at the first node.
+    pub fn abel_transposed(&self, functional: &mut [f64], scratch: &mut Scratch) {
         let total: f64 = functional.iter().sum();
         let (_, expansions) = scratch.parts(self.nodes);
         self.outward.solve_transposed(functional, expansions);
         if self.density == Density::Image {
-            // a constant descends to itself
+            // the inverse transform of a constant is itself
             functional[0] = total - functional[1..].iter().sum::<f64>();
         }
     }
 
-    /// Pressure −(1/π) ∫ q' dX/√(X − Zᵢ) from Zᵢ = Xᵢ to Xₙ, for q linear in X between the values given at the nodes;
-    /// 0 at the last node.
+    /// Pressure −(1/π) ∫ q' dX/√(X − Zᵢ) from Zᵢ = Xᵢ to Xₙ, for q linear in X between the values
+    /// given at the nodes; 0 at the last node.
     pub fn pressure(&self, q: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         let last = self.nodes - 1;
         let (drops, expansions) = scratch.parts(self.nodes);

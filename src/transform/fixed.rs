@@ -1,7 +1,7 @@
 //! Transforms of one image that stays as it is, at any radius: O(log n) operations each.
 //!
-//! Blocks of a tree that lie at least their own width from the radius act through their moments (see [`super::fast`]), the
-//! few cells next to it by exact weights.
+//! Blocks of a tree that lie at least their own width from the radius act through their moments
+//! (see [`super::fast`]), the few cells next to it by exact weights.
 
 use super::cell::{Density, image_weights};
 use super::interpolation::{ORDER, POINTS, Row, add_scaled, product};
@@ -34,22 +34,23 @@ fn scale(outer: f64) -> f64 {
 }
 
 impl FixedImage {
-    /// The image (m) whose profile has the given heights (m) at the given radii (m), which rise strictly from 0. It holds
-    /// NaN or infinities where numbers overflow or squares of radii are too small to be told apart.
+    /// The image (m) whose profile has the given heights (m) at the given radii (m), which rise
+    /// strictly from 0. It holds NaN or infinities where numbers overflow or squares of radii are
+    /// too small to differ.
     pub(crate) fn through(radii: &[f64], heights: &[f64]) -> Self {
         let scale = scale(radii[radii.len() - 1]);
         let x: Vec<f64> = radii.iter().map(|r| r * scale).collect();
         let square: Vec<f64> = x.iter().map(|x| x * x).collect();
         let tree = Tree::new(&square);
         let mut image = vec![0.0; heights.len()];
-        Sweep::descent(&tree, &tree.pairs(), Density::Image).run(
+        Sweep::inverse(&tree, &tree.pairs(), Density::Image).run(
             &mut image,
             &mut Expansions::default(),
             |target, image| image[target.index] = target.solve(heights[target.index] - heights[0], image),
         );
         let outside = tree.gather(Edge::Outer, |block, sums| {
             let mut values = image[tree.blocks[block].start..].iter();
-            tree.descent_moments(Density::Image, block, |row| {
+            tree.inverse_moments(Density::Image, block, |row| {
                 add_scaled(values.next().copied().unwrap_or_default(), &row, sums);
             });
         });
@@ -112,8 +113,8 @@ impl FixedImage {
         sum * self.scale
     }
 
-    /// Splits the cells between two radii into blocks that are far from the outer (`outward`) or the inner of the two, and
-    /// ranges of cells.
+    /// Splits the cells between two radii into blocks that are far from the outer (`outward`) or
+    /// the inner of the two, and ranges of cells.
     fn cover(&self, block: usize, from: f64, to: f64, outward: bool, sink: &mut impl FnMut(Part)) {
         let cells = &self.tree.blocks[block];
         let (start, end) = (self.x[cells.start], self.x[cells.end]);

@@ -1,9 +1,10 @@
-//! Interpolation of the kernel 1/√(distance) over a block, in τ: the distance from the block's edge that faces the other
-//! block, as a share of its own width.
+//! Interpolation of the kernel 1/√(distance) over a block, in τ: the distance from the block's edge
+//! that faces the other block, as a share of its own width.
 //!
-//! The kernel's singularities lie at τ ≤ −1, since far blocks are at least a block's width apart. The map
-//! y = ((b + 2) τ − 1)/(b τ + 1), b = √2 − 1, takes 0 … 1 to −1 … 1 and the singularities to |y| ≥ (1 + √2)² = 5.8.
-//! Chebyshev interpolation in y so converges like 11.6⁻ⁿ (5.8 + √(5.8² − 1)); in τ it would like 5.8⁻ⁿ.
+//! The kernel's singularities lie at τ ≤ −1, since far blocks are at least a block's width apart.
+//! The map y = ((b + 2) τ − 1)/(b τ + 1), b = √2 − 1, takes 0 … 1 to −1 … 1 and the singularities
+//! to |y| ≥ (1 + √2)² = 5.8. Chebyshev interpolation in y so converges like 11.6⁻ⁿ (5.8 + √(5.8² −
+//! 1)); in τ it would like 5.8⁻ⁿ.
 
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::LazyLock;
@@ -47,7 +48,8 @@ pub(super) fn polynomials(tau: f64) -> Row {
     row
 }
 
-/// The linear functional of the Lagrange polynomials that `polynomials` is of the Chebyshev polynomials.
+/// The linear functional of the Lagrange polynomials that `polynomials` is of the Chebyshev
+/// polynomials.
 pub(super) fn of_lagrange(polynomials: &Row) -> Row {
     let mut row = [0.0; ORDER];
     for (factor, line) in polynomials.iter().zip(LAGRANGE.iter()) {

@@ -1,8 +1,10 @@
-//! One pass over the leaves of a tree, as a list of steps and one array of weights that they read from front to back.
+//! One pass over the leaves of a tree, as a list of steps and one array of weights that they read
+//! from front to back.
 //!
-//! Sources and targets are numbered in the order of the pass. Every leaf first takes in its far field, then computes its
-//! targets one by one, then gives out its moments; so all that a target needs is known when it is reached, whether the
-//! values at the sources were given or are computed on the way. What is zero up to a target adds exactly nothing.
+//! Sources and targets are numbered in the order of the pass. Every leaf first takes in its far
+//! field, then computes its targets one by one, then gives out its moments; so all that a target
+//! needs is known when it is reached, whether the values at the sources were given or are computed
+//! on the way. What is zero up to a target adds exactly nothing.
 
 mod adjoint;
 
@@ -40,10 +42,10 @@ struct Leaf {
     block: usize,
     start: usize,
     end: usize,
-    hears: bool,
-    speaks: bool,
+    receives: bool,
+    emits: bool,
     /// First of the sources that adjoin each other up to the target and act by exact weights.
-    reach: usize,
+    near: usize,
     /// Sources further back that do so too.
     apart: std::ops::Range<usize>,
 }
@@ -62,7 +64,8 @@ pub(super) struct Sweep {
     extra: usize,
 }
 
-/// What one target has to work with: what is known of its sum, and the weights of the sources from `first` to itself.
+/// What one target has to work with: what is known of its sum, and the weights of the sources from
+/// `first` to itself.
 pub(super) struct Target<'a> {
     pub(super) index: usize,
     pub(super) known: f64,
@@ -84,33 +87,34 @@ impl Target<'_> {
 }
 
 impl Sweep {
-    /// The descent, from inside outward; values at the nodes.
-    pub(super) fn descent(tree: &Tree, pairs: &Pairs, density: Density) -> Self {
+    /// The inverse Abel transform, from inside outward; values at the nodes.
+    pub(super) fn inverse(tree: &Tree, pairs: &Pairs, density: Density) -> Self {
         let pair = |&(outer, inner): &(usize, usize)| (outer, inner);
         Builder {
             tree,
             far: partners(tree.blocks.len(), pairs.far.iter().map(pair)),
             near: partners(tree.blocks.len(), pairs.near.iter().map(pair)),
-            heard: vec![false; tree.blocks.len()],
+            emitting: vec![false; tree.blocks.len()],
             outward: true,
             sweep: Self::empty(tree.blocks.len(), 1),
         }
         .build(
-            |block, sink| tree.descent_moments(density, block, sink),
+            |block, sink| tree.inverse_moments(density, block, sink),
             |target, cells, weights| {
-                cell::add_descent(density, &tree.square, &tree.root, tree.square[target], cells, weights);
+                cell::add_inverse(density, &tree.square, &tree.root, tree.square[target], cells, weights);
             },
         )
     }
 
-    /// The pressure, from outside inward, so that the last node is number 0; values are drops over the cells.
+    /// The pressure, from outside inward, so that the last node is number 0; values are drops over
+    /// the cells.
     pub(super) fn pressure(tree: &Tree, pairs: &Pairs) -> Self {
         let pair = |&(outer, inner): &(usize, usize)| (inner, outer);
         Builder {
             tree,
             far: partners(tree.blocks.len(), pairs.far.iter().map(pair)),
             near: partners(tree.blocks.len(), pairs.near.iter().map(pair)),
-            heard: vec![false; tree.blocks.len()],
+            emitting: vec![false; tree.blocks.len()],
             outward: false,
             sweep: Self::empty(tree.blocks.len(), 0),
         }
@@ -174,16 +178,16 @@ impl Sweep {
                 Step::Leaf(leaf) => {
                     for target in leaf.start + 1..=leaf.end {
                         let mut known = 0.0;
-                        if leaf.hears {
+                        if leaf.receives {
                             known = product(weights.row(), &fields[leaf.block]);
                         }
                         for apart in &self.apart[leaf.apart.clone()] {
                             known += dot(weights.take(apart.len()), &values[apart.clone()]);
                         }
-                        let run = weights.take(target + self.extra - leaf.reach);
-                        finish(Target { index: target, known, first: leaf.reach, weights: run }, values);
+                        let run = weights.take(target + self.extra - leaf.near);
+                        finish(Target { index: target, known, first: leaf.near, weights: run }, values);
                     }
-                    if leaf.speaks {
+                    if leaf.emits {
                         let mut sum = [0.0; ORDER];
                         for value in &values[leaf.start..leaf.end + self.extra] {
                             add_scaled(*value, weights.row(), &mut sum);
@@ -235,7 +239,7 @@ struct Builder<'a> {
     far: Vec<Vec<usize>>,
     near: Vec<Vec<usize>>,
     /// Whether anything listens to the moments of a block.
-    heard: Vec<bool>,
+    emitting: Vec<bool>,
     outward: bool,
     sweep: Sweep,
 }
@@ -247,10 +251,11 @@ impl Builder<'_> {
         exact: impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
     ) -> Sweep {
         for source in self.far.iter().flatten() {
-            self.heard[*source] = true;
+            self.emitting[*source] = true;
         }
         for block in 0..self.tree.blocks.len() {
-            self.heard[block] |= self.tree.blocks[block].parent.is_some_and(|parent| self.heard[parent]);
+            self.emitting[block] |=
+                self.tree.blocks[block].parent.is_some_and(|parent| self.emitting[parent]);
         }
         self.visit(0, false, &moments, &exact);
         self.sweep
@@ -274,16 +279,16 @@ impl Builder<'_> {
     fn visit(
         &mut self,
         block: usize,
-        parent_hears: bool,
+        parent_receives: bool,
         moments: &impl Fn(usize, &mut dyn FnMut(Row)),
         exact: &impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
     ) {
         let (target_edge, source_edge) =
             if self.outward { (Edge::Inner, Edge::Outer) } else { (Edge::Outer, Edge::Inner) };
         let Block { parent, children, .. } = self.tree.blocks[block];
-        let hears = parent_hears || !self.far[block].is_empty();
-        if hears {
-            if parent_hears && let Some(rows) = self.tree.in_parent(block, target_edge) {
+        let receives = parent_receives || !self.far[block].is_empty();
+        if receives {
+            if parent_receives && let Some(rows) = self.tree.in_parent(block, target_edge) {
                 self.append(transposed(&rows));
             }
             let first = self.sweep.sources.len();
@@ -291,18 +296,18 @@ impl Builder<'_> {
                 self.append(self.tree.kernel(source, block));
                 self.sweep.sources.push(source);
             }
-            let parent = parent.filter(|_| parent_hears);
+            let parent = parent.filter(|_| parent_receives);
             let sources = first..self.sweep.sources.len();
             self.sweep.steps.push(Step::Field { block, parent, sources });
         }
         let Some([inner, outer]) = children else {
-            return self.leaf(block, hears, moments, exact);
+            return self.leaf(block, receives, moments, exact);
         };
         let children = if self.outward { [inner, outer] } else { [outer, inner] };
         for child in children {
-            self.visit(child, hears, moments, exact);
+            self.visit(child, receives, moments, exact);
         }
-        if self.heard[block] {
+        if self.emitting[block] {
             for child in children {
                 let rows = self.tree.in_parent(child, source_edge);
                 self.append(rows.into_iter().flatten());
@@ -314,13 +319,14 @@ impl Builder<'_> {
     fn leaf(
         &mut self,
         block: usize,
-        hears: bool,
+        receives: bool,
         moments: &impl Fn(usize, &mut dyn FnMut(Row)),
         exact: &impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
     ) {
         let (last, extra) = (self.tree.square.len() - 1, self.sweep.extra);
         let cells = self.cells(block);
-        // sources from the leaf backwards: those that adjoin it, then what lies apart, adjoining pieces as one
+        // sources from the leaf backwards: those that adjoin it, then what lies apart, adjoining
+        // pieces as one
         let mut near: Vec<_> = self.near[block].iter().map(|&source| self.cells(source)).collect();
         near.sort_unstable_by_key(|cells| std::cmp::Reverse(cells.start));
         let mut runs = vec![cells.clone()];
@@ -330,29 +336,29 @@ impl Builder<'_> {
                 _ => runs.push(piece),
             }
         }
-        let (reach, apart) = (runs[0].start, &runs[1..]);
+        let (near, apart) = (runs[0].start, &runs[1..]);
         let first = self.sweep.apart.len();
         self.sweep.apart.extend(apart.iter().map(|run| run.start..run.end + extra));
         for target in cells.start + 1..=cells.end {
             let node = self.number(target, last);
-            if hears {
+            if receives {
                 let edge = if self.outward { Edge::Inner } else { Edge::Outer };
                 self.append([self.tree.at_node(block, edge, node)]);
             }
-            for run in apart.iter().cloned().chain(std::iter::once(reach..target)) {
+            for run in apart.iter().cloned().chain(std::iter::once(near..target)) {
                 let start = self.sweep.weights.len();
                 self.sweep.weights.resize(start + run.len() + extra, 0.0);
                 let cells = if self.outward { run } else { last - run.end..last - run.start };
                 exact(node, cells, &mut self.sweep.weights[start..]);
             }
         }
-        let speaks = self.heard[block];
-        if speaks {
+        let emits = self.emitting[block];
+        if emits {
             moments(block, &mut |row| self.sweep.weights.extend(row));
         }
         let apart = first..self.sweep.apart.len();
         let (start, end) = (cells.start, cells.end);
-        self.sweep.steps.push(Step::Leaf(Leaf { block, start, end, hears, speaks, reach, apart }));
+        self.sweep.steps.push(Step::Leaf(Leaf { block, start, end, receives, emits, near, apart }));
     }
 }
 

@@ -1,4 +1,5 @@
-//! The cells of a row of nodes in a binary tree, and which pairs of its blocks see each other smoothly.
+//! The cells of a row of nodes in a binary tree, and which pairs of its blocks see each other
+//! smoothly.
 
 use super::cell::Density;
 use super::interpolation::{ORDER, POINTS, Row, add_scaled, lagrange, of_lagrange, polynomials};
@@ -119,7 +120,8 @@ impl Tree {
         }
     }
 
-    /// 1/√(distance in X) of the points of two far blocks: one row per point of `from`, over those of `to`.
+    /// 1/√(distance in X) of the points of two far blocks: one row per point of `from`, over those
+    /// of `to`.
     pub(super) fn kernel(&self, from: usize, to: usize) -> [Row; ORDER] {
         let (inner, outer) = (from.min(to), from.max(to));
         let gap = self.inner_edge(outer) - self.outer_edge(inner);
@@ -155,8 +157,9 @@ impl Tree {
         move |g| start + slope * g
     }
 
-    /// Moments (1/π) ∫ L(τ) k dX of a block, seen from outside it, for each of its nodes' values, in rising order.
-    pub(super) fn descent_moments(&self, density: Density, block: usize, mut sink: impl FnMut(Row)) {
+    /// Moments (1/π) ∫ L(τ) k dX of a block, seen from outside it, for each of its nodes' values,
+    /// in rising order.
+    pub(super) fn inverse_moments(&self, density: Density, block: usize, mut sink: impl FnMut(Row)) {
         let mut inner = [0.0; ORDER];
         for j in self.blocks[block].start..self.blocks[block].end {
             let mut outer = [0.0; ORDER];
@@ -203,9 +206,10 @@ impl Tree {
     }
 }
 
-/// Gauss–Legendre rules on [0, 1]. A kernel that is singular a block's width from the block is integrated over a cell of
-/// the share δ of its width with an error of (r + √(r² − 1))^−2n, r = 1 + 2/δ: below 1e-13 for all of them. The first rule
-/// is for integration over x instead of X, where that distance may shrink to 0.41 of the cell.
+/// Gauss–Legendre rules on [0, 1]. A kernel that is singular a block's width from the block is
+/// integrated over a cell of the share δ of its width with an error of (r + √(r² − 1))^−2n, r = 1 +
+/// 2/δ: below 1e-13 for all of them. The first rule is for integration over x instead of X, where
+/// that distance may shrink to 0.41 of the cell.
 static RULES: LazyLock<Rules> = LazyLock::new(|| (on_unit(), on_unit(), on_unit(), on_unit()));
 
 /// Nodes and weights of rules with so many points.

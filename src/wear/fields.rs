@@ -81,7 +81,7 @@ impl SlipFields {
         let pressure = pressure_nodes(transforms, nodes.x(), &load, &edge);
         // springs out of contact have gone along with the body, as those at the edge have
         let slip: Vec<f64> = images.iter().map(|g| law.at(g.min(contact.depth)).0).collect();
-        let path = transforms.descend(&slip);
+        let path = transforms.inverse_abel(&slip);
         self.transforms += 1;
         let (mut gain, mut healing) = (vec![0.0; path.len()], vec![0.0; path.len()]);
         for (i, path) in path.iter().enumerate() {

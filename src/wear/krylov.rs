@@ -1,10 +1,11 @@
-//! Solution of a linear system that is known by what it does to a vector: GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7
-//! (1986), 856) with an approximate inverse applied first, by modified Gram–Schmidt and Givens rotations.
+//! Solution of a linear system that is known by what it does to a vector: GMRES (Saad and Schultz,
+//! SIAM J. Sci. Stat. Comput. 7 (1986), 856) with an approximate inverse applied first, by modified
+//! Gram–Schmidt and Givens rotations.
 
 use crate::transform::dot;
 
-/// x with ‖right − A x‖ ≤ tolerance·‖right‖ in the Euclidean norm, and the number of iterations; `None` where `most` of them
-/// do not suffice or numbers are not finite.
+/// x with ‖right − A x‖ ≤ tolerance·‖right‖ in the Euclidean norm, and the number of iterations;
+/// `None` where `most` of them do not suffice or numbers are not finite.
 pub(super) fn solve(
     mut apply: impl FnMut(&[f64]) -> Vec<f64>,
     mut inverse: impl FnMut(&[f64]) -> Vec<f64>,
@@ -18,7 +19,8 @@ pub(super) fn solve(
     }
     let mut basis = vec![right.iter().map(|r| r / start).collect::<Vec<f64>>()];
     let mut directions: Vec<Vec<f64>> = Vec::new();
-    // columns of the triangle that the rotations make of the Hessenberg matrix, and the turned right side
+    // columns of the triangle that the rotations make of the Hessenberg matrix, and the turned
+    // right side
     let (mut triangle, mut rotations): (Vec<Vec<f64>>, Vec<(f64, f64)>) = (Vec::new(), Vec::new());
     let mut turned = vec![start];
     loop {

@@ -1,9 +1,9 @@
 //! The life of a contact under a steady motion: many cycles at constant load, under error control.
 
 use super::Constants;
-use super::laying::{check_end_of_body, over};
 use super::mesh::UnitMesh;
-use super::patch::{Front, Motion, Patch, Rate, State, lost};
+use super::patch::{Front, Motion, Patch, Rate, State, edge_not_found};
+use super::remesh::{check_end_of_body, mesh_slip_zone};
 use super::rosenbrock;
 use crate::counters::Counters;
 use crate::error::Error;
@@ -13,28 +13,30 @@ use std::sync::Arc;
 /// Most steps of one call: a whole life takes some fifty.
 const MOST_STEPS: u32 = 1000;
 
-/// And behind a rig, at the usual tolerance: where a front hovers, stretches of constant amplitude come sooner to an end.
+/// And behind a rig, at the usual tolerance: where a front hovers, stretches of constant amplitude
+/// come sooner to an end.
 const MOST_STEPS_BEHIND_A_RIG: f64 = 250.0;
 
-/// Most steps, at the usual tolerance of 1e-3, of what is but a small part of a life, which takes one or two, and on a body
-/// already worn where the mesh does not carry it. The method is of third order: a thousandth of the tolerance takes ten times as
-/// many.
+/// Most steps, at the usual tolerance of 1e-3, of what is but a small part of a life, which takes
+/// one or two, and on a body already worn where the mesh does not carry it. The method is of third
+/// order: a thousandth of the tolerance takes ten times as many.
 const MOST_STEPS_OF_AN_UPDATE: f64 = 60.0;
 
-/// And as many times that at the most, however tight the tolerance: no call may go on for ever.
+/// And at most as many times that, however tight the tolerance: no call may go on for ever.
 const MOST_TIGHTER: f64 = 100.0;
 
 /// Share of the tolerance that leaving out nodes may take of the largest image.
 pub(crate) const THINNING: f64 = 0.05;
 
-/// Share of the worn volume that laying a mesh may miss: its depths are then raised to it.
+/// Share of the worn volume that a new mesh may miss: its depths are then raised to it.
 pub(super) const MISSING: f64 = 0.05;
 
-/// Most corrections of the volume: the second takes what the first leaves by the difference between the integrals of mesh and nodes.
+/// Most corrections of the volume: the second takes what the first leaves by the difference between
+/// the integrals of mesh and nodes.
 const CORRECTIONS: usize = 2;
 
-/// How near to the work, relative, the volume has to be, as a share of the tolerance. Each correction makes the nodes anew, a third of
-/// the time of a short update.
+/// How near to the work, relative, the volume has to be, as a share of the tolerance. Each
+/// correction makes the nodes again, a third of the time of a short update.
 const MET: f64 = 1e-3;
 
 /// Least error of a step, over the tolerance, that tells a trend: less may be rounding.
@@ -42,7 +44,7 @@ const LEAST_ERROR: f64 = 1e-2;
 
 /// How finely to integrate.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Fineness {
+pub(crate) struct IntegrationSettings {
     /// Cells of the mesh.
     pub(crate) cells: usize,
     /// Largest error of the image in a step, over the indentation depth.
@@ -61,7 +63,7 @@ pub(crate) struct Life {
     pub(crate) defect: f64,
     /// Cycles that the next step should span.
     pub(crate) next_step: f64,
-    /// The tables last used: whoever keeps them spares the next call making them.
+    /// The tables last used: kept, they spare the next call making them.
     pub(crate) mesh: Option<Arc<UnitMesh>>,
 }
 
@@ -72,28 +74,29 @@ pub(crate) struct Amount {
     pub(crate) cycles: f64,
     /// Volume worn so far, m³: that of the profile, and what has found no place on it yet.
     pub(crate) worn: f64,
-    /// Volume that the motion wears, m³, where the springs on the surface of before have told it already.
+    /// Volume that the motion wears, m³, where it is known from the springs on the surface of
+    /// before.
     pub(crate) known: Option<f64>,
 }
 
 /// Wears a surface by an amount of a motion.
 ///
 /// # Errors
-/// Those of the normal contact; [`Error::TooMuchWear`] where the cycles need too many steps; [`Error::NotFinite`] where the
-/// contact edge is lost.
-pub(crate) fn live(
+/// Those of the normal contact; [`Error::TooMuchWear`] where the cycles need too many steps;
+/// [`Error::NotFinite`] where the contact edge is lost.
+pub(crate) fn integrate(
     surface: &Surface,
     motion: &Motion,
     amount: &Amount,
     constants: &Constants,
-    fineness: &Fineness,
+    settings: &IntegrationSettings,
     counters: &mut Counters,
 ) -> Result<Life, Error> {
     let mut life = Life {
         surface: surface.clone(),
         volume: 0.0,
         defect: 0.0,
-        next_step: fineness.last_step,
+        next_step: settings.last_step,
         mesh: None,
     };
     let cycles = amount.cycles;
@@ -101,20 +104,23 @@ pub(crate) fn live(
     let mut steps = 0;
     // length and error of the last step that was taken
     let mut last = None;
-    let tighter = (1e-3 / fineness.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
+    let tighter = (1e-3 / settings.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
     let most_of_an_update = (MOST_STEPS_OF_AN_UPDATE * tighter) as u32;
     let most = if motion.rig.is_some() { (MOST_STEPS_BEHIND_A_RIG * tighter) as u32 } else { MOST_STEPS };
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
-        let Some((patch, mut state)) = over(&life.surface, &contact, motion, constants, fineness)? else {
+        let Some((patch, mut state)) = mesh_slip_zone(&life.surface, &contact, motion, constants, settings)?
+        else {
             break;
         };
-        let mut rate = patch.rate(&state.depth, state.area).ok_or_else(|| lost(motion))?;
+        let mut rate =
+            patch.rate(&state.depth, state.radius_squared).ok_or_else(|| edge_not_found(motion))?;
         let mut volume = 0.0;
         let mut step =
-            if life.next_step > 0.0 { life.next_step } else { first_step(&patch, &rate, fineness) };
-        // a front that has just been looked for is off by the error of laying the mesh: one step is always made
+            if life.next_step > 0.0 { life.next_step } else { first_step(&patch, &rate, settings) };
+        // a front that has just been looked for is off by the error of a new mesh: one step is
+        // always made
         let mut fresh = true;
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
             let carried = patch.body.worn().is_none() && amount.known.is_none();
@@ -126,7 +132,7 @@ pub(crate) fn live(
             let length = step.min(left);
             let trial = rosenbrock::step(&patch, &state, &rate, length, counters);
             let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error);
-            let ratio = error / (fineness.tolerance * rate.indentation.abs());
+            let ratio = error / (settings.tolerance * rate.indentation.abs());
             let factor = factor_of_next_step(length, ratio, last);
             match trial {
                 Some(trial) if ratio <= 1.0 => {
@@ -135,15 +141,16 @@ pub(crate) fn live(
                     fresh = false;
                     // behind a rig a front may hover: its errors follow no trend
                     last = motion.rig.is_none().then_some((length, ratio));
-                    let edge = state.area.sqrt();
+                    let edge = state.radius_squared.sqrt();
                     if life.surface.reaches_falling_image(edge) {
                         let mut worn = life.surface.clone();
-                        worn.set_worn(Some(left_behind(&patch, &state, &rate, fineness.tolerance)));
+                        worn.set_worn(Some(exported_nodes(&patch, &state, &rate, settings.tolerance)));
                         worn.check_one_disc(edge)?;
                     }
                     counters.profile_updates += 1;
                     left -= length;
-                    // a step cut short says nothing about a longer one, unless it was all but too long
+                    // a step cut short says nothing about a longer one, unless it was all but too
+                    // long
                     step = if length == step || factor < 1.0 { length * factor } else { step };
                 }
                 _ => {
@@ -162,32 +169,34 @@ pub(crate) fn live(
             life.volume = known;
         }
         let nodes = if left > 0.0 {
-            left_behind(&patch, &state, &rate, fineness.tolerance)
+            exported_nodes(&patch, &state, &rate, settings.tolerance)
         } else {
             let target = amount.worn + life.volume;
-            let (nodes, defect) = left_at_the_end(&patch, (state, rate), fineness.tolerance, target);
+            let (nodes, defect) = left_at_the_end(&patch, (state, rate), settings.tolerance, target);
             life.defect += defect;
             nodes
         };
         let on_profile = nodes.worn_volume();
         if !(life.volume.is_finite() && life.defect.is_finite() && on_profile.is_finite()) {
-            return Err(lost(motion));
+            return Err(edge_not_found(motion));
         }
-        // on cells that do not follow the body at its edge the depths may carry a tenth of the work's volume
+        // on cells that do not follow the body at its edge the depths may carry a tenth of the
+        // work's volume
         if let Some(body) = patch.body.worn()
             && (on_profile - body.worn_volume() - volume).abs() > MISSING * volume
         {
-            return Err(lost(motion));
+            return Err(edge_not_found(motion));
         }
         life.surface.set_worn(Some(nodes));
     }
     Ok(life)
 }
 
-/// A first step that changes the image by about the size to which the method's error stays within the tolerance.
-fn first_step(patch: &Patch, rate: &Rate, fineness: &Fineness) -> f64 {
+/// A first step that changes the image by about the size to which the method's error stays within
+/// the tolerance.
+fn first_step(patch: &Patch, rate: &Rate, settings: &IntegrationSettings) -> f64 {
     let change = patch.largest_image(0, &rate.growth, rate);
-    0.1 * fineness.tolerance.cbrt() * rate.indentation.abs() / change
+    0.1 * settings.tolerance.cbrt() * rate.indentation.abs() / change
 }
 
 /// Length of the next step over that of a trial of some `length`, from its error and from that of
@@ -207,15 +216,16 @@ fn factor_of_next_step(length: f64, error: f64, last: Option<(f64, f64)>) -> f64
     (0.8 * error.cbrt().recip() * trend.min(1.0)).clamp(0.2, 4.0)
 }
 
-/// Nodes that a patch leaves where the worn volume is known to be `target` (m³), and by how much the patch missed that. The depths
-/// follow the motion of the mesh, which keeps the volume to second order in the cells; the work of the springs is exact.
+/// Nodes that a patch leaves where the worn volume is known to be `target` (m³), and by how much
+/// the patch missed that. The depths follow the motion of the mesh, which keeps the volume to
+/// second order in the cells; the work of the springs is exact.
 fn left_at_the_end(
     patch: &Patch,
     (mut state, mut rate): (State, Rate),
     tolerance: f64,
     target: f64,
 ) -> (Nodes, f64) {
-    let mut nodes = left_behind(patch, &state, &rate, tolerance);
+    let mut nodes = exported_nodes(patch, &state, &rate, tolerance);
     let mut missing = target - nodes.worn_volume();
     let defect = missing.abs();
     // what a mesh over a worn body carries may be less than what is missing
@@ -228,14 +238,14 @@ fn left_at_the_end(
         let volume = missing.signum() * missing.abs().min(most.abs());
         let Some(grown) = patch.with_volume(&state, &rate, volume) else { break };
         (state, rate) = grown;
-        nodes = left_behind(patch, &state, &rate, tolerance);
+        nodes = exported_nodes(patch, &state, &rate, tolerance);
         missing = target - nodes.worn_volume();
     }
     (nodes, defect)
 }
 
 /// Nodes of the surface that a patch leaves.
-fn left_behind(patch: &Patch, state: &State, rate: &Rate, tolerance: f64) -> Nodes {
+fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, tolerance: f64) -> Nodes {
     let (mut x, mut image, mut depth) =
         (patch.inside.x.clone(), patch.inside.image.clone(), patch.inside.depth.clone());
     // the inner edge is a node of both
@@ -248,7 +258,7 @@ fn left_behind(patch: &Patch, state: &State, rate: &Rate, tolerance: f64) -> Nod
         depth.push(0.0);
     }
     let first = x.len();
-    for (i, r) in patch.radii(rate.area).into_iter().enumerate() {
+    for (i, r) in patch.radii(rate.radius_squared).into_iter().enumerate() {
         x.push(r);
         depth.push(if i == patch.end() {
             0.0

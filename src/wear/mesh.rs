@@ -1,13 +1,16 @@
-//! Meshes of the slipping region in shares of its width in X = x², with the transforms tabulated on them.
+//! Meshes of the slipping region in shares of its width in X = x², with the transforms tabulated on
+//! them.
 //!
-//! On an annulus c ≤ x ≤ a with X = c² + L φ, L = a² − c², the transforms of data given at fixed shares φ depend on c
-//! and a by factors only: with v/x piecewise linear in X, descent is √L D̂ (v/x); with q piecewise linear in X, pressure is
-//! K̂ q / √L. On a disc (c = 0), where v/x would be singular, v itself is taken piecewise linear; its descent depends on
-//! ratios of radii, so that it needs no factor at all. Hence one set of tables serves every contact, load and time.
+//! On an annulus c ≤ x ≤ a with X = c² + L φ, L = a² − c², the transforms of data given at fixed
+//! shares φ depend on c and a by factors only: with v/x piecewise linear in X, the inverse Abel
+//! transform is √L D̂ (v/x); with q piecewise linear in X, pressure is K̂ q / √L. On a disc (c =
+//! 0), where v/x would be singular, v itself is taken piecewise linear; its inverse transform
+//! depends on ratios of radii, so that it needs no factor at all. Hence one set of tables serves
+//! every contact, load and time.
 //!
-//! φ = (p+1) ξᵖ − p ξᵖ⁺¹ at even ξ: cells shrink like ξᵖ⁻¹ towards the stick edge, where the image develops a jump and
-//! the depth a square-root cusp, and like 1 − ξ towards the contact edge, where the depth ends with the power 3/2. Every other
-//! node of a mesh makes one of half as many cells.
+//! φ = (p+1) ξᵖ − p ξᵖ⁺¹ at even ξ: cells shrink like ξᵖ⁻¹ towards the stick edge, where the image
+//! develops a jump and the depth a square-root cusp, and like 1 − ξ towards the contact edge, where
+//! the depth ends with the power 3/2. Every other node of a mesh makes one of half as many cells.
 
 mod diagonal;
 mod weights;
@@ -18,14 +21,15 @@ use std::cell::RefCell;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use weights::{annulus_integrals, annulus_table, disc_integrals, disc_table};
 
-/// Tables on the shares φ₀ = 0 … φₙ = 1. A depth w at the nodes belongs to z = b·h with w = D̂ z, where h is the image,
-/// b = √L/x on an annulus and 1 on a disc.
+/// Tables on the shares φ₀ = 0 … φₙ = 1. A depth w at the nodes belongs to z = b·h with w = D̂ z,
+/// where h is the image, b = √L/x on an annulus and 1 on a disc.
 #[derive(Debug)]
 pub(crate) struct UnitMesh {
     pub(crate) region: Region,
     pub(crate) cells: usize,
     pub(crate) share: Vec<f64>,
-    /// Weights of the node before, the node and the one after in φ d/dφ at a node: second order in ξ, for systems to be solved.
+    /// Weights of the node before, the node and the one after in φ d/dφ at a node: second order in
+    /// ξ, for systems to be solved.
     pub(crate) drift: Vec<[f64; 3]>,
     transforms: Transforms,
     /// The mesh of every other node, where the transforms are fast.
@@ -48,15 +52,16 @@ pub(crate) struct UnitMesh {
 enum Transforms {
     Tables {
         /// Row i: D̂ᵢ₀ … D̂ᵢᵢ.
-        descent: Vec<f64>,
-        /// Row i: K̂ᵢᵢ … K̂ᵢₙ; its last column is that of a line which falls to zero at the last node.
+        inverse: Vec<f64>,
+        /// Row i: K̂ᵢᵢ … K̂ᵢₙ; its last column is that of a line which falls to zero at the last
+        /// node.
         pressure: Vec<f64>,
     },
     Fast(FastAbel),
 }
 
-/// Most cells of a mesh whose steps are solved directly, with tables. Measured: both ways take 1 ms at 192 cells, at 256 cells the
-/// direct one is slower by a half to two, at 512 cells by six.
+/// Most cells of a mesh whose steps are solved directly, with tables. Measured: both ways take 1 ms
+/// at 192 cells, at 256 cells the direct one is slower by a half to two, at 512 cells by six.
 const MOST_DIRECT: usize = 192;
 
 /// Most cells of the coarsest mesh under a finer one.
@@ -67,8 +72,8 @@ thread_local! {
     static SCRATCH: RefCell<Scratch> = RefCell::default();
 }
 
-/// A linear functional Σ fⱼ zⱼ written in the depths: Σ wᵢ·depthᵢ + inner·z₀ (z₀ counts on an annulus only, where it is
-/// given).
+/// A linear functional Σ fⱼ zⱼ written in the depths: Σ wᵢ·depthᵢ + inner·z₀ (z₀ counts on an
+/// annulus only, where it is given).
 #[derive(Debug)]
 pub(crate) struct Functional {
     pub(crate) depth: Vec<f64>,
@@ -82,9 +87,10 @@ impl Functional {
     }
 }
 
-/// Power of the grading towards the inner edge. On an annulus the depth starts like √(X − c²), and from 4 on the error
-/// falls with the square of the number of cells; 4.5 halves it again, and large numbers of cells take less, so that
-/// the first cell stays above rounding. On a disc nothing happens at the axis but for the tip of a cone.
+/// Power of the grading towards the inner edge. On an annulus the depth starts like √(X − c²), and
+/// from 4 on the error falls with the square of the number of cells; 4.5 halves it again, and large
+/// numbers of cells take less, so that the first cell stays above rounding. On a disc nothing
+/// happens at the axis except at the tip of a cone.
 pub(super) fn grading(region: Region, cells: usize) -> f64 {
     match region {
         Region::Annulus => (12.0 / (cells as f64).log10()).min(4.5),
@@ -129,7 +135,8 @@ impl UnitMesh {
         Self::graded(region, cells, grading(region, cells), cells > MOST_DIRECT)
     }
 
-    /// The least number of cells from the given one on that a mesh can have: a large one has to be halved down to a small one.
+    /// The least number of cells from the given one on that a mesh can have: a large one has to be
+    /// halved down to a small one.
     pub(crate) fn cells_from(cells: usize) -> usize {
         let mut step = 1;
         if cells > MOST_DIRECT {
@@ -140,8 +147,8 @@ impl UnitMesh {
         cells.next_multiple_of(step)
     }
 
-    /// The mesh with a given power of the grading; the transforms are tables or, with `halved`, fast and followed by the meshes of
-    /// half as many cells and so on.
+    /// The mesh with a given power of the grading; the transforms are tables or, with `halved`,
+    /// fast and followed by the meshes of half as many cells and so on.
     pub(super) fn graded(region: Region, cells: usize, p: f64, halved: bool) -> Self {
         let xi = |i: usize| i as f64 / cells as f64;
         let share: Vec<f64> = (0..=cells).map(|i| xi(i).powf(p) * ((p + 1.0) - p * xi(i))).collect();
@@ -153,11 +160,11 @@ impl UnitMesh {
         let transforms = if halved && cells > COARSEST {
             Transforms::Fast(FastAbel::new(&share, density(region)))
         } else {
-            let descent = match region {
+            let inverse = match region {
                 Region::Annulus => annulus_table(&share),
                 Region::Disc => disc_table(&share),
             };
-            Transforms::Tables { descent, pressure: weights::pressure_table(&share) }
+            Transforms::Tables { inverse, pressure: weights::pressure_table(&share) }
         };
         let mut edge = vec![0.0; cells + 1];
         edge[cells] = 1.0;
@@ -187,8 +194,9 @@ impl UnitMesh {
         mesh
     }
 
-    /// φ dw/dφ at a node inside, of fourth order in ξ where there are neighbours enough: the depth is smooth in ξ, and what the second
-    /// order leaves is most of what the volume misses of the work.
+    /// φ dw/dφ at a node inside, of fourth order in ξ where there are neighbours enough: the depth
+    /// is smooth in ξ, and what the second order leaves is most of what the volume misses of the
+    /// work.
     pub(crate) fn drift_of(&self, w: &[f64], i: usize) -> f64 {
         let n = self.cells;
         let difference = if i >= 2 && i + 2 <= n {
@@ -209,8 +217,9 @@ impl UnitMesh {
         }
     }
 
-    /// (K̂ D̂⁻¹)ᵢᵢ to about a hundredth, with the last node's column as [`Self::pressure`] has it; 0 at a first node that is given. For
-    /// meshes with one of half as many cells and for the last of these.
+    /// (K̂ D̂⁻¹)ᵢᵢ to about a hundredth, with the last node's column as [`Self::pressure`] has it;
+    /// 0 at a first node that is given. For meshes with one of half as many cells and for the last
+    /// of these.
     pub(crate) fn relief(&self, rim: bool) -> &[f64] {
         &self.relief[usize::from(rim)]
     }
@@ -218,42 +227,43 @@ impl UnitMesh {
     /// Tables of both transforms, where there are any.
     pub(crate) fn tables(&self) -> Option<Tables<'_>> {
         match &self.transforms {
-            Transforms::Tables { descent, pressure } => Some(Tables { cells: self.cells, descent, pressure }),
+            Transforms::Tables { inverse, pressure } => Some(Tables { cells: self.cells, inverse, pressure }),
             Transforms::Fast(_) => None,
         }
     }
 
     /// w = D̂ z.
-    pub(crate) fn descend(&self, z: &[f64], w: &mut [f64]) {
+    pub(crate) fn inverse_abel(&self, z: &[f64], w: &mut [f64]) {
         match &self.transforms {
-            Transforms::Tables { descent, .. } => {
+            Transforms::Tables { inverse, .. } => {
                 for i in 0..=self.cells {
-                    w[i] = dot(row_of(descent, i), &z[..=i]);
+                    w[i] = dot(row_of(inverse, i), &z[..=i]);
                 }
             }
-            Transforms::Fast(fast) => with_scratch(|scratch| fast.descend(z, w, scratch)),
+            Transforms::Fast(fast) => with_scratch(|scratch| fast.inverse_abel(z, w, scratch)),
         }
     }
 
     /// z with D̂ z = w; z₀ has to be set before on an annulus.
-    pub(crate) fn ascend(&self, w: &[f64], z: &mut [f64]) {
+    pub(crate) fn abel(&self, w: &[f64], z: &mut [f64]) {
         match &self.transforms {
-            Transforms::Tables { descent, .. } => {
+            Transforms::Tables { inverse, .. } => {
                 for i in self.first()..=self.cells {
-                    let row = row_of(descent, i);
+                    let row = row_of(inverse, i);
                     z[i] = (w[i] - dot(&row[..i], &z[..i])) / row[i];
                 }
             }
-            Transforms::Fast(fast) => with_scratch(|scratch| fast.ascend(w, z, scratch)),
+            Transforms::Fast(fast) => with_scratch(|scratch| fast.abel(w, z, scratch)),
         }
     }
 
-    /// K̂ q for a line q that is zero at the last node, or with `rim` for one that jumps to zero there.
+    /// K̂ q for a line q that is zero at the last node, or with `rim` for one that jumps to zero
+    /// there.
     pub(crate) fn pressure(&self, q: &[f64], rim: bool, p: &mut [f64]) {
         let n = self.cells;
         match &self.transforms {
             Transforms::Tables { pressure, .. } => {
-                let tables = Tables { cells: n, descent: &[], pressure };
+                let tables = Tables { cells: n, inverse: &[], pressure };
                 for i in 0..=n {
                     p[i] = dot(&tables.pressure_row(i)[..n - i], &q[i..n]);
                 }
@@ -278,15 +288,15 @@ impl UnitMesh {
         let first = self.first();
         let mut y = f;
         match &self.transforms {
-            Transforms::Tables { descent, .. } => {
+            Transforms::Tables { inverse, .. } => {
                 for i in (first..=self.cells).rev() {
-                    let row = row_of(descent, i);
+                    let row = row_of(inverse, i);
                     y[i] /= row[i];
                     let value = y[i];
                     y.iter_mut().zip(&row[..i]).for_each(|(y, weight)| *y -= value * weight);
                 }
             }
-            Transforms::Fast(fast) => with_scratch(|scratch| fast.ascend_transposed(&mut y, scratch)),
+            Transforms::Fast(fast) => with_scratch(|scratch| fast.abel_transposed(&mut y, scratch)),
         }
         let inner = if first == 1 { std::mem::take(&mut y[0]) } else { 0.0 };
         Functional { depth: y, inner }
@@ -297,14 +307,14 @@ impl UnitMesh {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tables<'a> {
     cells: usize,
-    descent: &'a [f64],
+    inverse: &'a [f64],
     pressure: &'a [f64],
 }
 
 impl<'a> Tables<'a> {
     /// D̂ᵢ₀ … D̂ᵢᵢ.
-    pub(crate) fn descent_row(self, i: usize) -> &'a [f64] {
-        row_of(self.descent, i)
+    pub(crate) fn inverse_row(self, i: usize) -> &'a [f64] {
+        row_of(self.inverse, i)
     }
 
     /// K̂ᵢᵢ … K̂ᵢₙ; the last column is that of a line which falls to zero at the last node.

@@ -1,12 +1,14 @@
-//! The slipping region of a contact while it wears under a steady motion, on a mesh that moves with the contact edge.
+//! The slipping region of a contact while it wears under a steady motion, on a mesh that moves with
+//! the contact edge.
 //!
-//! One cycle of amplitude U₀ at constant load wears ∂w/∂N = 4 κ p s with κ = kμ/σ₀, the pressure p of q = d − g and the
-//! slip s = descent of σ = max(U₀ − m q, 0), m = μE*/G*. Here w̃ is the depth that belongs to the image inside the
-//! region alone, h·1[x ≥ c]: what lies inside the stick radius c has no part in the rate of wear, and the depth at
-//! the contact edge a is zero, so that w̃(a) = −w_in(a), minus the depth there that belongs to the image inside. (Where the
-//! body is worn further out already, its wear so far counts as its shape, and w̃ is what comes on top.) The nodes move with
-//! a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN with A = a². All fields stay smooth in the mesh coordinate, at
-//! the moving edge too.
+//! One cycle of amplitude U₀ at constant load wears ∂w/∂N = 4 κ p s with κ = kμ/σ₀, the pressure p
+//! of q = d − g and the slip s, the inverse Abel transform of σ = max(U₀ − m q, 0), m = μE*/G*.
+//! Here w̃ is the depth that belongs to the image inside the region alone, h·1[x ≥ c]: what lies
+//! inside the stick radius c has no part in the rate of wear, and the depth at the contact edge a
+//! is zero, so that w̃(a) = −w_in(a), minus the depth there that belongs to the image inside.
+//! (Where the body is worn further out already, its wear so far counts as its shape, and w̃ is what
+//! comes on top.) The nodes move with a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN
+//! with A = a². All fields stay smooth in the mesh coordinate, at the moving edge too.
 
 mod direct;
 mod edge;
@@ -35,8 +37,8 @@ pub(super) use linear::Linear;
 pub(crate) use motion::{Motion, Rig, Sliding};
 pub(crate) use rate::Rate;
 
-/// How near to the end of the body, relative, a contact edge counts as standing there. A worn rim carries next to nothing, and
-/// would come and go at every step.
+/// How near to the end of the body, relative, a contact edge counts as standing there. A worn rim
+/// carries next to nothing, and would come and go at every step.
 pub(crate) const RIM: f64 = 1e-4;
 
 /// The region: the body, its mesh, and the law.
@@ -52,7 +54,7 @@ pub(crate) struct Patch {
     /// Whether the contact ends at the end of the body, so that its edge stays there.
     pub(crate) rim: bool,
     /// Slip of a spring that is free of load, m per stroke.
-    reach: f64,
+    free_slip: f64,
     bound_slope: f64,
     /// 4κE*: wear per cycle = factor · (p/E*) · s.
     factor: f64,
@@ -66,7 +68,7 @@ pub(crate) struct Patch {
 #[derive(Debug, Clone)]
 pub(crate) struct State {
     pub(crate) depth: Vec<f64>,
-    pub(crate) area: f64,
+    pub(crate) radius_squared: f64,
 }
 
 impl Patch {
@@ -80,7 +82,7 @@ impl Patch {
         constants: &Constants,
     ) -> Self {
         let kappa = constants.wear_per_work * constants.friction_coefficient;
-        let (reach, ratio, strokes) = motion.sliding.law();
+        let (free_slip, ratio, strokes) = motion.sliding.law();
         let inside_width = inside.width_integral();
         let inside_image = motion.rig.map_or(0.0, |_| {
             let inner = body.place(inner_radius);
@@ -96,7 +98,7 @@ impl Patch {
             inside,
             motion,
             rim,
-            reach,
+            free_slip,
             bound_slope: ratio * constants.bound_slope(),
             factor: strokes * kappa * constants.normal_modulus,
         }
@@ -116,12 +118,12 @@ impl Patch {
     }
 
     /// L = a² − c², m².
-    pub(crate) fn span(&self, area: f64) -> f64 {
-        area - self.inner_radius * self.inner_radius
+    pub(crate) fn span(&self, radius_squared: f64) -> f64 {
+        radius_squared - self.inner_radius * self.inner_radius
     }
 
-    pub(crate) fn radii(&self, area: f64) -> Vec<f64> {
-        let (c2, span) = (self.inner_radius * self.inner_radius, self.span(area));
+    pub(crate) fn radii(&self, radius_squared: f64) -> Vec<f64> {
+        let (c2, span) = (self.inner_radius * self.inner_radius, self.span(radius_squared));
         let mut x: Vec<f64> = self.mesh.share.iter().map(|phi| (c2 + span * phi).sqrt()).collect();
         x[0] = self.inner_radius;
         x
@@ -149,31 +151,33 @@ impl Patch {
     }
 
     /// Depths w̃ that belong to images given at the nodes, m.
-    pub(crate) fn depths(&self, images: &[f64], area: f64) -> Vec<f64> {
-        let (n, span) = (self.cells(), self.span(area));
-        let radii = self.radii(area);
+    pub(crate) fn depths(&self, images: &[f64], radius_squared: f64) -> Vec<f64> {
+        let (n, span) = (self.cells(), self.span(radius_squared));
+        let radii = self.radii(radius_squared);
         let mut z: Vec<f64> = images.iter().zip(&radii).map(|(h, x)| h * self.scale(span, *x)).collect();
         if self.mesh.first() == 1 {
             z[0] = self.inner_image(span);
         }
         let mut depth = vec![0.0; n + 1];
-        self.mesh.descend(&z, &mut depth);
+        self.mesh.inverse_abel(&z, &mut depth);
         if !self.rim {
-            // the depth at the edge is known: the error of taking the image over must not all go to the last cell
-            let error = self.edge_depth(area.sqrt()) - depth[n];
+            // the depth at the edge is known: the error of taking the image over must not all go to
+            // the last cell
+            let error = self.edge_depth(radius_squared.sqrt()) - depth[n];
             depth.iter_mut().zip(&self.mesh.share).for_each(|(w, share)| *w += error * share);
         }
         depth
     }
 
-    /// Largest image (m) from a node on, of those whose image is free, that belongs to a change of the depths.
+    /// Largest image (m) from a node on, of those whose image is free, that belongs to a change of
+    /// the depths.
     pub(crate) fn largest_image(&self, from: usize, change: &[f64], rate: &Rate) -> f64 {
         let n = self.cells();
         let (mut depth, mut z) = (change.to_vec(), vec![0.0; n + 1]);
         if !self.rim {
             depth[n] = 0.0;
         }
-        self.mesh.ascend(&depth, &mut z);
+        self.mesh.abel(&depth, &mut z);
         (self.mesh.first().max(from)..=n).fold(0.0, |most: f64, i| most.max((z[i] / rate.scale[i]).abs()))
     }
 
@@ -188,11 +192,11 @@ impl Patch {
 
     /// The contact of a state.
     pub(crate) fn contact(&self, rate: &Rate) -> Contact {
-        let radius = rate.area.sqrt();
+        let radius = rate.radius_squared.sqrt();
         let load = if self.is_force() {
             self.motion.value
         } else {
-            let span = self.span(rate.area);
+            let span = self.span(rate.radius_squared);
             let worn = self.inside_width + span.sqrt() * dot(&self.mesh.width, &rate.image);
             // F_N/(2E*) = a d − ∫ g dx, of which the body's part is a g(a) − φ(a)
             let body = radius * self.body.image(radius) - self.body.load(radius);
@@ -203,7 +207,7 @@ impl Patch {
 }
 
 /// The error of a patch that cannot go on.
-pub(crate) fn lost(motion: &Motion) -> Error {
+pub(crate) fn edge_not_found(motion: &Motion) -> Error {
     Error::NotFinite {
         what: "the contact edge of the worn profile",
         normal: motion.value,

@@ -1,8 +1,10 @@
-//! Time integration of a [`Patch`]: a linearly implicit method of third order with an embedded one of second.
+//! Time integration of a [`Patch`]: a linearly implicit method of third order with an embedded one
+//! of second.
 //!
-//! ROS34PW2 of Rang and Angermann (BIT 45, 2005, 761): four stages, stiffly accurate and L-stable, and of third order with
-//! any approximation of the Jacobian. Wear relaxes to its final state at rates that span many decades, which an
-//! explicit method would have to follow all; here one small linear system serves the four stages of a step.
+//! ROS34PW2 of Rang and Angermann (BIT 45, 2005, 761): four stages, stiffly accurate and L-stable,
+//! and of third order with any approximation of the Jacobian. Wear relaxes to its final state at
+//! rates that span many decades, which an explicit method would have to follow all; here one small
+//! linear system serves the four stages of a step.
 
 use super::patch::{Linear, Patch, Rate, State};
 use crate::counters::Counters;
@@ -65,7 +67,7 @@ pub(crate) fn step(
             }
             counters.pressure_transforms += 1;
             counters.descent_transforms += 2;
-            let here = patch.rate(&depth, rate.area)?;
+            let here = patch.rate(&depth, rate.radius_squared)?;
             (here.growth, here.volume_rate)
         };
         for (coupling, increment) in COUPLING[stage].iter().zip(&increments) {
@@ -93,17 +95,18 @@ pub(crate) fn step(
         add(&mut error, cycles * (WEIGHTS[stage] - EMBEDDED[stage]), increment);
     }
     let before = rate;
-    let mut rate = patch.rate(&depth, before.area)?;
+    let mut rate = patch.rate(&depth, before.radius_squared)?;
     if patch.hold_front(&mut depth, before, &rate) {
-        rate = patch.rate(&depth, rate.area)?;
+        rate = patch.rate(&depth, rate.radius_squared)?;
     }
     counters.pressure_transforms += 1;
     counters.descent_transforms += 2;
-    // at steps far longer than the relaxation the rate's quadrature is all rounding; then the profile tells the volume
+    // at steps far longer than the relaxation the rate's quadrature is all rounding; then the
+    // profile tells the volume
     let grown = patch.volume(&rate) - patch.volume(before);
     let volume = if (volume - grown).abs() <= 0.02 * grown.abs() { volume } else { grown }.max(0.0);
     let error = patch.largest_image(patch.sticking(before) + 1, &error, &rate);
-    Some(Trial { state: State { depth, area: rate.area }, rate, volume, error })
+    Some(Trial { state: State { depth, radius_squared: rate.radius_squared }, rate, volume, error })
 }
 
 fn add(sum: &mut [f64], factor: f64, term: &[f64]) {

@@ -1,9 +1,10 @@
-//! The linear system of an implicit update, known by what it does to a vector, and an approximate inverse.
+//! The linear system of an implicit update, known by what it does to a vector, and an approximate
+//! inverse.
 
 use super::edge::Edge;
 use super::{Constants, SlipFields};
 use crate::surface::{NodeTransforms, outer_weight};
-use crate::transform::{ascend_last, dot, pressure_weight};
+use crate::transform::{abel_last, dot, pressure_weight};
 
 /// The operator 1 + κ E* B P S⁻¹ on depths at the nodes `first` to the edge.
 pub(super) struct System<'a> {
@@ -15,7 +16,8 @@ pub(super) struct System<'a> {
     stiffness: Vec<f64>,
     /// Pressure at the nodes of a uniform load and, at its end, of a change of the load there, 1/m.
     response: Vec<f64>,
-    /// Weights of the mean of the image over the contact, by which the body sinks under a given force.
+    /// Weights of the mean of the image over the contact, by which the body sinks under a given
+    /// force.
     mean: Option<Vec<f64>>,
 }
 
@@ -43,10 +45,10 @@ impl<'a> System<'a> {
     pub(super) fn apply(&self, depth: &[f64]) -> Vec<f64> {
         let mut all = vec![0.0; self.x.len()];
         all[self.first..=self.edge.last].copy_from_slice(depth);
-        let image = &self.transforms.ascend(&all)[..=self.edge.last];
+        let image = &self.transforms.abel(&all)[..=self.edge.last];
         let relief = self.transforms.pressure(image);
-        let sinking = self.mean.as_ref().map_or(0.0, |mean| dot(mean, image));
-        let end = image[self.edge.last] - sinking;
+        let approach = self.mean.as_ref().map_or(0.0, |mean| dot(mean, image));
+        let end = image[self.edge.last] - approach;
         let relief = relief[self.first..].iter().zip(&self.response).map(|(p, response)| p + end * response);
         depth.iter().zip(&self.stiffness).zip(relief).map(|((w, s), p)| w + s * p).collect()
     }
@@ -57,12 +59,14 @@ impl<'a> System<'a> {
     }
 }
 
-/// An approximate inverse of 1 + b|∂/∂x|, which is what the operator does to short waves: on nodes of which every other is
-/// left out from level to level, what a level has beyond the next coarser one is divided by 1 + b k, k being the wave number
-/// of its cells. So the number of iterations hardly grows with that of the nodes (multilevel diagonal scaling,
-/// Bramble, Pasciak and Xu, Math. Comp. 55 (1990), 1; Zhang, Numer. Math. 63 (1992), 521).
+/// An approximate inverse of 1 + b|∂/∂x|, which is what the operator does to short waves: on nodes
+/// of which every other is left out from level to level, what a level has beyond the next coarser
+/// one is divided by 1 + b k, k being the wave number of its cells. So the number of iterations
+/// hardly grows with that of the nodes (multilevel diagonal scaling, Bramble, Pasciak and Xu, Math.
+/// Comp. 55 (1990), 1; Zhang, Numer. Math. 63 (1992), 521).
 pub(super) struct Levels {
-    /// From fine to coarse: weight of the coarse node before in the line through a node that is left out, and divisors.
+    /// From fine to coarse: weight of the coarse node before in the line through a node that is
+    /// left out, and divisors.
     levels: Vec<Level>,
 }
 
@@ -150,7 +154,7 @@ fn wave_number(x: &[f64], i: usize) -> f64 {
         return 0.0;
     }
     // image that a depth of 1 at this node alone brings there
-    let image = if i == 0 { 1.0 } else { ascend_last(&x[i - 1..=i], &[0.0, 0.0], 1.0) };
+    let image = if i == 0 { 1.0 } else { abel_last(&x[i - 1..=i], &[0.0, 0.0], 1.0) };
     let outer = if i + 1 < x.len() { x[i + 1] } else { 2.0 * x[i] - x[i - 1] };
     pressure_weight(x[i], outer, x[i]) * image
 }

@@ -21,17 +21,19 @@ pub(crate) struct Update {
     pub(crate) followed: bool,
 }
 
-/// Most Newton iterations of a part of an update. The pressure is linear in the wear as long as the contact edge stays in its cell.
+/// Most Newton iterations of a part of an update. The pressure is linear in the wear as long as the
+/// contact edge stays in its cell.
 const MOST_NEWTON: u64 = 8;
 
 /// What an iteration leaves of the residual, the next one takes up.
 const REDUCTION: f64 = 1e-2;
 
-/// Residual, as a share of the first, at which an update is done: far below the error of one implicit step.
+/// Residual, as a share of the first, at which an update is done: far below the error of one
+/// implicit step.
 const ACCURACY: f64 = 1e-4;
 
-/// Residual at which it may be left: where the contact edge goes to and fro between two nodes, it falls no further. The next part
-/// takes up what is left of one.
+/// Residual at which it may be left: where the contact edge goes to and fro between two nodes, it
+/// falls no further. The next part takes up what is left of one.
 const LEFT: f64 = 0.1;
 
 /// Least part in which an update is made, where its residual does not fall that far in one.
@@ -43,9 +45,10 @@ const MOST_KRYLOV: usize = 200;
 /// Worn depth that slip brings, with the pressure and the contact edge taken at the end of the
 /// update.
 ///
-/// Solves Δw = (k/σ₀) A + κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with the wear: were it held, a
-/// whole update's wear would end at it like a square root, and its image would have a logarithmic dip there. Where it moves so far
-/// that the iteration loses it, the update is made in parts, halved until they are followed.
+/// Solves Δw = (k/σ₀) A + κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with the
+/// wear: were it held, a whole update's wear would end at it like a square root, and its image
+/// would have a logarithmic dip there. Where it moves so far that the iteration loses it, the
+/// update is made in parts, halved until they are followed.
 ///
 /// # Errors
 /// Those of the normal contact; [`Error::NotFinite`] if the system cannot be solved.
@@ -129,7 +132,8 @@ impl Solver<'_> {
         (pressure_nodes(self.transforms, self.nodes.x(), &load, &edge), edge)
     }
 
-    /// Wears a part of the history, and what is `left` of those before, on top of the depths so far: the best iterate of Newton's method.
+    /// Wears a part of the history, and what is `left` of those before, on top of the depths so
+    /// far: the best iterate of Newton's method.
     fn part(&self, part: &SlipFields, left: &[f64], update: &mut Update) -> Result<Trial, Error> {
         let Constants { wear_per_work, friction_coefficient, normal_modulus, .. } = *self.constants;
         let nodes = self.nodes;
@@ -139,7 +143,7 @@ impl Solver<'_> {
         let mut trial = self.surface.clone();
         let mut start = 0.0;
         for iteration in 0..=MOST_NEWTON {
-            let change = self.transforms.ascend(&depth);
+            let change = self.transforms.abel(&depth);
             let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
             let contact = if depth.iter().all(|w| *w == 0.0) {
                 self.present
@@ -150,7 +154,8 @@ impl Solver<'_> {
                 trial.contact(self.control, self.present.control, 2.0 * normal_modulus)?
             };
             let (now, edge) = self.pressure(&contact, &worn);
-            // a trial that wears so much that the contact opens has no pressure to go on with; a body held in depth may wear free
+            // a trial that wears so much that the contact opens has no pressure to go on with; a
+            // body held in depth may wear free
             if contact.is_open() || self.first > edge.last {
                 let free = iteration == 0 || !self.constants.force_control;
                 return Ok(if free {

@@ -66,6 +66,13 @@ pub(crate) fn contact(parameters: Parameters) -> FrettingContact {
     FrettingContact::new(parameters).expect("valid parameters")
 }
 
+/// A contact under the usual force at displacement 0.
+pub(crate) fn started(parameters: Parameters) -> FrettingContact {
+    let mut contact = contact(parameters);
+    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    contact
+}
+
 /// A contact without wear, pressed by `force` (N) at displacement 0.
 pub(crate) fn pressed(profile: Profile, force: f64) -> FrettingContact {
     let mut contact = contact(without_wear(profile));
@@ -77,6 +84,16 @@ pub(crate) fn pressed(profile: Profile, force: f64) -> FrettingContact {
 pub(crate) fn exact(profile: &Profile, force: f64) -> TangentialContact {
     let normal = NormalContact::at_force(shape(profile), E_STAR, force);
     TangentialContact { normal, modulus: G_STAR, friction: MU }
+}
+
+/// The input of a normal control at which a profile without wear carries a force (N); the bodies
+/// are apart where it is not positive.
+pub(crate) fn normal_input(profile: &Profile, control: NormalControl, force: f64) -> f64 {
+    match control {
+        NormalControl::Force => force,
+        NormalControl::Indentation if force <= 0.0 => force * 1e-8,
+        NormalControl::Indentation => exact(profile, force).normal.depth(),
+    }
 }
 
 pub(crate) fn to(contact: &mut FrettingContact, normal: f64, displacement: f64) {

@@ -1,5 +1,5 @@
-//! The partial derivatives: against the closed forms of Mindlin's contact, and against differences along the path that the
-//! engine itself walks on.
+//! The partial derivatives: against the closed forms of Mindlin's contact, and against differences
+//! along the path that the engine itself walks on.
 
 use crate::common::*;
 use fretting_contact::{FrettingContact, Gradient, NormalControl, Parameters, Profile, SlipState};
@@ -20,8 +20,9 @@ const QUANTITIES: [Quantity; 10] = [
     ("k_n", FrettingContact::normal_stiffness, FrettingContact::normal_stiffness_gradient),
 ];
 
-/// Compares gradients with central differences over three states of a straight path from where the contact stands. The path
-/// has to go on in the sliding direction. Quantities without a derivative there are left out by name.
+/// Compares gradients with central differences over three states of a straight path from where the
+/// contact stands. The path has to go on in the sliding direction. Quantities without a derivative
+/// there are left out by name.
 #[track_caller]
 fn agrees_along(
     contact: &FrettingContact,
@@ -111,7 +112,8 @@ fn derivatives_agree_with_differences_along_the_path() {
             let (mut contact, normal) = usual(&profile, control);
             contact.start_at(normal, 0.0).unwrap();
             let full_slip = MU * E_STAR / G_STAR * contact.indentation_depth();
-            // a first stroke, back, a minor loop inside, forward again: partial slip after each; then gross slip
+            // a first stroke, back, a minor loop inside, forward again: partial slip after each;
+            // then gross slip
             let turns = [0.5, -0.3, 0.1, -0.2, 0.45, 3.0, -3.0];
             let mut last = 0.0;
             for turn in turns {
@@ -182,13 +184,15 @@ fn derivatives_agree_on_a_worn_profile() {
             contact.start_at(normal, 0.0).unwrap();
             let amplitude = 0.7 * MU * E_STAR / G_STAR * contact.indentation_depth();
             contact.advance_cycles(normal, amplitude, 2e8).unwrap();
-            // at the very load of the cycles the contact edge is where they have left it, elsewhere where the image is d: the
-            // two differ by the error of the cells; no front then passes a node, where its slope has a kink
+            // at the very load of the cycles the contact edge is where they have left it, elsewhere
+            // where the image is d: the two differ by the error of the cells; no front then passes
+            // a node, where its slope has a kink
             let normal = 1.002 * normal;
             assert!(contact.wear_depth() > 0.03 * contact.indentation_depth(), "{}", contact.wear_depth());
             let updates = contact.counters().profile_updates;
             for target in [-0.2, 0.3] {
-                // the image jumps within a cell as narrow as 1e-8 of the radius: T there is good to 1e-9, not to rounding
+                // the image jumps within a cell as narrow as 1e-8 of the radius: T there is good to
+                // 1e-9, not to rounding
                 let step = 1e-4 * amplitude * f64::signum(target * amplitude - contact.displacement());
                 to(&mut contact, normal, target * amplitude);
                 for share in [0.0, 1e-5, -1e-5] {
@@ -202,11 +206,11 @@ fn derivatives_agree_on_a_worn_profile() {
     }
 }
 
-/// In gross slip the deepest point of a ball is its middle, which wears by Archard's law with the pressure there.
+/// In gross slip the deepest point of a ball is its middle, which wears by Archard's law with the
+/// pressure there.
 #[test]
 fn the_depth_of_wear_grows_by_the_law_at_the_deepest_point() {
-    let mut contact = contact(Parameters { profile: BALL, ..Parameters::default() });
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(Parameters { profile: BALL, ..Parameters::default() });
     to(&mut contact, FORCE, 1e-3);
     let per_work = contact.parameters().wear_coefficient / contact.parameters().hardness;
     let gradient = contact.wear_depth_gradient();

@@ -1,6 +1,6 @@
 //! Elliptic contacts: Hertz' table, loops along both axes, the plane, the limit of a sphere.
 
-use crate::common::{FORCE, MU, close_to, contact, seeded, state, uniform, without_wear};
+use crate::common::{FORCE, MU, close_to, contact, seeded, started, state, uniform, without_wear};
 use fretting_contact::reference::{AnisotropicRow, EllipticContact};
 use fretting_contact::{
     Error, FrettingContact, HertzianEllipse, NormalControl, Parameters, Profile, SlipState,
@@ -23,9 +23,7 @@ fn turned((x, y): (f64, f64)) -> (f64, f64) {
 }
 
 fn pressed(radii: (f64, f64)) -> FrettingContact {
-    let mut contact = contact(without_wear(ellipse(radii)));
-    contact.start_at(FORCE, 0.0).unwrap();
-    contact
+    started(without_wear(ellipse(radii)))
 }
 
 fn exact(radii: (f64, f64)) -> EllipticContact {
@@ -55,8 +53,7 @@ const TABLE: [((f64, f64), f64, [f64; 7]); 2] = [
 fn the_table_of_two_ellipses() {
     for (radii, friction_coefficient, expected) in TABLE {
         let parameters = Parameters { friction_coefficient, ..without_wear(ellipse(radii)) };
-        let mut contact = contact(parameters);
-        contact.start_at(FORCE, 0.0).unwrap();
+        let contact = started(parameters);
         let [a, b] = contact.contact_semi_axes();
         let full = contact.tangential_moduli().map(|modulus| {
             friction_coefficient * crate::common::E_STAR * contact.indentation_depth() / modulus * 1e6
@@ -92,8 +89,7 @@ fn hertz_formulas_hold_for_any_ratio() {
                 fretting_contact::Pair { body_1: elastic(materials[0]), body_2: elastic(materials[1]) };
             for along_x in [true, false] {
                 let profile = ellipse(if along_x { radii } else { turned(radii) });
-                let mut contact = contact(Parameters { materials, ..without_wear(profile) });
-                contact.start_at(FORCE, 0.0).unwrap();
+                let contact = started(Parameters { materials, ..without_wear(profile) });
                 let by_axis = |major: f64, minor: f64| if along_x { [major, minor] } else { [minor, major] };
                 let place = format!("{ratio} {along_x}");
                 close_to(contact.indentation_depth(), reference.depth, 1e-11, &place);
@@ -164,8 +160,7 @@ fn readings(contact: &FrettingContact) -> Vec<f64> {
 #[test]
 fn equal_radii_are_the_sphere() {
     let mut ellipse = pressed((0.01, 0.01));
-    let mut sphere = contact(without_wear(crate::common::BALL));
-    sphere.start_at(FORCE, 0.0).unwrap();
+    let mut sphere = started(without_wear(crate::common::BALL));
     let mut random = seeded(7);
     for k in 0..120 {
         let place = [uniform(&mut random, -3e-6, 3e-6), uniform(&mut random, -3e-6, 3e-6)];
@@ -230,8 +225,7 @@ fn loops_along_y_are_those_of_the_other_modulus() {
         let law = reference.shear(usize::from(!major), MU);
         let amplitude = 0.7 * law.full_slip;
         let error = |resolution: usize| {
-            let mut contact = contact(Parameters { resolution, ..without_wear(ellipse(radii)) });
-            contact.start_at(FORCE, 0.0).unwrap();
+            let mut contact = started(Parameters { resolution, ..without_wear(ellipse(radii)) });
             contact.advance_to_planar(FORCE, [0.0, amplitude]).unwrap();
             let first = (contact.tangential_force_y() / law.loading(amplitude) - 1.0).abs();
             let before = contact.dissipated_energy();
@@ -378,8 +372,7 @@ fn a_rig_is_in_series_along_both_axes() {
             for in_plane in [false, true] {
                 // along x the profile is turned; in the plane the drive moves along y
                 let radii = if (axis == 0) != in_plane { GROOVE } else { turned(GROOVE) };
-                let mut contact = contact(Parameters { rig_stiffness, ..without_wear(ellipse(radii)) });
-                contact.start_at(FORCE, 0.0).unwrap();
+                let mut contact = started(Parameters { rig_stiffness, ..without_wear(ellipse(radii)) });
                 let along = |value: f64| if in_plane { [0.0, value] } else { [value, 0.0] };
                 let component = usize::from(in_plane);
                 let first = if in_plane {
@@ -410,8 +403,7 @@ fn a_rig_is_in_series_along_both_axes() {
 fn the_derivatives_are_those_of_differences() {
     for rig_stiffness in [f64::INFINITY, 2e7] {
         let parameters = Parameters { rig_stiffness, resolution: 512, ..without_wear(ellipse(LONG)) };
-        let mut contact = contact(parameters);
-        contact.start_at(FORCE, 0.0).unwrap();
+        let mut contact = started(parameters);
         let full = exact(LONG).shear(0, MU).full_slip;
         for (size, angle) in [(0.5, 0.7), (0.8, 0.2), (1.6, 1.1)] {
             contact.advance_to_planar(FORCE, polar(size * full, angle)).unwrap();
@@ -424,7 +416,7 @@ fn the_derivatives_are_those_of_differences() {
                 let ahead = polar(step, (y_of(&contact)).atan2(x_of(&contact)) + turn);
                 let mut moved = contact.clone();
                 moved.advance_to_planar(FORCE, [place[0] + ahead[0], place[1] + ahead[1]]).unwrap();
-                let told = |gradient: &fretting_contact::Gradient| {
+                let predicted = |gradient: &fretting_contact::Gradient| {
                     gradient.displacement * ahead[0] + gradient.displacement_y * ahead[1]
                 };
                 let found = [
@@ -432,14 +424,17 @@ fn the_derivatives_are_those_of_differences() {
                     moved.tangential_force_y() - contact.tangential_force_y(),
                 ];
                 let scale = step * x.displacement.max(y.displacement_y);
-                let off = norm([found[0] - told(&x), found[1] - told(&y)]) / scale;
+                let off = norm([found[0] - predicted(&x), found[1] - predicted(&y)]) / scale;
                 assert!(off < 5e-3, "{rig_stiffness} {size} {turn}: {off:e}");
                 let work = moved.dissipated_energy() - contact.dissipated_energy();
-                assert!((work - told(&energy)).abs() < 5e-3 * MU * FORCE * step, "{size} {turn}: {work:e}");
+                assert!(
+                    (work - predicted(&energy)).abs() < 5e-3 * MU * FORCE * step,
+                    "{size} {turn}: {work:e}"
+                );
                 if stick.displacement != 0.0 {
                     let change = moved.stick_radius() - contact.stick_radius();
-                    let off = (change - told(&stick)).abs() / change.abs();
-                    assert!(off < 0.05, "{size} {turn}: {change:e} {}", told(&stick));
+                    let off = (change - predicted(&stick)).abs() / change.abs();
+                    assert!(off < 0.05, "{size} {turn}: {change:e} {}", predicted(&stick));
                 }
             }
             // the matrix is symmetric: friction along the force is an associated law here
@@ -505,8 +500,7 @@ fn a_restored_state_goes_on_with_the_same_bits() {
         walk(&mut other, &mut random.1);
         assert_eq!(state(&one), state(&other));
         // along y it is stiffer: springs that are deflected as far along y are beyond their bound
-        let mut sphere = contact(without_wear(Profile::Parabola { radius: 0.01 }));
-        sphere.start_at(FORCE, 0.0).unwrap();
+        let mut sphere = started(without_wear(Profile::Parabola { radius: 0.01 }));
         assert!(matches!(sphere.restore(&one.snapshot()), Err(Error::Snapshot(_))));
     }
 }

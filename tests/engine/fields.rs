@@ -124,8 +124,7 @@ fn energy_density_is_traction_times_slip() {
 #[test]
 fn the_work_per_area_adds_up_to_the_work() {
     let parameters = Parameters { wear_coefficient: 0.02, probe_radius_max: 3e-4, ..without_wear(BALL) };
-    let mut contact = contact(parameters);
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(parameters);
     for u in [2e-6, -2e-6, 2e-6, -1e-6, 2e-6] {
         to(&mut contact, FORCE, u);
     }
@@ -146,8 +145,7 @@ fn work_per_area_is_given_only_where_it_is_known() {
     to(&mut free, FORCE, 3e-6);
     assert!(free.dissipated_energy() > 0.0);
     assert_eq!(free.energy_density_at(1e-4), None, "without wear");
-    let mut contact = contact(Parameters { wear_coefficient: 0.02, ..without_wear(BALL) });
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(Parameters { wear_coefficient: 0.02, ..without_wear(BALL) });
     // before anything has worn, and a change of friction alone
     contact.retune(MU, 0.03).unwrap();
     to(&mut contact, FORCE, 3e-6);
@@ -208,8 +206,7 @@ fn random_histories_give_finite_slip_and_keep_it_when_saved() {
         [(BALL, 0.0, f64::INFINITY), (CONE, 0.0, 3e7), (ROUNDED, 0.02, f64::INFINITY), (PUNCH, 0.0, 3e7)]
     {
         let parameters = Parameters { wear_coefficient, rig_stiffness, ..without_wear(profile.clone()) };
-        let mut contact = contact(parameters.clone());
-        contact.start_at(FORCE, 0.0).unwrap();
+        let mut contact = started(parameters.clone());
         for step in 0..30 {
             let force = random.random_range(-20.0..150.0);
             let y = if step > 15 { random.random_range(-2e-6..2e-6) } else { 0.0 };
@@ -228,8 +225,7 @@ fn random_histories_give_finite_slip_and_keep_it_when_saved() {
 /// A step that is refused leaves the stroke as it was.
 #[test]
 fn a_refused_step_keeps_the_stroke() {
-    let mut contact = contact(without_wear(fretting_contact::Profile::Table(sampled_sphere(200))));
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(without_wear(fretting_contact::Profile::Table(sampled_sphere(200))));
     to(&mut contact, FORCE, 1e-6);
     let slip = contact.slip_amplitude_at(1.7e-4);
     assert!(slip > 0.0);

@@ -162,7 +162,8 @@ fn the_division_of_a_step_does_not_matter_to_the_tolerance() {
     for (error, tolerance) in errors.into_iter().zip([1e-1, 1e-2, 1e-3, 1e-4]) {
         assert!(error < tolerance, "{error:e} at {tolerance:e}");
     }
-    // the error of a part is of second order in its length, which goes with the root of the tolerance
+    // the error of a part is of second order in its length, which goes with the root of the
+    // tolerance
     assert!(errors[3] < errors[1] / 20.0, "{errors:?}");
 }
 
@@ -195,8 +196,8 @@ fn friction_bounds_the_force_on_random_histories() {
     }
 }
 
-/// Contacts on a ring that is turned: M = Σ kᵢ r² φ in stick, which is 2G*a r² φ each, and μ F_N r in
-/// gross slip.
+/// Contacts on a ring that is turned: M = Σ kᵢ r² φ in stick, which is 2G*a r² φ each, and μ F_N r
+/// in gross slip.
 #[test]
 fn a_ring_that_turns_bears_the_moment_of_its_contacts() {
     let (count, ring, force) = (12, 5e-3, 1200.0);

@@ -50,7 +50,8 @@ fn equal_contacts_wear_as_one() {
         }
         assert!(one.counters().profile_updates > 5, "{}", one.counters());
         close_to(five.wear_volume(), 5.0 * one.wear_volume(), tolerance, "worn volume");
-        // the depth of so little wear differs by 0.8 % between settings of `tolerance`, for one contact
+        // the depth of so little wear differs by 0.8 % between settings of `tolerance`, for one
+        // contact
         let depth = if control == NormalControl::Force { 1e-2 } else { tolerance };
         close_to(five.wear_depth(), one.wear_depth(), depth.max(3.0 * tolerance), "wear depth");
         close_to(five.indentation_depth(), one.indentation_depth(), tolerance, "approach");
@@ -117,8 +118,8 @@ fn cycles_of_equal_contacts_are_those_of_one() {
     close_to(four.wear_volume(), 4.0 * one.wear_volume(), 1e-12, "worn volume");
 }
 
-/// A rough joint beds in: the high contacts give their load to the low ones, and the mean force of the
-/// blocks is the one asked for: calls divided in two give the same.
+/// A rough joint beds in: the high contacts give their load to the low ones, and the mean force of
+/// the blocks is the one asked for: calls divided in two give the same.
 #[test]
 fn calls_of_cycles_may_be_divided() {
     let end = |calls: u32| {

@@ -1,4 +1,5 @@
-//! What holds in every state that can be reached: random histories with wear, and inputs at the ends of double precision.
+//! What holds in every state that can be reached: random histories with wear, and inputs at the
+//! ends of double precision.
 
 use crate::common::*;
 use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile, SlipState};
@@ -30,15 +31,9 @@ fn normal(profile: &Profile, control: NormalControl, random: &mut StdRng) -> f64
         chance if chance < 0.3 => 10f64.powf(uniform(random, -4.0, 2.0)),
         _ => uniform(random, 1.0, FORCE),
     };
-    match control {
-        NormalControl::Force => force,
-        // d of a force under the unworn profile; a table is one of a sphere
-        NormalControl::Indentation if force <= 0.0 => force * 1e-8,
-        NormalControl::Indentation => {
-            let analytic = if matches!(profile, Profile::Table(_)) { &BALL } else { profile };
-            exact(analytic, force).normal.depth()
-        }
-    }
+    // a table is one of a sphere
+    let analytic = if matches!(profile, Profile::Table(_)) { &BALL } else { profile };
+    normal_input(analytic, control, force)
 }
 
 /// Everything that can be read is finite and inside its bounds.
@@ -129,7 +124,8 @@ fn random_histories_with_wear_keep_every_invariant() {
     }
 }
 
-/// Cycles lay a mesh over whatever is there: the rim of a worn punch, steep outside it, and fronts near the axis.
+/// Cycles lay a mesh over whatever is there: the rim of a worn punch, steep outside it, and fronts
+/// near the axis.
 #[test]
 fn cycles_on_what_a_history_has_left_keep_the_volume_on_the_profile() {
     for profile in profiles() {
@@ -224,7 +220,8 @@ fn extreme_inputs_leave_a_usable_contact() {
                 };
                 for extreme in EXTREMES {
                     let what = format!("{profile:?} {control:?} k = {wear_coefficient} with {extreme:e}");
-                    // each from the usual state: two such inputs in a row mean a body worn beyond all measure
+                    // each from the usual state: two such inputs in a row mean a body worn beyond
+                    // all measure
                     let calls: [(&str, Call); 8] = [
                         ("load", |c, _, x| c.advance_to(x, 1e-6)),
                         ("displacement", |c, load, x| c.advance_to(load, x)),

@@ -18,8 +18,8 @@ fn under(profile: &Profile, control: NormalControl, resolution: usize, normal: f
     contact
 }
 
-/// The unworn profile is analytic, so that neither resolution nor load matters: only rounding (1e-12) and the
-/// quadrature of some pressures are left.
+/// The unworn profile is analytic, so that neither resolution nor load matters: only rounding
+/// (1e-12) and the quadrature of some pressures are left.
 fn assert_agrees(contact: &FrettingContact, exact: &NormalContact, what: &str) {
     close_to(contact.normal_reaction(), exact.force(), 1e-9, &format!("{what}: F_N"));
     close_to(contact.indentation_depth(), exact.depth(), 1e-9, &format!("{what}: d"));
@@ -36,8 +36,9 @@ fn assert_agrees(contact: &FrettingContact, exact: &NormalContact, what: &str) {
     );
 }
 
-/// Relative error of √(a² − b²), and so of the pressure, that the rounding of a brings next to the rim of a blunted
-/// sphere, where d = (a/R) √(a² − b²); 0 for the other shapes, whose pressure does not hang on it.
+/// Relative error of √(a² − b²), and so of the pressure, that the rounding of a brings next to the
+/// rim of a blunted sphere, where d = (a/R) √(a² − b²); 0 for the other shapes, whose pressure does
+/// not hang on it.
 fn rim_rounding(exact: &NormalContact) -> f64 {
     match exact.shape() {
         Shape::BluntedSphere { radius, .. } => {
@@ -88,8 +89,8 @@ fn the_two_controls_invert_each_other() {
     }
 }
 
-/// Between the axis and the edge the pressure of the shapes without antiderivative is a quadrature on both sides; at
-/// r = 0.999 a next to the edge it has lost three digits.
+/// Between the axis and the edge the pressure of the shapes without antiderivative is a quadrature
+/// on both sides; at r = 0.999 a next to the edge it has lost three digits.
 #[test]
 fn the_pressure_agrees_across_the_contact() {
     for profile in analytic() {
@@ -109,8 +110,8 @@ fn the_pressure_agrees_across_the_contact() {
     }
 }
 
-/// The largest pressure is a maximum over places that include the axis: exact for the sphere, finite for the shapes whose
-/// pressure is singular somewhere.
+/// The largest pressure is a maximum over places that include the axis: exact for the sphere,
+/// finite for the shapes whose pressure is singular somewhere.
 #[test]
 fn the_largest_pressure_is_finite() {
     let exact = NormalContact::at_force(shape(&BALL), E_STAR, FORCE);
@@ -123,7 +124,8 @@ fn the_largest_pressure_is_finite() {
     }
 }
 
-/// The table's image is linear in x² between its points, as is that of a sphere: no matter how few points there are.
+/// The table's image is linear in x² between its points, as is that of a sphere: no matter how few
+/// points there are.
 #[test]
 fn a_sampled_sphere_is_a_sphere() {
     for points in [3, 9, 100] {
@@ -162,7 +164,8 @@ fn no_load_or_a_pull_is_no_contact() {
     }
 }
 
-/// The table ends at 0.4 mm, where a sphere of 10 mm carries F = (4/3) E* a³/R = 984.6 N at d = 16 µm.
+/// The table ends at 0.4 mm, where a sphere of 10 mm carries F = (4/3) E* a³/R = 984.6 N at d = 16
+/// µm.
 #[test]
 fn a_load_beyond_the_table_is_refused() {
     let table = Profile::Table(sampled_sphere(50));

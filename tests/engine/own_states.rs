@@ -7,8 +7,8 @@ use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
 const SCENES: u64 = 54;
 const LINES: usize = 12;
 
-/// A contact under [`FORCE`] that is worn through in 20 to 300 cycles of 0.6 u_max, with u_max (m) and the range of its controlled
-/// quantity, of force 1e-6 to 100 N.
+/// A contact under [`FORCE`] that is worn through in 20 to 300 cycles of 0.6 u_max, with u_max (m)
+/// and the range of its controlled quantity, of force 1e-6 to 100 N.
 fn scene(profile: &Profile, seed: u64) -> (FrettingContact, f64, (f64, f64)) {
     let mut random = seeded(seed);
     let control = [NormalControl::Force, NormalControl::Indentation][seed as usize % 2];

@@ -1,6 +1,8 @@
 //! Motion in both tangential directions: its limits on a line, orbits, energy.
 
-use crate::common::{self, BALL, BLUNTED, CONE, FORCE, MU, PUNCH, ROUNDED, contact, pressed, without_wear};
+use crate::common::{
+    self, BALL, BLUNTED, CONE, FORCE, MU, PUNCH, ROUNDED, contact, pressed, started, without_wear,
+};
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile, SlipState};
 use std::f64::consts::TAU;
 
@@ -23,7 +25,8 @@ fn full(contact: &FrettingContact) -> f64 {
     contact.indentation_depth() * MU * common::E_STAR / common::G_STAR
 }
 
-/// The same strokes on a line at an angle and along x: loops in partial and gross slip, under a load that stays or varies.
+/// The same strokes on a line at an angle and along x: loops in partial and gross slip, under a
+/// load that stays or varies.
 #[test]
 fn a_line_at_any_angle_is_the_line_along_x() {
     for profile in PROFILES {
@@ -52,7 +55,8 @@ fn a_line_at_any_angle_is_the_line_along_x() {
     }
 }
 
-/// A closed path: 0 to radius, `orbits` of a circle in `steps` each, and back along a spiral to the start.
+/// A closed path: 0 to radius, `orbits` of a circle in `steps` each, and back along a spiral to the
+/// start.
 fn circle(
     contact: &mut FrettingContact,
     radius: f64,
@@ -67,7 +71,8 @@ fn circle(
     }
 }
 
-/// Over a closed orbit in a steady state the work of the drive ∮**T**·d**U** is the work of friction, and |**T**| ≤ μF_N.
+/// Over a closed orbit in a steady state the work of the drive ∮**T**·d**U** is the work of
+/// friction, and |**T**| ≤ μF_N.
 #[test]
 fn the_work_of_the_drive_over_an_orbit_is_that_of_friction() {
     for profile in PROFILES {
@@ -103,7 +108,8 @@ fn the_work_of_the_drive_over_an_orbit_is_that_of_friction() {
     }
 }
 
-/// In a steady orbit of radius U around the place of rest springs inside c stick, where the bound is U, as in a stroke of that length.
+/// In a steady orbit of radius U around the place of rest springs inside c stick, where the bound
+/// is U, as in a stroke of that length.
 #[test]
 fn the_stick_radius_of_an_orbit_is_that_of_a_stroke_of_its_radius() {
     for profile in [BALL, CONE, BLUNTED, ROUNDED] {
@@ -157,7 +163,8 @@ fn a_scene_that_keeps_its_place_along_y_pays_nothing_for_it() {
     }
 }
 
-/// The first motion along y changes nothing of what is there: force, work and front go on from where they were.
+/// The first motion along y changes nothing of what is there: force, work and front go on from
+/// where they were.
 #[test]
 fn the_first_motion_along_y_takes_over_what_the_line_has_left() {
     for profile in PROFILES {
@@ -180,8 +187,7 @@ fn the_first_motion_along_y_takes_over_what_the_line_has_left() {
 #[test]
 fn bodies_that_part_begin_on_a_line_again() {
     for wear in [0.0, 3.2e-4] {
-        let mut contact = contact(Parameters { wear_coefficient: wear, ..Parameters::default() });
-        contact.start_at(FORCE, 0.0).unwrap();
+        let mut contact = started(Parameters { wear_coefficient: wear, ..Parameters::default() });
         contact.advance_to_planar(FORCE, [1e-6, 1e-6]).unwrap();
         contact.advance_to_planar(-10.0, [2e-6, 3e-6]).unwrap();
         assert_eq!(contact.slip_state(), SlipState::Separated);
@@ -199,7 +205,8 @@ fn bodies_that_part_begin_on_a_line_again() {
     }
 }
 
-/// Bodies that touch while they move in the plane know nothing of where: wherever that is, forces and work are the same.
+/// Bodies that touch while they move in the plane know nothing of where: wherever that is, forces
+/// and work are the same.
 #[test]
 fn where_in_the_plane_bodies_touch_does_not_matter() {
     let touched = |x: f64| {
@@ -266,14 +273,13 @@ fn extremes_are_refused_or_computed() {
         [(0.0, rigid), (3.2e-4, rigid), (0.0, 1e7), (3.2e-4, 1e7), (0.0, 1e-60), (0.0, 1e59)]
     {
         for profile in PROFILES {
-            let mut contact = contact(Parameters {
+            let mut contact = started(Parameters {
                 profile,
                 wear_coefficient,
                 rig_stiffness,
                 resolution: if rig_stiffness == rigid { 64 } else { 16 },
                 ..Parameters::default()
             });
-            contact.start_at(FORCE, 0.0).unwrap();
             contact.advance_to_planar(FORCE, [1e-6, 1e-7]).unwrap();
             for load in [FORCE, 1e-300, 1e40] {
                 for x in values {

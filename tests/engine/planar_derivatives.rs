@@ -1,7 +1,7 @@
-//! Derivatives of the worn depth for a contact that moves in both tangential directions: by Archard's law at the deepest
-//! point, and against the same motion along x.
+//! Derivatives of the worn depth for a contact that moves in both tangential directions: by
+//! Archard's law at the deepest point, and against the same motion along x.
 
-use crate::common::{BALL, CONE, FORCE, MU, PUNCH, close_to, contact, exact, without_wear};
+use crate::common::{BALL, CONE, FORCE, MU, PUNCH, close_to, contact, exact, started, without_wear};
 use fretting_contact::{FrettingContact, Gradient, Parameters};
 
 /// A direction that is neither axis.
@@ -11,12 +11,11 @@ fn along(place: f64) -> [f64; 2] {
     WAY.map(|part| part * place)
 }
 
-/// Where all springs slip, the middle of a ball wears by (k/σ₀) μp **n** per displacement, and no other way; on the way back nothing
-/// wears until springs are at their bound again.
+/// Where all springs slip, the middle of a ball wears by (k/σ₀) μp **n** per displacement, and no
+/// other way; on the way back nothing wears until springs are at their bound again.
 #[test]
 fn the_middle_of_a_ball_wears_by_the_law() {
-    let mut contact = contact(Parameters { profile: BALL, ..Parameters::default() });
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(Parameters { profile: BALL, ..Parameters::default() });
     for k in 1..=20 {
         contact.advance_to_planar(FORCE, along(5e-5 * f64::from(k))).unwrap();
     }
@@ -29,8 +28,8 @@ fn the_middle_of_a_ball_wears_by_the_law() {
 
     let before = contact.wear_depth();
     contact.advance_to_planar(FORCE, along(1.2e-3)).unwrap();
-    let told = 2e-4 * (gradient.displacement * WAY[0] + gradient.displacement_y * WAY[1]);
-    close_to(told, contact.wear_depth() - before, 1e-2, "over a stretch");
+    let predicted = 2e-4 * (gradient.displacement * WAY[0] + gradient.displacement_y * WAY[1]);
+    close_to(predicted, contact.wear_depth() - before, 1e-2, "over a stretch");
 
     contact.advance_to_planar(FORCE, along(1.2e-3 - 1e-9)).unwrap();
     let gradient = contact.wear_depth_gradient();
@@ -58,17 +57,17 @@ fn depth_grows_as_on_the_line_along_x() {
                 "{profile:?}: it wears on stroke {k}"
             );
             let [x, y] = WAY;
-            let told = of_plane.displacement * x + of_plane.displacement_y * y;
+            let predicted = of_plane.displacement * x + of_plane.displacement_y * y;
             let across = of_plane.displacement * y - of_plane.displacement_y * x;
             // the front is between two of 512 samples; the deepest point is one of the nodes
             println!(
                 "{profile:?} {k}: {} {}",
-                told / of_line.displacement - 1.0,
+                predicted / of_line.displacement - 1.0,
                 of_plane.normal / of_line.normal - 1.0
             );
-            close_to(told, of_line.displacement, 3e-2, "along the motion");
+            close_to(predicted, of_line.displacement, 3e-2, "along the motion");
             close_to(of_plane.normal, of_line.normal, 3e-2, "by the load");
-            assert!(across.abs() < 1e-6 * told.abs(), "{across:e} of {told:e}");
+            assert!(across.abs() < 1e-6 * predicted.abs(), "{across:e} of {predicted:e}");
         }
     }
 }
@@ -78,25 +77,23 @@ fn depth_grows_as_on_the_line_along_x() {
 fn without_wear_or_slip_the_depth_stays() {
     let still = |contact: &FrettingContact| assert_eq!(contact.wear_depth_gradient(), Gradient::default());
     for profile in [BALL, PUNCH] {
-        let mut plain = contact(without_wear(profile.clone()));
-        plain.start_at(FORCE, 0.0).unwrap();
+        let mut plain = started(without_wear(profile.clone()));
         plain.advance_to_planar(FORCE, [1e-6, 1e-6]).unwrap();
         still(&plain);
     }
     // the whole contact of a punch sticks up to full slip
-    let mut punch = contact(Parameters { profile: PUNCH, ..Parameters::default() });
-    punch.start_at(FORCE, 0.0).unwrap();
+    let mut punch = started(Parameters { profile: PUNCH, ..Parameters::default() });
     punch.advance_to_planar(FORCE, along(0.9 * exact(&PUNCH, FORCE).full_slip())).unwrap();
     still(&punch);
     assert_eq!(punch.stick_radius_gradient(), Gradient::default(), "no front moves");
-    let mut line = contact(Parameters { profile: PUNCH, ..Parameters::default() });
-    line.start_at(FORCE, 0.0).unwrap();
+    let mut line = started(Parameters { profile: PUNCH, ..Parameters::default() });
     punch.advance_to_planar(FORCE, along(1.1 * exact(&PUNCH, FORCE).full_slip())).unwrap();
     line.advance_to(FORCE, 1.1 * exact(&PUNCH, FORCE).full_slip()).unwrap();
-    // its rim is the deepest place, where the pressure is no number: no rate is told, as on the line
+    // its rim is the deepest place, where the pressure is no number: no rate is given, as on the
+    // line
     for contact in [&punch, &line] {
         assert!(contact.wear_depth() > 0.0);
         still(contact);
     }
-    assert_eq!(punch.stick_radius_gradient(), Gradient::default(), "there is none");
+    assert_eq!(punch.stick_radius_gradient(), Gradient::default(), "no front moves");
 }

@@ -1,5 +1,6 @@
-//! A spring in series with a contact that moves in both tangential directions, as stiff along y as along x. Both carry the same
-//! force, so that closed forms of the contact, and of springs in series, are those of the pair.
+//! A spring in series with a contact that moves in both tangential directions, as stiff along y as
+//! along x. Both carry the same force, so that closed forms of the contact, and of springs in
+//! series, are those of the pair.
 
 use crate::common::{self, *};
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
@@ -56,7 +57,8 @@ fn goes_to(contact: &mut FrettingContact, normal: f64, target: [f64; 2]) {
     contact.advance_to_planar(normal, target).expect("the line can be walked");
 }
 
-/// The same strokes on a line at an angle and along x, in partial and gross slip, under a load that stays or varies.
+/// The same strokes on a line at an angle and along x, in partial and gross slip, under a load that
+/// stays or varies.
 #[test]
 fn a_line_at_any_angle_is_the_line_along_x() {
     for profile in [BALL, CONE, ROUNDED, PUNCH] {
@@ -107,8 +109,9 @@ fn an_orbit_in_full_stick_is_that_of_springs_in_series() {
     }
 }
 
-/// All of a punch slips as one spring. On a circle of the drive, R, what slips follows on one of radius √(R² − e²), with e = μF_N/k of
-/// the pair: the force points along the tangent of that, e behind the drive.
+/// All of a punch slips as one spring. On a circle of the drive, R, what slips follows on one of
+/// radius √(R² − e²), with e = μF_N/k of the pair: the force points along the tangent of that, e
+/// behind the drive.
 #[test]
 fn a_punch_that_slips_follows_the_drive_on_a_smaller_circle() {
     for ratio in RATIOS {
@@ -131,7 +134,8 @@ fn a_punch_that_slips_follows_the_drive_on_a_smaller_circle() {
     }
 }
 
-/// Over a steady orbit of the drive its work ∮**T**·d**D** is that of friction, for rig and contact give back what they store.
+/// Over a steady orbit of the drive its work ∮**T**·d**D** is that of friction, for rig and contact
+/// give back what they store.
 #[test]
 fn the_work_of_the_drive_over_an_orbit_is_that_of_friction() {
     for profile in [BALL, ROUNDED] {
@@ -199,7 +203,8 @@ fn a_step_may_be_split() {
     }
 }
 
-/// An orbit with wear: the contact wears as where its own way is given without a rig, and one that is as good as rigid as without one.
+/// An orbit with wear: the contact wears as where its own way is given without a rig, and one that
+/// is as good as rigid as without one.
 #[test]
 fn an_orbit_behind_a_rig_wears_as_the_way_that_the_body_goes() {
     for (profile, ratio) in [(BALL, 0.5), (CONE, 3.0), (BALL, 1e6)] {
@@ -235,7 +240,8 @@ fn an_orbit_behind_a_rig_wears_as_the_way_that_the_body_goes() {
     }
 }
 
-/// Derivatives by load and both displacements of the drive are those of differences, along the last direction and aside of it.
+/// Derivatives by load and both displacements of the drive are those of differences, along the last
+/// direction and aside of it.
 #[test]
 fn derivatives_are_those_of_the_pair() {
     for ratio in RATIOS {
@@ -266,21 +272,22 @@ fn derivatives_are_those_of_the_pair() {
                         ahead.dissipated_energy() - contact.dissipated_energy(),
                     ),
                 ] {
-                    let told = gradient.displacement * way[0]
+                    let predicted = gradient.displacement * way[0]
                         + gradient.displacement_y * way[1]
                         + gradient.normal * change;
                     let size = (gradient.displacement * way[0]).abs()
                         + (gradient.displacement_y * way[1]).abs()
                         + (gradient.normal * change).abs();
                     let what = format!("{control:?}, rig {ratio}: {what} by ({x}, {y}, {load})");
-                    close(moved, told, 0.01 * size, &what);
+                    close(moved, predicted, 0.01 * size, &what);
                 }
             }
         }
     }
 }
 
-/// Before any motion along y, the contact gives way along y by all its springs, in series with the rig.
+/// Before any motion along y, the contact gives way along y by all its springs, in series with the
+/// rig.
 #[test]
 fn motion_along_y_begins_on_springs_in_series() {
     for ratio in RATIOS {
@@ -297,8 +304,8 @@ fn motion_along_y_begins_on_springs_in_series() {
     }
 }
 
-/// A drive that keeps its place along y costs what it costs on a line, to the bit and the count; a body that has parted from the other
-/// follows the drive, and begins on a line again.
+/// Motion of a drive along x costs what it costs on a line, to the bit and the count; a body that
+/// has parted from the other follows the drive, and begins on a line again.
 #[test]
 fn the_plane_costs_nothing_before_it_is_used() {
     let (mut line, normal, _) = behind(&BALL, (NormalControl::Force, 1.0), Parameters::default());
@@ -319,7 +326,8 @@ fn the_plane_costs_nothing_before_it_is_used() {
     assert!(plane.tangential_force() > 0.0 && force(&plane)[1] == 0.0);
 }
 
-/// A state amid an orbit goes on to the bit where it is taken back; a refused step leaves it as it was.
+/// A state within an orbit goes on to the bit where it is taken back; a refused step leaves it as
+/// it was.
 #[test]
 fn a_state_is_taken_back_and_goes_on() {
     for wear_coefficient in [0.0, 1e-3] {
@@ -346,7 +354,8 @@ fn a_state_is_taken_back_and_goes_on() {
     }
 }
 
-/// Held in depth, a body that has worn deep is lifted, let go by the rig, and pressed on again: it may wear free amid a step.
+/// Held in depth, a body that has worn deep is lifted, let go by the rig, and pressed on again: it
+/// may wear free within a step.
 #[test]
 fn a_worn_body_held_in_depth_is_found_again() {
     for ratio in [0.5, 1.0, 3.0] {
@@ -360,7 +369,8 @@ fn a_worn_body_held_in_depth_is_found_again() {
             goes_to(&mut contact, if lifted { -1e-9 } else { depth }, target);
             assert!(norm(force(&contact)) <= MU * contact.normal_reaction() * (1.0 + 1e-12));
             assert!(contact.dissipated_energy() >= work && contact.wear_volume() >= volume, "step {k}");
-            // a stroke from one step to the next at the whole load is the most that friction can take
+            // a stroke from one step to the next at the whole load is the most that friction can
+            // take
             let most = 3.0 * LIMIT * radius;
             assert!(contact.dissipated_energy() - work <= most, "rig {ratio}, step {k}: too much work");
             (work, volume) = (contact.dissipated_energy(), contact.wear_volume());

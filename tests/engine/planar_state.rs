@@ -1,7 +1,8 @@
 //! Saved states and derivatives of a contact that moves in both tangential directions.
 
 use crate::common::{
-    self, BALL, BLUNTED, CONE, FORCE, PUNCH, ROUNDED, contact, exact, seeded, state, uniform, without_wear,
+    self, BALL, BLUNTED, CONE, FORCE, PUNCH, ROUNDED, contact, exact, seeded, started, state, uniform,
+    without_wear,
 };
 use fretting_contact::{Error, FrettingContact, Gradient, NormalControl, Parameters, Profile, Snapshot};
 
@@ -97,8 +98,7 @@ fn reading_and_saving_leave_no_trace() {
 #[test]
 fn a_refused_step_leaves_no_trace() {
     for wear in [0.0, 3.2e-4] {
-        let mut contact = contact(Parameters { wear_coefficient: wear, ..Parameters::default() });
-        contact.start_at(FORCE, 0.0).unwrap();
+        let mut contact = started(Parameters { wear_coefficient: wear, ..Parameters::default() });
         contact.advance_to_planar(FORCE, [1e-6, 5e-7]).unwrap();
         let before = state(&contact);
         for (load, place) in
@@ -113,8 +113,7 @@ fn a_refused_step_leaves_no_trace() {
 /// States that no contact could be in are refused, whatever part of the plane has been changed.
 #[test]
 fn impossible_states_are_refused() {
-    let mut contact = contact(Parameters::default());
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(Parameters::default());
     contact.advance_to_planar(FORCE, [1e-6, 1e-6]).unwrap();
     let sound = serde_json::to_value(contact.snapshot()).unwrap();
     let changes: [(&str, serde_json::Value); 5] = [
@@ -146,7 +145,8 @@ const QUANTITIES: [Quantity; 5] = [
     ("F_N", FrettingContact::normal_reaction, FrettingContact::normal_reaction_gradient, 1e-6),
 ];
 
-/// Gradients against central differences along paths that turn to the side, onward and with a falling load.
+/// Gradients against central differences along paths that turn to the side, onward and with a
+/// falling load.
 #[test]
 fn derivatives_agree_with_differences_along_the_path() {
     for control in [NormalControl::Force, NormalControl::Indentation] {
@@ -197,11 +197,11 @@ fn derivatives_agree_with_differences_along_the_path() {
     }
 }
 
-/// Before it has moved along y a contact resists that with all its springs, and force along x does not feel it.
+/// Before it has moved along y a contact resists that with all its springs, and force along x does
+/// not feel it.
 #[test]
 fn on_a_line_motion_along_y_is_elastic() {
-    let mut contact = contact(without_wear(BALL));
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(without_wear(BALL));
     contact.advance_to(FORCE, 1e-6).unwrap();
     let gradient = contact.tangential_force_y_gradient();
     let force = contact.tangential_force();
@@ -211,8 +211,8 @@ fn on_a_line_motion_along_y_is_elastic() {
     common::close_to(contact.tangential_force(), force, 1e-9, "force along x");
 }
 
-/// The load falls to next to none while the body moves across by a way that is nothing beside the bound of before, and much beside
-/// the one that is left: the springs end at that all the same.
+/// The load falls to next to none while the body moves across by a way that is nothing beside the
+/// bound of before, and much beside the one that is left: the springs end at that nevertheless.
 #[test]
 fn springs_follow_a_bound_that_all_but_vanishes() {
     let mut scenes = vec![(BALL, 1e-12, 1e-13), (BALL, 1e-30, 1e-25), (BALL, 9.35e-307, -3.45e-190)];
@@ -223,8 +223,7 @@ fn springs_follow_a_bound_that_all_but_vanishes() {
         }
     }
     for (profile, load, way) in scenes {
-        let mut moved = contact(without_wear(profile.clone()));
-        moved.start_at(FORCE, 0.0).unwrap();
+        let mut moved = started(without_wear(profile.clone()));
         moved.advance_to_planar(load, [0.0, way]).unwrap();
         let limit = moved.parameters().friction_coefficient * moved.normal_reaction();
         let force = moved.tangential_force_y() * way.signum();

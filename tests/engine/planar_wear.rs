@@ -1,4 +1,5 @@
-//! Wear of motion in the plane: against a row of vector springs stepped explicitly, and in its limits.
+//! Wear of motion in the plane: against a row of vector springs stepped explicitly, and in its
+//! limits.
 
 use crate::common::*;
 use fretting_contact::reference::{PlanarWearingRow, WearingRow};
@@ -12,8 +13,7 @@ fn begin(parameters: &Parameters, life: f64, cells: usize) -> (FrettingContact, 
     let wear_per_work = PI * a * a * d / (life * 0.6 * MU * FORCE * start.full_slip());
     let parameters =
         Parameters { wear_coefficient: wear_per_work * parameters.hardness, ..parameters.clone() };
-    let mut contact = contact(parameters);
-    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    let contact = started(parameters);
     let radius = a * a / d;
     let row = WearingRow::new(|x| x * x / radius, (2.0 * a, cells), (E_STAR, G_STAR), (MU, wear_per_work));
     let mut row = PlanarWearingRow::new(row);
@@ -95,7 +95,8 @@ fn lissajous_figures_under_loads_that_vary() {
     }
 }
 
-/// Finer cells and a tighter tolerance lead to the same wear, though the front creeps outward all the time.
+/// Finer cells and a tighter tolerance lead to the same wear, though the front creeps outward all
+/// the time.
 #[test]
 fn an_orbit_wears_the_same_at_any_setting() {
     let full = exact(&BALL, FORCE).full_slip();
@@ -138,7 +139,8 @@ fn a_line_at_any_angle_wears_as_the_line_along_x() {
     }
 }
 
-/// Worn volume and profile are told by different code: (k/σ₀) times the springs' work, and what the transforms have taken off.
+/// Worn volume and profile are computed by different code: (k/σ₀) times the springs' work, and what
+/// the transforms have taken off.
 #[test]
 fn the_profile_has_worn_by_the_work_of_friction() {
     for profile in [BALL, CONE, BLUNTED, ROUNDED, PUNCH] {
@@ -146,12 +148,11 @@ fn the_profile_has_worn_by_the_work_of_friction() {
         let (a, d) = (start.normal.radius(), start.normal.depth());
         let wear_per_work = PI * a * a * d / (300.0 * 0.6 * MU * FORCE * start.full_slip());
         let hardness = Parameters::default().hardness;
-        let mut contact = contact(Parameters {
+        let mut contact = started(Parameters {
             profile: profile.clone(),
             wear_coefficient: wear_per_work * hardness,
             ..Parameters::default()
         });
-        contact.start_at(FORCE, 0.0).unwrap();
         let mut random = seeded(3);
         for k in 1..=200 {
             let mut up_to = |most: f64| start.full_slip() * uniform(&mut random, -most, most);
@@ -170,7 +171,8 @@ fn the_profile_has_worn_by_the_work_of_friction() {
     }
 }
 
-/// How the caller splits the sides of a polygon changes what has worn by far less than the tolerance of the integration promises.
+/// How the caller splits the sides of a polygon changes what has worn by far less than the
+/// tolerance of the integration promises.
 #[test]
 fn a_step_may_be_split() {
     let full = exact(&BALL, FORCE).full_slip();

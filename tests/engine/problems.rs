@@ -50,7 +50,8 @@ fn whole_cycles_follow_every_table() {
     }
 }
 
-/// The final state at constant depth is closed: the profile, the stick radius and the volume, at default settings.
+/// The final state at constant depth is closed: the profile, the stick radius and the volume, at
+/// default settings.
 #[test]
 fn the_final_profile_is_the_closed_one_at_default_settings() {
     for body in [PARABOLA, CONE] {
@@ -75,7 +76,8 @@ fn the_final_profile_is_the_closed_one_at_default_settings() {
     }
 }
 
-/// Slip that just reaches the axis leaves a needle there, however many cycles: the volume is that of a front at the axis.
+/// Slip that just reaches the axis leaves a needle there, however many cycles: the volume is that
+/// of a front at the axis.
 #[test]
 fn slip_that_just_reaches_the_axis_wears_the_closed_volume() {
     for body in [PARABOLA, CONE] {
@@ -129,7 +131,8 @@ fn lived(problem: &Problem, resolution: usize, tolerance: f64, life: f64) -> Fre
     contact
 }
 
-/// No closed form is known at constant force: the values that the cells converge to, with their order.
+/// No closed form is known at constant force: the values that the cells converge to, with their
+/// order.
 #[test]
 fn the_worn_volume_at_constant_force_converges() {
     for (body, life) in [(PARABOLA, 1.0), (PARABOLA, 4.0), (CONE, 1.0), (CONE, 2.5)] {
@@ -141,14 +144,16 @@ fn the_worn_volume_at_constant_force_converges() {
         let usual = volume(64, 1e-3);
         println!("{} at {life}: V {volumes:.5?}, at default settings {usual:.5}", problem.name);
         let changes: Vec<f64> = volumes.windows(2).map(|pair| (pair[1] / pair[0] - 1.0).abs()).collect();
-        // on the ball errors of either sign all but cancel: what is left is that of the moving front, below 2e-4
+        // on the ball errors of either sign all but cancel: what is left is that of the moving
+        // front, below 2e-4
         assert!(changes[2] < changes[0] / 8.0 + 2e-4, "{}: {volumes:?}", problem.name);
         assert!(changes[2] <= 1e-3, "{}: {volumes:?}", problem.name);
         assert!((usual / volumes[3] - 1.0).abs() <= 3e-3, "{}: {usual} {volumes:?}", problem.name);
     }
 }
 
-/// Errors of the worn profile (largest, in the indentation depth), of it away from the front, of the stick radius and of the volume.
+/// Errors of the worn profile (largest, in the indentation depth), of it away from the front, of
+/// the stick radius and of the volume.
 fn errors(contact: &FrettingContact, exact: &FrettingContact) -> [f64; 4] {
     let (reach, depth, front) =
         (1.1 * exact.contact_radius(), exact.indentation_depth(), exact.stick_radius());
@@ -163,9 +168,10 @@ fn errors(contact: &FrettingContact, exact: &FrettingContact) -> [f64; 4] {
     ]
 }
 
-/// What is delivered follows the tolerance, amid the life and at its end, where the front stands still and where it moves: against
-/// runs on the same cells at a tenth of the finest tolerance. Behind a pinned front the worn depth starts like a square root, so that
-/// there an error in its place counts by its root.
+/// What is delivered follows the tolerance, during the life and at its end, where the front stands
+/// still and where it moves: against runs on the same cells at a tenth of the finest tolerance.
+/// Behind a pinned front the worn depth starts like a square root, so that there an error in its
+/// place counts by its root.
 #[test]
 fn the_delivered_error_follows_the_tolerance() {
     const TOLERANCES: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];

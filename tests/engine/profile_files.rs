@@ -1,4 +1,5 @@
-//! Profile files as they should not be: each is refused with its place, or is a body that can be pressed and moved.
+//! Profile files as they should not be: each is refused with its place, or is a body that can be
+//! pressed and moved.
 
 use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
 use rand::rngs::StdRng;

@@ -8,15 +8,15 @@ use std::f64::consts::PI;
 /// Ends of straight lines, as shares of the usual force and of u_max.
 type History = Vec<(f64, f64)>;
 
-/// The ball under the usual force, N₀ = 300 at 0.6 u_max: a stroke wears up to a third of a percent of a life.
+/// The ball under the usual force, N₀ = 300 at 0.6 u_max: a stroke wears up to a third of a percent
+/// of a life.
 fn begin(parameters: &Parameters, cells: usize) -> (FrettingContact, WearingRow) {
     let start = exact(&BALL, FORCE);
     let (a, d) = (start.normal.radius(), start.normal.depth());
     let wear_per_work = std::f64::consts::PI * a * a * d / (300.0 * 0.6 * MU * FORCE * start.full_slip());
     let parameters =
         Parameters { wear_coefficient: wear_per_work * parameters.hardness, ..parameters.clone() };
-    let mut contact = contact(parameters);
-    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    let contact = started(parameters);
     let radius = a * a / d;
     let mut row =
         WearingRow::new(|x| x * x / radius, (2.0 * a, cells), (E_STAR, G_STAR), (MU, wear_per_work));
@@ -66,7 +66,8 @@ fn usual() -> Parameters {
     Parameters { normal_control: NormalControl::Force, ..Parameters::default() }
 }
 
-/// To and fro, each line to a random place between the given shares of u_max under a random share of the load.
+/// To and fro, each line to a random place between the given shares of u_max under a random share
+/// of the load.
 fn random(lines: usize, loads: (f64, f64), amplitudes: (f64, f64)) -> History {
     let mut random = seeded(21);
     let side = |n: usize| if n.is_multiple_of(2) { 1.0 } else { -1.0 };
@@ -98,7 +99,8 @@ fn random_gross_slip_converges_with_the_tolerance() {
     assert!(fine.profile < 0.7 * coarse.profile, "{coarse:?} {fine:?}");
 }
 
-/// Small cycles about a place to which a larger motion has brought the body: what sticks keeps the load of that motion.
+/// Small cycles about a place to which a larger motion has brought the body: what sticks keeps the
+/// load of that motion.
 #[test]
 fn cycles_about_a_mean_keep_the_mean_force() {
     let mut history = vec![(1.0, 0.9)];
@@ -107,7 +109,8 @@ fn cycles_about_a_mean_keep_the_mean_force() {
     outcome.assert_within_a_percent();
 }
 
-/// A block of many strokes of one amplitude, then of another, and so on, as fatigue tests are made of.
+/// A block of many strokes of one amplitude, then of another, and so on, as fatigue tests are made
+/// of.
 #[test]
 fn blocks_of_steady_amplitudes() {
     let mut history = Vec::new();
@@ -130,8 +133,8 @@ fn load_and_displacement_in_step() {
     outcome.assert_within_a_percent();
 }
 
-/// Gross slip wears a ball flat all over, then smaller and smaller strokes go on at its edge, which updates at rest know to a cell
-/// only: whatever is made of that edge decides which springs slip.
+/// Gross slip wears a ball flat all over, then smaller and smaller strokes go on at its edge, which
+/// updates at rest know to a cell only: whatever is made of that edge decides which springs slip.
 #[test]
 fn blocks_that_shrink_from_gross_slip() {
     let mut history = Vec::new();
@@ -139,11 +142,12 @@ fn blocks_that_shrink_from_gross_slip() {
         history.extend((0..20).map(|n| (1.0, if n % 2 == 0 { amplitude } else { -amplitude })));
     }
     let outcome = compare(&usual(), (240, 60), &history);
-    // as the README says of gross slip amid strokes; the volume keeps what it says of the others
+    // as the README says of gross slip during strokes; the volume keeps what it says of the others
     assert!(outcome.volume.abs() < 1e-2 && outcome.profile < 2e-2 && outcome.force < 2e-2, "{outcome:?}");
 }
 
-/// The rim of a flat punch wears off at once where all slips, again and again: every step is taken, and all that wears shows on the profile.
+/// The rim of a flat punch wears off at once where all slips, again and again: every step is taken,
+/// and all that wears shows on the profile.
 #[test]
 fn a_flat_punch_to_and_fro_in_gross_slip() {
     let start = exact(&PUNCH, FORCE);
@@ -151,13 +155,12 @@ fn a_flat_punch_to_and_fro_in_gross_slip() {
     let wear_per_work =
         PI * start.normal.radius().powi(2) * start.normal.depth() / (60.0 * MU * FORCE * full);
     for (resolution, seed) in [(32, 2), (64, 0), (64, 6)] {
-        let mut contact = contact(Parameters {
+        let mut contact = started(Parameters {
             profile: PUNCH,
             wear_coefficient: wear_per_work * Parameters::default().hardness,
             resolution,
             ..Parameters::default()
         });
-        contact.start_at(FORCE, 0.0).unwrap();
         let mut random = seeded(seed);
         for _ in 0..200 {
             let (place, load) = (uniform(&mut random, -3.0, 3.0), uniform(&mut random, 0.7, 1.3));

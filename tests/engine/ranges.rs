@@ -3,7 +3,8 @@
 use crate::common::*;
 use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile};
 
-/// Sizes beyond all that is built are refused where they are given, with the range that is computed with.
+/// Sizes beyond all that is built are refused where they are given, with the range that is computed
+/// with.
 #[test]
 fn sizes_beyond_what_is_computed_with_are_refused() {
     let refused = |change: &dyn Fn(&mut Parameters), name: &str| {
@@ -32,8 +33,7 @@ fn sizes_beyond_what_is_computed_with_are_refused() {
 
 #[test]
 fn loads_and_contacts_beyond_what_is_computed_with_are_refused() {
-    let mut ball = contact(without_wear(BALL));
-    ball.start_at(FORCE, 0.0).unwrap();
+    let mut ball = started(without_wear(BALL));
     let before = state(&ball);
     for refusal in [
         ball.advance_to(1e61, 0.0),
@@ -149,7 +149,8 @@ const CALLS: [(&str, Call); 7] = [
     ("lifted", |c, load| c.advance_to(-load, 0.0)),
 ];
 
-/// Makes all calls of a contact under each load, looks for numbers after each, and counts those that are done and those refused.
+/// Makes all calls of a contact under each load, looks for numbers after each, and counts those
+/// that are done and those refused.
 fn call_all(parameters: Parameters, loads: &[f64], (sound, refused): (&mut u32, &mut u32)) {
     let fresh = contact(parameters);
     for &load in loads {
@@ -208,7 +209,8 @@ fn after_a_way_beyond_all_measure_friction_is_at_its_limit() {
         contact.advance_to(1e8, 1.7e34).unwrap();
         contact.advance_to(1e8, 1e-6).unwrap();
         close_to(contact.tangential_force(), -MU * 1e8, 1e-12, "force");
-        // springs that touch on such a way hold no more than those that were there, and the state is one that it takes back
+        // springs that touch on such a way hold no more than those that were there, and the state
+        // is one that it takes back
         contact.start_at(100.0, 1.7e34).unwrap();
         contact.advance_to(1e8, 1.0).unwrap();
         let state = contact.snapshot();

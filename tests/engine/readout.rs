@@ -1,4 +1,5 @@
-//! What a contact tells besides its state: the unworn profile, the depth that a cycle wears, how its own place follows the drive.
+//! What a contact tells besides its state: the unworn profile, the depth that a cycle wears, how
+//! its own place follows the drive.
 
 use crate::common::*;
 use fretting_contact::{Error, FrettingContact, Gradient, Parameters, Profile};
@@ -17,28 +18,27 @@ fn unworn_heights_are_those_of_the_profile() {
         (Profile::Table(sampled_sphere(401)), |r| r * r / 0.02),
     ];
     for (profile, height) in cases {
-        let mut contact = contact(Parameters { profile: profile.clone(), ..Parameters::default() });
-        contact.start_at(FORCE, 0.0).unwrap();
+        let mut contact = started(Parameters { profile: profile.clone(), ..Parameters::default() });
         // wear is no part of it
         to(&mut contact, FORCE, 1e-4);
         for r in [0.0, 3e-5, 1e-4, 2e-4, 3.5e-4] {
-            let (told, expected) = (contact.unworn_height_at(r), height(r));
-            let same = told == expected || (told - expected).abs() <= 1e-9 * expected + 1e-16;
+            let (read, expected) = (contact.unworn_height_at(r), height(r));
+            let same = read == expected || (read - expected).abs() <= 1e-9 * expected + 1e-16;
             // between its points a table is a curve of its own
-            let same = same || matches!(profile, Profile::Table(_)) && (told - expected).abs() < 1e-10;
-            assert!(same, "{profile:?} at {r}: {told:e} and not {expected:e}");
+            let same = same || matches!(profile, Profile::Table(_)) && (read - expected).abs() < 1e-10;
+            assert!(same, "{profile:?} at {r}: {read:e} and not {expected:e}");
         }
     }
 }
 
-/// Before it has worn, a ball's depth grows fastest where 4 (kμ/σ₀) p s is largest, with the slip at the surface of a cycle in gross slip
-/// s = A − u_max (1 − t²/2) and p = p₀ √(1 − t²), t = r/a; told is the largest at the radii of the probes.
+/// Before it has worn, a ball's depth grows fastest where 4 (kμ/σ₀) p s is largest, with the slip
+/// at the surface of a cycle in gross slip s = A − u_max (1 − t²/2) and p = p₀ √(1 − t²), t = r/a;
+/// the output is the largest at the radii of the probes.
 #[test]
 fn the_depth_that_a_first_cycle_wears_has_the_closed_form_in_gross_slip() {
     let exact = exact(&BALL, FORCE);
     let (a, full) = (exact.normal.radius(), exact.full_slip());
-    let mut contact = contact(Parameters::default());
-    contact.start_at(FORCE, 0.0).unwrap();
+    let contact = started(Parameters::default());
     let per_work = contact.parameters().wear_coefficient / contact.parameters().hardness;
     let most_pressure = 1.5 * FORCE / (std::f64::consts::PI * a * a);
     for amplitude in [1.0 + 1e-9, 1.2, 3.0] {
@@ -69,9 +69,9 @@ fn behind_a_rig_a_cycle_wears_what_the_contact_itself_moves() {
         contact.start_at(FORCE, 0.0).unwrap();
     }
     let force = exact(&BALL, FORCE).loading(amplitude);
-    let (told, own) =
+    let (read, own) =
         (driven.wear_depth_per_cycle(amplitude + force / rig), plain.wear_depth_per_cycle(amplitude));
-    close_to(told, own, 1e-9, "behind the rig");
+    close_to(read, own, 1e-9, "behind the rig");
     assert!(own > 0.0);
 }
 
@@ -83,7 +83,8 @@ fn nothing_wears_apart_or_without_a_wear_coefficient() {
     assert_eq!(pressed(BALL, FORCE).wear_depth_per_cycle(1e-3), 0.0);
 }
 
-/// Apart from the counter body it goes with the drive, whatever the rig; in contact by its share of the stiffness.
+/// Apart from the counter body it goes with the drive, whatever the rig; in contact by its share of
+/// the stiffness.
 #[test]
 fn the_body_follows_the_drive_by_its_share() {
     for rig in [2e7, f64::INFINITY] {

@@ -1,18 +1,12 @@
 //! Coefficients of friction and wear that change during a life.
 
 use crate::common::*;
-use fretting_contact::{Error, FrettingContact, Parameters, SlipState};
-
-fn begun(parameters: Parameters) -> FrettingContact {
-    let mut contact = contact(parameters);
-    contact.start_at(FORCE, 0.0).unwrap();
-    contact
-}
+use fretting_contact::{Error, Parameters, SlipState};
 
 #[test]
 fn a_fall_of_friction_lets_the_springs_slip_back() {
     for side in [1.0, -1.0] {
-        let mut contact = begun(without_wear(BALL));
+        let mut contact = started(without_wear(BALL));
         to(&mut contact, FORCE, side * 1e-5);
         let (a, d) = (contact.contact_radius(), contact.indentation_depth());
         let work = contact.dissipated_energy();
@@ -32,7 +26,7 @@ fn a_fall_of_friction_lets_the_springs_slip_back() {
 
 #[test]
 fn a_rise_of_friction_changes_nothing_at_first() {
-    let mut contact = begun(without_wear(BALL));
+    let mut contact = started(without_wear(BALL));
     to(&mut contact, FORCE, 1e-5);
     let (force, work) = (contact.tangential_force(), contact.dissipated_energy());
     contact.retune(2.0 * MU, 0.0).unwrap();
@@ -47,10 +41,10 @@ fn a_rise_of_friction_changes_nothing_at_first() {
 fn a_contact_retuned_at_rest_is_one_of_these_coefficients() {
     for wear in [0.0, 0.05] {
         let parameters = Parameters { wear_coefficient: wear, ..without_wear(BALL) };
-        let mut retuned = begun(parameters.clone());
+        let mut retuned = started(parameters.clone());
         retuned.retune(0.3, 2.0 * wear).unwrap();
         let mut made =
-            begun(Parameters { friction_coefficient: 0.3, wear_coefficient: 2.0 * wear, ..parameters });
+            started(Parameters { friction_coefficient: 0.3, wear_coefficient: 2.0 * wear, ..parameters });
         assert_eq!(retuned.parameters(), made.parameters());
         for displacement in [1e-6, -2e-6, 0.5e-6, 3e-6, -1e-6] {
             to(&mut retuned, FORCE, displacement);
@@ -62,11 +56,12 @@ fn a_contact_retuned_at_rest_is_one_of_these_coefficients() {
 
 #[test]
 fn each_part_of_the_work_wears_by_the_coefficient_of_its_time() {
-    let mut contact = begun(Parameters { wear_coefficient: 0.02, ..without_wear(BALL) });
+    let mut contact = started(Parameters { wear_coefficient: 0.02, ..without_wear(BALL) });
     let (mut volume, mut work, mut last_wear) = (0.0, 0.0, 0.02);
     for (friction, wear) in [(0.6, 0.02), (0.4, 0.05), (0.7, 0.001), (0.5, 0.02)] {
         contact.retune(friction, wear).unwrap();
-        // the change itself dissipates: an update of the profile by the old coefficient, a fall of friction by the new
+        // the change itself dissipates: an update of the profile by the old coefficient, a fall of
+        // friction by the new
         let (worn, work_then) = (contact.wear_volume() - volume, contact.dissipated_energy() - work);
         let rounding = 1e-12 * contact.wear_volume();
         assert!(worn >= f64::min(wear, last_wear) / 8e9 * work_then - rounding, "{worn} {work_then}");
@@ -89,7 +84,7 @@ fn each_part_of_the_work_wears_by_the_coefficient_of_its_time() {
 
 #[test]
 fn what_cannot_be_changed_is_refused_and_changes_nothing() {
-    let mut contact = begun(Parameters { wear_coefficient: 0.02, ..without_wear(BALL) });
+    let mut contact = started(Parameters { wear_coefficient: 0.02, ..without_wear(BALL) });
     to(&mut contact, FORCE, 1e-6);
     let before = contact.snapshot();
     for (friction, wear, name) in [

@@ -1,5 +1,6 @@
-//! A spring in series with the contact. Whatever the contact does, both carry the same force, so that every closed form of the
-//! contact is one of the pair: U gives T(U), and the drive stands at D = U + T/k_rig.
+//! A spring in series with the contact. Whatever the contact does, both carry the same force, so
+//! that every closed form of the contact is one of the pair: U gives T(U), and the drive stands at
+//! D = U + T/k_rig.
 
 use crate::common::*;
 use fretting_contact::problems::{History, Problem};
@@ -41,8 +42,8 @@ fn stands(contact: &FrettingContact, own: f64, force: f64, (full, compliance): (
     );
 }
 
-/// From rest to θ u_max, back to −θ u_max and up again, in steps of the drive of very different sizes; stick, partial and
-/// gross slip.
+/// From rest to θ u_max, back to −θ u_max and up again, in steps of the drive of very different
+/// sizes; stick, partial and gross slip.
 #[test]
 fn loops_follow_the_closed_forms_through_any_rig() {
     for profile in analytic() {
@@ -172,8 +173,7 @@ fn forces(ratio: f64, targets: &[(f64, f64)], steps: usize) -> Vec<f64> {
     let compliance = 1.0 / (ratio * 2.0 * G_STAR * exact(&BALL, FORCE).normal.radius());
     // fine enough for the samples of springs that touch not to show
     let parameters = Parameters { rig_stiffness: 1.0 / compliance, resolution: 1024, ..without_wear(BALL) };
-    let mut contact = contact(parameters);
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(parameters);
     let reach = exact(&BALL, FORCE).full_slip() + compliance * LIMIT;
     let mut from = (FORCE, 0.0);
     let walk = |&(normal, share): &(f64, f64)| {
@@ -186,8 +186,8 @@ fn forces(ratio: f64, targets: &[(f64, f64)], steps: usize) -> Vec<f64> {
     targets.iter().map(walk).collect()
 }
 
-/// Where the load changes, too, the body's path is a curve that pieces of a step follow in second order, but where it begins at
-/// first touch, without any stiffness.
+/// Where the load changes, too, the body's path is a curve that pieces of a step follow in second
+/// order, but where it begins at first touch, without any stiffness.
 #[test]
 fn a_varying_load_is_followed_in_second_order() {
     let pressed = [(60.0, 0.5), (150.0, 0.6), (120.0, 0.3), (180.0, 0.35), (90.0, 0.3), (160.0, 0.4)];
@@ -209,7 +209,8 @@ fn a_varying_load_is_followed_in_second_order() {
     }
 }
 
-/// Springs of the rig and the contact take what the drive brings, but for the work of friction: ∮ T dD = W.
+/// Springs of the rig and the contact take what the drive brings, except for the work of friction:
+/// ∮ T dD = W.
 #[test]
 fn cycles_of_the_drive_are_those_of_the_contact() {
     for profile in [BALL, CONE, PUNCH] {
@@ -233,8 +234,9 @@ fn cycles_of_the_drive_are_those_of_the_contact() {
     }
 }
 
-/// A life of 10⁴ cycles of the drive behind a rig of `ratio` times the stiffness of the sticking contact, which begins with
-/// c = 0.4 a₀; a body with a wider flat, which knows no such state, begins on the verge of gross slip.
+/// A life of 10⁴ cycles of the drive behind a rig of `ratio` times the stiffness of the sticking
+/// contact, which begins with c = 0.4 a₀; a body with a wider flat, which knows no such state,
+/// begins on the verge of gross slip.
 fn behind_a_rig(profile: Profile, normal_control: NormalControl, ratio: f64) -> Problem {
     let start = exact(&profile, FORCE);
     let a = start.normal.radius();
@@ -283,8 +285,9 @@ fn volumes_agree(contact: &FrettingContact, what: &str) {
     );
 }
 
-/// Held in depth, the contact sheds load, the rig relaxes and the amplitude grows, until 2G*cU = k_rig (D − U) with the
-/// stick radius of U on the unworn image, g₀(c) = d − G*U/(μE*), and nothing but that is pressed.
+/// Held in depth, the contact sheds load, the rig relaxes and the amplitude grows, until 2G*cU =
+/// k_rig (D − U) with the stick radius of U on the unworn image, g₀(c) = d − G*U/(μE*), and nothing
+/// but that is pressed.
 #[test]
 fn the_final_state_at_constant_depth_is_known() {
     for ratio in [0.3, 1.0, 10.0] {
@@ -348,7 +351,8 @@ fn a_life_behind_a_rig_does_not_depend_on_how_it_is_asked_for() {
     }
 }
 
-/// A life of so many times 10⁴ cycles of the drive at constant force, in one call, in which the contact begins with c = 0.4 a₀.
+/// A life of so many times 10⁴ cycles of the drive at constant force, in one call, in which the
+/// contact begins with c = 0.4 a₀.
 fn lived(
     profile: Profile,
     (ratio, lives): (f64, f64),
@@ -361,8 +365,8 @@ fn lived(
     contact
 }
 
-/// At constant force the amplitude is integrated with the wear: a life takes about as many systems as one without a rig, and is as near to
-/// a far finer one.
+/// At constant force the amplitude is integrated with the wear: a life takes about as many systems
+/// as one without a rig, and is as near to a far finer one.
 #[test]
 fn a_life_behind_a_rig_takes_few_systems() {
     for profile in [BALL, CONE, ROUNDED] {
@@ -427,7 +431,8 @@ fn invariants_hold_in_random_histories_with_wear() {
             let limit = MU * contact.normal_reaction();
             assert!(contact.tangential_force().abs() <= limit * (1.0 + 1e-12), "{what}: T beyond friction");
             assert!(contact.dissipated_energy() >= work, "{what}: work falls");
-            // an update of the profile in the step may leave the spring a little off, until the next one: 6e-4 were seen
+            // an update of the profile in the step may leave the spring a little off, until the
+            // next one: 6e-4 were seen
             let slack = if contact.counters().profile_updates == updates { 1e-13 } else { 2e-3 };
             close(contact.drive_displacement(), drive, slack * (drive.abs() + scene.amplitude), &what);
             (work, updates) = (contact.dissipated_energy(), contact.counters().profile_updates);
@@ -437,7 +442,7 @@ fn invariants_hold_in_random_histories_with_wear() {
     }
 }
 
-/// A rig that is rigid is none: the same bits for the same work.
+/// A rigid rig is as no rig: the same bits for the same work.
 #[test]
 fn a_rigid_rig_costs_nothing() {
     let mut random = seeded(62);
@@ -484,8 +489,7 @@ fn a_refused_step_changes_nothing() {
             rig_stiffness: 1e7,
             ..Parameters::default()
         };
-        let mut contact = contact(parameters);
-        contact.start_at(FORCE, 0.0).unwrap();
+        let mut contact = started(parameters);
         to(&mut contact, FORCE, 4e-6);
         let before = state(&contact);
         contact.advance_to(1e9, -2e-6).unwrap_err();

@@ -18,10 +18,16 @@ fn running_in(energy: f64) -> Parameters {
     }
 }
 
-fn begin(parameters: Parameters) -> FrettingContact {
-    let mut contact = contact(parameters);
-    contact.start_at(FORCE, 0.0).expect("the load is carried");
-    contact
+/// A contact whose coefficient of friction is constant.
+fn constant(friction_coefficient: f64) -> FrettingContact {
+    started(Parameters { friction_coefficient, ..without_wear(BALL) })
+}
+
+/// Friction work of the first cycle at a constant coefficient, J.
+fn work_of_cycle(friction_coefficient: f64, amplitude: f64) -> f64 {
+    let mut contact = constant(friction_coefficient);
+    contact.advance_cycles(FORCE, amplitude, 1.0).expect("cycles");
+    contact.dissipated_energy()
 }
 
 /// Displacement of full slip at the larger coefficient, m.
@@ -33,8 +39,9 @@ fn friction_after(work: f64, energy: f64) -> f64 {
     END - (END - START) * (-work / energy).exp()
 }
 
-/// Displacement at which an energy is dissipated in sliding from rest: ∫ T dU = W + 0.4 μF u_f, what the springs store in
-/// gross slip of a sphere; the work of the first loading to u_f is 3/5 μF u_f.
+/// Displacement at which an energy is dissipated in sliding from rest: ∫ T dU = W + 0.4 μF u_f,
+/// what the springs store in gross slip of a sphere; the work of the first loading to u_f is 3/5 μF
+/// u_f.
 fn displacement_after(work: f64) -> f64 {
     let slid = ENERGY / (END * FORCE) * ((END * (work / ENERGY).exp() - (END - START)) / START).ln();
     slid + 0.8 * exact(&BALL, FORCE).full_slip() * friction_after(work, ENERGY) / MU
@@ -46,7 +53,7 @@ fn sliding_dissipates_the_closed_energy_in_any_number_of_steps() {
     let exact_friction = friction_after(tabulated, ENERGY);
     close(exact_friction, 0.498228, 1e-6, "the tabulated coefficient belongs to the tabulated energy");
     for steps in [1, 40, 4000] {
-        let mut contact = begin(running_in(ENERGY));
+        let mut contact = started(running_in(ENERGY));
         in_steps(&mut contact, (FORCE, 0.0), (FORCE, 0.02), steps);
         close_to(contact.dissipated_energy(), tabulated, 1e-3, "the springs store next to nothing");
         let at = displacement_after(contact.dissipated_energy());
@@ -59,10 +66,7 @@ fn sliding_dissipates_the_closed_energy_in_any_number_of_steps() {
 #[test]
 fn an_energy_that_is_next_to_nothing_is_run_in_at_once() {
     for energy in [1e-9, 1e-30] {
-        let (mut contact, mut constant) = (
-            begin(running_in(energy)),
-            begin(Parameters { friction_coefficient: END, ..without_wear(BALL) }),
-        );
+        let (mut contact, mut constant) = (started(running_in(energy)), constant(END));
         for place in [1.5 * full(), -0.5 * full(), 0.2 * full()] {
             to(&mut contact, FORCE, place);
             to(&mut constant, FORCE, place);
@@ -92,7 +96,7 @@ fn walk(contact: &mut FrettingContact, lines: &[(f64, f64)], steps: usize) {
 
 /// Work of some lines of [`lines`], J: running in takes a few of them.
 fn usual_energy() -> f64 {
-    let mut contact = begin(Parameters { friction_coefficient: END, ..without_wear(BALL) });
+    let mut contact = constant(END);
     walk(&mut contact, &lines(0, 20), 1);
     0.2 * contact.dissipated_energy()
 }
@@ -103,7 +107,7 @@ fn a_step_may_be_split() {
     for (rig, tolerance) in [(f64::INFINITY, 1e-6), (2e7, 1e-4)] {
         for seed in 0..4 {
             let parameters = Parameters { rig_stiffness: rig, ..running_in(energy) };
-            let (mut whole, mut split) = (begin(parameters.clone()), begin(parameters));
+            let (mut whole, mut split) = (started(parameters.clone()), started(parameters));
             // at constant load: the work under a load that varies has an error of its own
             let lines: Vec<_> = lines(seed, 20).into_iter().map(|(_, place)| (1.0, place)).collect();
             walk(&mut whole, &lines, 1);
@@ -160,7 +164,7 @@ fn random_histories_keep_every_invariant() {
 #[test]
 fn a_line_in_the_plane_is_the_same_as_along_x() {
     let energy = usual_energy();
-    let (mut line, mut plane) = (begin(running_in(energy)), begin(running_in(energy)));
+    let (mut line, mut plane) = (started(running_in(energy)), started(running_in(energy)));
     let (cosine, sine) = (0.8, 0.6);
     for (_, place) in lines(3, 12) {
         let place = place * full();
@@ -176,13 +180,11 @@ fn a_line_in_the_plane_is_the_same_as_along_x() {
 #[test]
 fn cycles_run_in_the_same_in_one_call_and_in_many() {
     let amplitude = 0.7 * exact(&BALL, FORCE).full_slip() * START / MU;
-    let mut loops = begin(Parameters { friction_coefficient: START, ..without_wear(BALL) });
-    loops.advance_cycles(FORCE, amplitude, 1.0).expect("cycles");
-    let energy = 40.0 * loops.dissipated_energy();
-    let mut one = begin(running_in(energy));
+    let energy = 40.0 * work_of_cycle(START, amplitude);
+    let mut one = started(running_in(energy));
     one.advance_cycles(FORCE, amplitude, 100.0).expect("cycles");
-    let mut many = begin(running_in(energy));
-    let mut strokes = begin(running_in(energy));
+    let mut many = started(running_in(energy));
+    let mut strokes = started(running_in(energy));
     to(&mut strokes, FORCE, amplitude);
     for _ in 0..100 {
         many.advance_cycles(FORCE, amplitude, 1.0).expect("cycles");
@@ -200,19 +202,18 @@ fn cycles_run_in_the_same_in_one_call_and_in_many() {
     // which begins with a quarter of a cycle
     one.advance_cycles(FORCE, amplitude, 0.25).expect("cycles");
     close_to(strokes.dissipated_energy(), one.dissipated_energy(), 1e-4, "W stroke by stroke");
-    close_to(strokes.tangential_force(), one.tangential_force(), 5e-4, "T stroke by stroke");
+    // cycles in one call are loops at one coefficient: T differs by 1.0e-4 at any accuracy
+    close_to(strokes.tangential_force(), one.tangential_force(), 2e-4, "T stroke by stroke");
 }
 
 #[test]
 fn what_wears_is_the_work_and_does_not_depend_on_the_calls() {
     let amplitude = 0.6 * full();
     let wearing = |energy| Parameters { wear_coefficient: 3e-2, ..running_in(energy) };
-    let mut loops = begin(Parameters { friction_coefficient: END, ..without_wear(BALL) });
-    loops.advance_cycles(FORCE, amplitude, 1.0).expect("cycles");
-    let energy = 30.0 * loops.dissipated_energy();
+    let energy = 30.0 * work_of_cycle(END, amplitude);
     let per_work = wearing(energy).wear_per_work();
     let (mut one, mut many, mut strokes) =
-        (begin(wearing(energy)), begin(wearing(energy)), begin(wearing(energy)));
+        (started(wearing(energy)), started(wearing(energy)), started(wearing(energy)));
     one.advance_cycles(FORCE, amplitude, 100.0).expect("cycles");
     to(&mut strokes, FORCE, amplitude);
     for k in 0..100 {
@@ -235,11 +236,11 @@ fn what_wears_is_the_work_and_does_not_depend_on_the_calls() {
 #[test]
 fn a_saved_state_keeps_the_coefficient() {
     let energy = usual_energy();
-    let mut contact = begin(running_in(energy));
+    let mut contact = started(running_in(energy));
     walk(&mut contact, &lines(1, 10), 1);
     let saved = contact.snapshot();
     let now = contact.friction_coefficient_now();
-    let mut other = begin(running_in(energy));
+    let mut other = started(running_in(energy));
     other.restore(&saved).expect("equal parameters");
     assert_eq!(other.friction_coefficient_now(), now);
     for contact in [&mut contact, &mut other] {
@@ -247,8 +248,7 @@ fn a_saved_state_keeps_the_coefficient() {
     }
     assert_eq!(state(&contact), state(&other));
 
-    let constant = Parameters { friction_coefficient: START, ..without_wear(BALL) };
-    let (mut plain, mut unused) = (begin(constant.clone()), begin(running_in(0.0)));
+    let (mut plain, mut unused) = (constant(START), started(running_in(0.0)));
     for contact in [&mut plain, &mut unused] {
         walk(contact, &lines(2, 10), 1);
     }
@@ -261,7 +261,7 @@ fn a_saved_state_keeps_the_coefficient() {
 #[test]
 fn the_coefficient_at_the_start_can_be_retuned() {
     let energy = usual_energy();
-    let mut contact = begin(running_in(energy));
+    let mut contact = started(running_in(energy));
     walk(&mut contact, &lines(1, 10), 1);
     let work = contact.dissipated_energy();
     contact.retune(0.5, 0.0).expect("a coefficient in its range");

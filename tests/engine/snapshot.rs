@@ -1,5 +1,5 @@
-//! Saving and restoring: what follows a restored state is what followed it before, to the bit. Counted work is left out:
-//! tables of the transforms are not saved but made again.
+//! Saving and restoring: what follows a restored state is what followed it before, to the bit.
+//! Counted work is left out: tables of the transforms are not saved but made again.
 
 use crate::common::{self, *};
 use fretting_contact::{Error, FrettingContact, Parameters, Profile, Snapshot};
@@ -141,7 +141,7 @@ fn a_saved_state_fits_only_the_same_setting_of_wear() {
     }
 }
 
-/// Steps that fail amid their way: the state is as before, to the bit, and what follows is, too.
+/// Steps that fail on their way: the state is as before, to the bit, and what follows is, too.
 #[test]
 fn a_refused_step_leaves_no_trace() {
     let table = Profile::Table(sampled_sphere(30));
@@ -173,7 +173,8 @@ fn a_refused_step_leaves_no_trace() {
     }
 }
 
-/// Bodies that are apart rub on nothing: a state that says otherwise would be worn off a contact of no size.
+/// Bodies that are apart rub on nothing: a state that says otherwise would be worn off a contact of
+/// no size.
 #[test]
 fn a_state_with_work_between_bodies_apart_is_refused() {
     let mut contact = FrettingContact::new(Parameters::default()).unwrap();

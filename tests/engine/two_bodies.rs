@@ -51,10 +51,8 @@ fn a_seeded_history_wears_both_bodies_in_their_ratio() {
     for (seed, in_plane, rig_stiffness) in
         [(1, false, f64::INFINITY), (2, true, f64::INFINITY), (3, false, 2e7), (4, true, 2e7)]
     {
-        let mut two = contact(Parameters { rig_stiffness, ..two_bodies() });
-        let mut one = contact(Parameters { rig_stiffness, ..one_body() });
-        two.start_at(FORCE, 0.0).unwrap();
-        one.start_at(FORCE, 0.0).unwrap();
+        let mut two = started(Parameters { rig_stiffness, ..two_bodies() });
+        let mut one = started(Parameters { rig_stiffness, ..one_body() });
         let mut before = [0.0; 2];
         for (force, place) in history(seed, in_plane) {
             two.advance_to_planar(force, place).unwrap();
@@ -106,12 +104,11 @@ fn body_2_alone_wears_as_body_1_alone() {
 
 #[test]
 fn a_new_ratio_counts_from_its_change_on() {
-    let mut contact = contact(two_bodies());
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(two_bodies());
     for displacement in [3e-6, -3e-6, 3e-6, 0.5e-6] {
         to(&mut contact, FORCE, displacement);
     }
-    // amid a stroke, with slip that no update of the profile has seen
+    // during a stroke, with slip that no update of the profile has seen
     let (before, work) = (contact.wear_volumes(), contact.dissipated_energy());
     contact.retune_bodies(MU, [0.05, 0.01]).unwrap();
     let (after, closed) = (contact.wear_volumes(), contact.dissipated_energy());
@@ -132,8 +129,7 @@ fn a_new_ratio_counts_from_its_change_on() {
 
 #[test]
 fn a_saved_state_keeps_the_parts() {
-    let mut saved = contact(two_bodies());
-    saved.start_at(FORCE, 0.0).unwrap();
+    let mut saved = started(two_bodies());
     to(&mut saved, FORCE, 3e-6);
     saved.retune_bodies(MU, [0.03, 0.04]).unwrap();
     to(&mut saved, FORCE, -2e-6);
@@ -149,8 +145,7 @@ fn a_saved_state_keeps_the_parts() {
 
 #[test]
 fn the_parts_of_the_gradient_add_up() {
-    let mut contact = contact(two_bodies());
-    contact.start_at(FORCE, 0.0).unwrap();
+    let mut contact = started(two_bodies());
     to(&mut contact, FORCE, 2e-6);
     let [body_1, body_2] = contact.wear_volumes_gradient();
     let whole = contact.wear_volume_gradient();

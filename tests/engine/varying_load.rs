@@ -1,9 +1,9 @@
-//! Normal load and displacement that vary together: the exact rules, random histories against a plain row of springs, and
-//! a sweep over six decades of load. No wear here.
+//! Normal load and displacement that vary together: the exact rules, random histories against a
+//! plain row of springs, and a sweep over six decades of load. No wear here.
 
 use crate::common::{self, *};
+use fretting_contact::reference::PlainSpringRow;
 use fretting_contact::reference::tangential::oblique_rise;
-use fretting_contact::reference::{NormalContact, PlainSpringRow};
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
 use rand::rngs::StdRng;
 
@@ -54,8 +54,9 @@ fn a_falling_load_at_rest_leaves_what_first_loading_gives() {
     }
 }
 
-/// U and d rise together on a straight line: no spring slips up to dU/dd = μE*/G*, beyond that all do, whatever state it
-/// starts from. Under indentation control that is one step, exact to rounding.
+/// U and d rise together on a straight line: no spring slips up to dU/dd = μE*/G*, beyond that all
+/// do, whatever state it starts from. Under indentation control that is one step, exact to
+/// rounding.
 #[test]
 fn an_oblique_rise_of_depth_and_displacement_slips_beyond_the_slip_ratio_only() {
     for profile in analytic() {
@@ -96,8 +97,8 @@ fn an_oblique_rise_of_depth_and_displacement_slips_beyond_the_slip_ratio_only() 
 /// One point of a random history: N or m, and m.
 type Point = (f64, f64);
 
-/// A random history of a profile: forces up to 100 N, sometimes none or a pull; displacements into gross slip; some
-/// lines change one of the two only.
+/// A random history of a profile: forces up to 100 N, sometimes none or a pull; displacements into
+/// gross slip; some lines change one of the two only.
 struct History {
     profile: Profile,
     control: NormalControl,
@@ -131,11 +132,7 @@ impl History {
             chance if chance < 0.3 => 10f64.powf(uniform(random, -3.0, 2.0)),
             _ => uniform(random, 0.0, MOST),
         };
-        match control {
-            NormalControl::Force => force,
-            NormalControl::Indentation if force <= 0.0 => force * 1e-8,
-            NormalControl::Indentation => NormalContact::at_force(shape(profile), E_STAR, force).depth(),
-        }
+        normal_input(profile, control, force)
     }
 
     fn contact(&self) -> FrettingContact {
@@ -158,8 +155,9 @@ impl History {
     }
 }
 
-/// The row gives T to about 1e-7 (order 2 in the spacing); what the engine is off by is the sampling of springs that touch
-/// while the body moves (64 cells): 1e-5 at worst, where 1e-3 would do.
+/// The row gives T to about 1e-7 (order 2 in the spacing); what the engine is off by is the
+/// sampling of springs that touch while the body moves (64 cells): 1e-5 at worst, where 1e-3 would
+/// do.
 #[test]
 fn random_histories_agree_with_a_plain_row_of_springs() {
     let mut worst: f64 = 0.0;
@@ -231,8 +229,8 @@ fn splitting_the_lines_of_random_histories_changes_next_to_nothing() {
     assert!(work_off <= 3e-4, "{work_off:e}");
 }
 
-/// Where no spring touches while the body moves there is nothing to sample: lines of falling or constant load may be
-/// split to rounding.
+/// Where no spring touches while the body moves there is nothing to sample: lines of falling or
+/// constant load may be split to rounding.
 #[test]
 fn lines_of_falling_load_may_be_split_to_rounding() {
     for profile in analytic() {
@@ -250,9 +248,10 @@ fn lines_of_falling_load_may_be_split_to_rounding() {
     }
 }
 
-/// One run from 1 mN to 1 kN and back. Going up, T starts each decade from what it was, and what slips had not been in
-/// contact at the decade below: T = T_before + loading. Going down, a stroke of gross slip makes the state known; the
-/// way back is Masing's. Either to rounding, at every point of the loop.
+/// One run from 1 mN to 1 kN and back. Going up, T starts each decade from what it was, and what
+/// slips had not been in contact at the decade below: T = T_before + loading. Going down, a stroke
+/// of gross slip makes the state known; the way back is Masing's. Either to rounding, at every
+/// point of the loop.
 #[test]
 fn a_sweep_over_six_decades_of_load_keeps_its_digits() {
     let mut worst: f64 = 0.0;
@@ -268,7 +267,8 @@ fn a_sweep_over_six_decades_of_load_keeps_its_digits() {
             to(&mut contact, force, 0.0);
             let exact = exact(&profile, force);
             let before = contact.tangential_force();
-            // the springs outside the front of 0.5 u_max have touched since, unstressed, but under a flat tip
+            // the springs outside the front of 0.5 u_max have touched since, unstressed, but under
+            // a flat tip
             let reversal = 0.5 * exact.full_slip();
             let fresh = exact.stick_radius(reversal) > common::exact(&profile, 0.1 * force).normal.radius();
             for k in 1..=8 {
@@ -303,7 +303,8 @@ fn a_sweep_over_six_decades_of_load_keeps_its_digits() {
     assert!(worst <= 1e-9, "{worst:e}");
 }
 
-/// A twentieth of the smallest load is none, and so is a part of the smallest radius: neither may ask for steps without end.
+/// A twentieth of the smallest load is 0, and so is a part of the smallest radius: neither may ask
+/// for endless steps.
 #[test]
 fn the_smallest_loads_and_radii_take_no_more_steps_than_others() {
     let most = |control: NormalControl, loads: &[f64]| {

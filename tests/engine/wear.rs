@@ -1,5 +1,5 @@
-//! Wear against what is known of it: the final state and the way there at constant depth, the tables at constant force,
-//! gross slip, and the identity of worn volume and friction work.
+//! Wear against what is known of it: the final state and the way there at constant depth, the
+//! tables at constant force, gross slip, and the identity of worn volume and friction work.
 
 use crate::common::*;
 use fretting_contact::problems::Problem;
@@ -22,9 +22,9 @@ fn end_of(scene: &Problem) -> ConstantDepthEnd {
     scene.end.expect("the depth is held")
 }
 
-/// The identities that hold in every scene. V = (k/σ₀) W by definition; the worn profile holds that volume, but for the
-/// clipping of rounding and the outermost cell; what the transforms alone miss of the work is put right at each update,
-/// and known.
+/// The identities that hold in every scene. V = (k/σ₀) W by definition; the worn profile holds that
+/// volume, except for the clipping of rounding and the outermost cell; what the transforms alone
+/// miss of the work is put right at each update, and known.
 #[track_caller]
 fn assert_volumes_agree(contact: &FrettingContact, defect: f64, what: &str) {
     let per_work = contact.parameters().wear_per_work();
@@ -50,6 +50,13 @@ fn assert_stick_unworn(contact: &FrettingContact, what: &str) {
     assert!(contact.worn_depth_at(1.05 * c) > 0.0, "{what}: not worn outside c");
 }
 
+/// Compares the worn volume with that of a table, within 2 %.
+fn assert_volume(contact: &FrettingContact, scene: &Problem, volume: f64, what: &str) {
+    let measured = contact.wear_volume() / scene.volume_unit();
+    println!("{what}: V = {measured:.5} against {volume}, {:+.2e}", measured / volume - 1.0);
+    close_to(measured, volume, 0.02, &format!("{what}: V"));
+}
+
 /// The volume, step by step; the stick radius does not move.
 #[test]
 fn steps_at_constant_depth_follow_the_table() {
@@ -61,12 +68,7 @@ fn steps_at_constant_depth_follow_the_table() {
         let target = (cycles * LIFE as f64).round() as usize;
         cycle(&scene, &mut contact, target - done, STEPS);
         done = target;
-        let measured = contact.wear_volume() / scene.volume_unit();
-        println!(
-            "stepping, parabola at {cycles}: V = {measured:.5} against {volume}, {:+.2e}",
-            measured / volume - 1.0
-        );
-        close_to(measured, volume, 0.02, &format!("V at {cycles}"));
+        assert_volume(&contact, &scene, volume, &format!("stepping, parabola at {cycles}"));
         let mut top = contact.clone();
         to(&mut top, scene.normal, scene.amplitude);
         close_to(top.stick_radius(), c, 1e-9, &format!("c at {cycles}"));
@@ -104,12 +106,7 @@ fn whole_cycles_at_constant_depth_follow_the_table() {
             .advance_cycles(scene.normal, scene.amplitude, (cycles - done) * scene.seed_cycles())
             .expect("cycles");
         done = cycles;
-        let measured = contact.wear_volume() / scene.volume_unit();
-        println!(
-            "cycles, parabola at {cycles}: V = {measured:.5} against {volume}, {:+.2e}",
-            measured / volume - 1.0
-        );
-        close_to(measured, volume, 0.02, &format!("V at {cycles}"));
+        assert_volume(&contact, &scene, volume, &format!("cycles, parabola at {cycles}"));
         close_to(contact.stick_radius(), c, 1e-9, "c");
         assert_stick_unworn(&contact, "parabola, cycles");
     }
@@ -145,7 +142,8 @@ fn the_final_state_at_constant_depth_is_the_closed_one() {
         );
         assert!(worst <= 5e-3, "{profile:?}: {worst:e} d0");
         close_to(contact.wear_volume(), end.worn_volume(), 5e-3, "V");
-        // in the end g = d all over the slip zone, to the tolerance: where they cross last is ill-defined
+        // in the end g = d all over the slip zone, to the tolerance: where they cross last is
+        // ill-defined
         close_to(contact.contact_radius(), end.outer_radius(), 0.05, "a");
         close_to(contact.normal_reaction(), end.normal_force(E_STAR), 5e-3, "F_N");
         close_to(contact.tangential_force(), end.tangential_force(G_STAR, scene.amplitude), 5e-3, "T");
@@ -214,9 +212,7 @@ fn whole_cycles_at_constant_force_follow_the_tables() {
 fn sliding(profile: Profile, length: f64, most: f64, path: f64) -> FrettingContact {
     let hardness = 8e9;
     let wear_coefficient = most * length / (E_STAR * path) / MU * hardness;
-    let mut contact = contact(Parameters { profile, wear_coefficient, hardness, ..Parameters::default() });
-    contact.start_at(FORCE, 0.0).expect("the load is carried");
-    contact
+    started(Parameters { profile, wear_coefficient, hardness, ..Parameters::default() })
 }
 
 /// Under a flat punch all springs slip at once, at U = u_max; from there on V = κ F_N s.
@@ -266,7 +262,8 @@ fn a_sphere_in_gross_slip_wears_at_the_centre_as_tabulated() {
         let volume = contact.wear_volume() / (per_path * slid) - 1.0;
         println!("sphere at {s}: w0/d0 {measured:.4}: {:+.2e}, V {volume:+.1e}", measured / centre - 1.0);
         close_to(measured, centre, 0.01, &format!("central wear at {s}"));
-        // while the pressure spreads, the springs give back some of their elastic energy: that of a path of u_max/10
+        // while the pressure spreads, the springs give back some of their elastic energy: that of a
+        // path of u_max/10
         close(volume, 0.0, 0.3 * full / slid, &format!("V at {s}"));
     }
     // the segment worn off; at S = 10 the law for late times is not yet exact
@@ -280,8 +277,7 @@ fn a_sphere_in_gross_slip_wears_at_the_centre_as_tabulated() {
 fn a_contact_that_sticks_makes_no_nodes_and_no_transforms() {
     // a flat punch sticks as a whole
     let full = exact(&PUNCH, FORCE).full_slip();
-    let mut punch = contact(Parameters { profile: PUNCH, ..Parameters::default() });
-    punch.start_at(FORCE, 0.0).expect("the load is carried");
+    let mut punch = started(Parameters { profile: PUNCH, ..Parameters::default() });
     for k in 0..200 {
         to(&mut punch, FORCE, 0.9 * full * f64::from(k % 9 - 4) / 4.0);
     }
@@ -370,7 +366,8 @@ fn wear_never_heals_at_any_probe() {
     }
 }
 
-/// Apart, the worn profile stays to the bit; pressed again, the contact is the same as without having been apart.
+/// Apart, the worn profile stays to the bit; pressed again, the contact is the same as without
+/// having been apart.
 #[test]
 fn contact_lost_and_found_keeps_the_worn_profile() {
     let scene = wear_scene(&BALL, Force, 100.0);
@@ -403,8 +400,8 @@ fn contact_lost_and_found_keeps_the_worn_profile() {
     assert!(contact.wear_volume() > volume);
 }
 
-/// Steps ten times smaller put the profile updates at other instants, each of which is good to the tolerance of 1e-3:
-/// together they differ by 2.5e-3.
+/// Steps ten times smaller put the profile updates at other instants, each of which is good to the
+/// tolerance of 1e-3: together they differ by 2.5e-3.
 #[test]
 fn splitting_steps_changes_the_wear_within_the_tolerance() {
     for control in [Force, Indentation] {
@@ -450,7 +447,8 @@ fn the_counted_work_stays_bounded() {
     let counters = stepped.counters();
     println!("stepping: {counters}");
     assert_eq!(counters.steps, (LIFE * STEPS) as u64);
-    // an update per half cycle, since here each wears more than the limit; four stages each, and nothing on other nodes
+    // an update per half cycle, since here each wears more than the limit; four stages each, and
+    // nothing on other nodes
     let updates = counters.profile_updates;
     assert!(updates <= 2 * LIFE as u64 + 20, "{counters}");
     assert!(counters.rejected_steps <= 5, "{counters}");
@@ -469,7 +467,8 @@ fn the_counted_work_stays_bounded() {
     assert_eq!(counters.transform_tables, 0, "{counters}");
 }
 
-/// One step that would wear many times the depth is refused; the contact is as it was and can be moved on.
+/// One step that would wear many times the depth is refused; the contact is as it was and can be
+/// moved on.
 #[test]
 fn a_step_that_wears_too_much_is_refused() {
     for control in [Force, Indentation] {
@@ -484,8 +483,8 @@ fn a_step_that_wears_too_much_is_refused() {
     }
 }
 
-/// Strokes that wear so much that no two are alike, until a mesh can be laid over what they have left: at constant depth the stick
-/// circle does not move, and inside it nothing wears.
+/// Strokes that wear so much that no two are alike, until a mesh can be made on what they have
+/// left: at constant depth the stick circle does not move, and inside it nothing wears.
 #[test]
 fn a_new_mesh_wears_nothing_that_sticks() {
     let mut parameters = Parameters { normal_control: Indentation, ..Parameters::default() };
@@ -510,5 +509,5 @@ fn a_new_mesh_wears_nothing_that_sticks() {
             );
         }
     }
-    assert!(contact.counters().factorisations > 10, "no mesh was laid");
+    assert!(contact.counters().factorisations > 10, "no mesh was made");
 }

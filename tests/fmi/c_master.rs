@@ -1,5 +1,6 @@
-//! A master in C, compiled by the system's C compiler, drives the shared library through `dlopen`: every function with the types
-//! of the C standard, messages through a variadic logger, many instances in threads, a state from one process to another.
+//! A master in C, compiled by the system's C compiler, drives the shared library through `dlopen`:
+//! every function with the types of the C standard, messages through a variadic logger, many
+//! instances in threads, a state from one process to another.
 
 use fretting_contact::fmi2::GUID;
 use std::path::{Path, PathBuf};

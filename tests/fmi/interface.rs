@@ -153,7 +153,7 @@ fn cycles_beds_the_contacts_in() {
     assert!((fmu.real("wear_volume") / (per_work * fmu.real("dissipated_energy")) - 1.0).abs() < 1e-12);
 }
 
-/// Files that are none are refused with the file, the line, the value and what is allowed.
+/// Files that are not valid are refused with the file, the line, the value and what is allowed.
 #[test]
 fn bad_files_are_refused_with_their_line() {
     for (text, parts) in [

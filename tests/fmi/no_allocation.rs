@@ -1,4 +1,5 @@
-//! A step asks for no memory: counted at the C interface, scene by scene, once the rows have found their size.
+//! A step asks for no memory: counted at the C interface, scene by scene, once the rows have found
+//! their size.
 
 use crate::counting::allocations;
 use crate::host::{Fmu, OK, reference};
@@ -7,7 +8,8 @@ use std::f64::consts::TAU;
 /// Steps of a cycle.
 const STEPS: u32 = 40;
 
-/// One cycle of U = amplitude·sin, F_N = 100 N + swing·cos; requests for memory in its steps, one by one.
+/// One cycle of U = amplitude·sin, F_N = 100 N + swing·cos; requests for memory in its steps, one
+/// by one.
 fn cycle(fmu: &Fmu, number: u32, amplitude: f64, swing: f64) -> Vec<u64> {
     let inputs = [reference("normal_force"), reference("tangential_displacement")];
     let outputs = ["tangential_force", "dissipated_energy", "wear_volume", "stick_radius"].map(reference);

@@ -2,6 +2,7 @@
 
 import numpy as np
 from fretting_contact.component import ContactFmu
+from histories import history
 
 OUTPUTS = [
     "tangential_force",
@@ -13,12 +14,6 @@ OUTPUTS = [
 ]
 
 
-def scene(seed):
-    """Inputs of a lively history with lift-off."""
-    random = np.random.default_rng(seed)
-    return list(zip(random.uniform(-10, 200, 30), random.uniform(-4e-6, 4e-6, 30)))
-
-
 def advance(contact, inputs):
     force, displacement = inputs
     contact.step(normal_force=force, tangential_displacement=displacement)
@@ -26,7 +21,7 @@ def advance(contact, inputs):
 
 
 def run_alone(contact, seed):
-    return [advance(contact, inputs) for inputs in scene(seed)]
+    return [advance(contact, inputs) for inputs in history(seed)]
 
 
 def start(contact):
@@ -37,7 +32,7 @@ def test_two_at_once_are_as_one_alone(new_contact):
     alone = [run_alone(start(new_contact()), seed) for seed in (1, 2)]
     first, second = start(new_contact()), start(new_contact())
     together = ([], [])
-    for inputs_1, inputs_2 in zip(scene(1), scene(2)):
+    for inputs_1, inputs_2 in zip(history(1), history(2)):
         together[0].append(advance(first, inputs_1))
         together[1].append(advance(second, inputs_2))
     assert list(together) == alone
@@ -68,7 +63,7 @@ def test_reading_fields_changes_nothing(new_contact):
     plain = run_alone(start(new_contact()), 4)
     watched = start(new_contact())
     results = []
-    for inputs in scene(4):
+    for inputs in history(4):
         results.append(advance(watched, inputs))
         for name in ("worn_depth", "pressure", "shear_traction", "image"):
             assert np.all(np.isfinite(watched.field(name)))
@@ -79,7 +74,7 @@ def test_freeing_one_leaves_the_other(fmu, new_contact):
     kept = start(new_contact())
     with ContactFmu(fmu) as gone:
         start(gone)
-        advance(gone, scene(5)[0])
+        advance(gone, history(5)[0])
     expected = run_alone(start(new_contact()), 6)
     assert run_alone(kept, 6) == expected
 

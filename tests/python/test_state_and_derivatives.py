@@ -5,9 +5,9 @@ import os
 import subprocess
 import sys
 
-import numpy as np
 import pytest
 from fretting_contact.component import ContactError, ContactFmu, FmuFile
+from histories import history
 
 OUTPUTS = [
     "tangential_force",
@@ -19,14 +19,8 @@ OUTPUTS = [
 ]
 
 
-def scene(seed, steps):
-    """Inputs of a lively history with lift-off."""
-    random = np.random.default_rng(seed)
-    return list(zip(random.uniform(-10, 200, steps), random.uniform(-4e-6, 4e-6, steps)))
-
-
 def run(contact, seed, steps=12):
-    for force, displacement in scene(seed, steps):
+    for force, displacement in history(seed, steps):
         contact.step(normal_force=force, tangential_displacement=displacement)
     return [value.hex() for value in contact.get(*OUTPUTS)]
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from closed_forms import E_STAR, G_STAR, MU, SLIDING, Cone, Sphere, Tangential
+from histories import history
 
 PER_WORK = 4e-14  # m³/J, the default k/σ₀
 HARDNESS = 8e9  # Pa, the default
@@ -73,11 +74,10 @@ def test_volume_is_the_integral_of_depth(start_contact, theta, error):
 
 
 def test_wear_never_heals(start_contact):
-    random = np.random.default_rng(7)
     contact = start_contact(**faster(2000))
     last, depths = (0.0, 0.0, 0.0), np.zeros(64)
     radius = contact.field("radius_probe")
-    for force, displacement in zip(random.uniform(-10, 200, 60), random.uniform(-4e-6, 4e-6, 60)):
+    for force, displacement in history(7, steps=60):
         contact.step(normal_force=force, tangential_displacement=displacement)
         now = contact.get("wear_volume", "wear_depth", "dissipated_energy")
         assert now[0] >= last[0] and now[2] >= last[2]

@@ -1,5 +1,5 @@
-//! The contact under four masters, as the report has it: where explicit coupling ends, and that the contact's derivative takes
-//! one beyond.
+//! The contact under four masters, as the report has it: where explicit coupling ends, and that the
+//! contact's derivative takes one beyond.
 
 use crate::masters::{Master, RATIOS, STIFFNESSES, comparison, explicit_limits};
 

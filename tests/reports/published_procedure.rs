@@ -1,4 +1,5 @@
-//! The published procedure that the benchmark measures against is right, so that the comparison is fair to it.
+//! The published procedure that the benchmark measures against is right, so that the comparison is
+//! fair to it.
 
 #[path = "../../benches/published/mod.rs"]
 mod published;
@@ -35,8 +36,8 @@ fn run(problem: &Problem, life: f64, scheme: Scheme, points: usize, share: f64) 
     run
 }
 
-/// Polynomials, whose transforms are elementary: the image of r² is 2x², the pressure of 1 − x² is (2/π) √(1 − r²), the
-/// descent of x² is r²/2.
+/// Polynomials, whose transforms are elementary: the image of r² is 2x², the pressure of 1 − x² is
+/// (2/π) √(1 − r²), the descent of x² is r²/2.
 #[test]
 fn the_transforms_converge_to_their_closed_forms() {
     for scheme in SCHEMES {
@@ -55,7 +56,7 @@ fn the_transforms_converge_to_their_closed_forms() {
                         let exact = 2.0 / PI * (1.0 - profile[i]).max(0.0).sqrt();
                         (grid.traction.dot(i, &load, 0, count) - exact).abs()
                     }),
-                    worst(&|i| (grid.descent.dot(i, &spring, 0, count) - 0.5 * profile[i]).abs()),
+                    worst(&|i| (grid.inverse.dot(i, &spring, 0, count) - 0.5 * profile[i]).abs()),
                 ]
             })
             .collect();
@@ -108,8 +109,8 @@ fn it_starts_from_hertz_and_mindlin() {
     }
 }
 
-/// V at Ñ = 0.16, with time steps so short that the grid decides. Refined without end both schemes come to 0.2687, 0.2
-/// % below the table.
+/// V at Ñ = 0.16, with time steps so short that the grid decides. Refined without end both schemes
+/// come to 0.2687, 0.2 % below the table.
 #[test]
 fn it_wears_the_right_volume() {
     let problem = constant_depth();
@@ -128,7 +129,8 @@ fn it_wears_the_right_volume() {
     assert!(ends.iter().all(|end| (end / table - 1.0).abs() <= 4e-3), "{ends:?} against {table}");
 }
 
-/// At the end of a life: the stick edge where it was, the rest of order ½ for the cusp that it makes.
+/// At the end of a life: the stick edge where it was, the rest of order ½ for the cusp that it
+/// makes.
 #[test]
 fn the_causal_grid_keeps_the_stick_edge_and_reaches_the_final_state() {
     for body in [PARABOLA, CONE] {
@@ -162,8 +164,8 @@ fn the_plain_grid_lets_the_stick_edge_wander() {
     assert!(stick[0] < stick[1] && stick[1] < 0.35, "{stick:?}");
 }
 
-/// The fewest cycles are stable, twice as many change little; with half as many the profile oscillates, and what is
-/// clipped of it wears: the time step is as long as it can be.
+/// The fewest cycles are stable, twice as many change little; with half as many the profile
+/// oscillates, and what is clipped of it wears: the time step is as long as it can be.
 #[test]
 fn the_time_step_is_the_longest_that_is_stable() {
     let life = 1.0;

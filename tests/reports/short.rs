@@ -1,5 +1,5 @@
-//! A short version of the reports, without a clock: a part of the extreme scenes, taken by a rule and not by their outcome, and
-//! error against tolerance and resolution.
+//! A short version of the reports, without a clock: a part of the extreme scenes, taken by a rule
+//! and not by their outcome, and error against tolerance and resolution.
 
 use crate::judge::Judge;
 use crate::scenes::{self, Scene};
@@ -8,7 +8,8 @@ use fretting_contact::problems::Problem;
 
 /// Of the scenes every so many-th is run, whatever becomes of it, and all of some kinds.
 const EVERY: usize = 7;
-/// Inputs and parameters at the ends of double precision, and the kinds of scenes that needed corrections.
+/// Inputs and parameters at the ends of double precision, and the kinds of scenes that needed
+/// corrections.
 const ALL_OF: [&str; 5] = ["input", "parameter", "fast wear", "one step wears more than d0", "amplitude"];
 
 /// Work of 1e600 J: any number would be a wrong one.

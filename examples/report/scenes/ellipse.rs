@@ -1,9 +1,9 @@
 //! Elliptic contacts, from nearly round to the longest that are accepted, along both axes and in
 //! the plane.
 
-use super::{Add, FORCE, Outcome, pair, pressed, without_wear};
+use super::{Add, FORCE, Outcome, full_slip, pair, pressed, split_in_plane, without_wear};
 use crate::judge::Judge;
-use fretting_contact::{FrettingContact, Parameters, Profile};
+use fretting_contact::{Parameters, Profile};
 use std::f64::consts::TAU;
 
 /// Smaller radius, m.
@@ -38,33 +38,12 @@ pub(super) fn ellipse(add: Add) {
         };
         add("ellipse", format!("orbits behind a rig, {ratio:e} of the contact"), Box::new(run));
     }
-    let run = |j: &mut Judge| {
-        let mut one = pressed(&elliptic((0.13, RADIUS), without_wear()), FORCE)?;
-        let full = full_slip(&one);
-        one.advance_to_planar(FORCE, [0.3 * full, 0.2 * full])?;
-        let mut many = one.clone();
-        let end = [-0.5 * full, 0.9 * full];
-        j.step(&mut one, |c| c.advance_to_planar(FORCE, end))?;
-        for k in 1..=1000 {
-            let share = f64::from(k) / 1000.0;
-            let start = [0.3 * full, 0.2 * full];
-            many.advance_to_planar(FORCE, [0, 1].map(|i| start[i] + share * (end[i] - start[i])))?;
-        }
-        j.split(&one, &many);
-        Ok(())
-    };
+    let run = |j: &mut Judge| split_in_plane(j, &elliptic((0.13, RADIUS), without_wear()));
     add("ellipse", "1000 steps against one".into(), Box::new(run));
 }
 
 fn elliptic((radius_x, radius_y): (f64, f64), parameters: Parameters) -> Parameters {
     Parameters { profile: Profile::Ellipse { radius_x, radius_y }, ..parameters }
-}
-
-/// Displacement along x that makes all slip, m.
-fn full_slip(contact: &FrettingContact) -> f64 {
-    let Parameters { materials, friction_coefficient, .. } = contact.parameters();
-    friction_coefficient * contact.indentation_depth() * materials.normal_modulus()
-        / contact.tangential_moduli()[0]
 }
 
 /// Loops along x, then along y, with swings of load, contact lost and found, and many cycles in one

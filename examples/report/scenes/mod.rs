@@ -80,11 +80,11 @@ fn held_in_depth() -> Parameters {
     Parameters { normal_control: NormalControl::Indentation, ..Parameters::default() }
 }
 
-/// μ E* d/G*: displacement that makes all slip, of a contact that is pressed.
+/// μ E* d/G*: displacement along x that makes all slip, of a contact that is pressed.
 fn full_slip(contact: &FrettingContact) -> f64 {
     let Parameters { materials, friction_coefficient, .. } = contact.parameters();
     friction_coefficient * contact.indentation_depth() * materials.normal_modulus()
-        / materials.tangential_modulus()
+        / contact.tangential_moduli()[0]
 }
 
 /// The unworn contact under a load.
@@ -128,6 +128,22 @@ fn life(judge: &mut Judge, parameters: &Parameters, normal: f64, seed: f64) -> O
     in_parts(&mut parts, (normal, amplitude), (0.9 * normal, -0.5 * amplitude), 7)?;
     judge.split(&contact, &parts);
     judge.step(&mut contact, |c| c.advance_to(normal, 4.0 * amplitude))
+}
+
+/// A line in the plane from partial slip to gross slip, in one step and in 1000.
+fn split_in_plane(judge: &mut Judge, parameters: &Parameters) -> Outcome {
+    let mut one = pressed(parameters, FORCE)?;
+    let full = full_slip(&one);
+    let (start, end) = ([0.3 * full, 0.2 * full], [-0.5 * full, 0.9 * full]);
+    one.advance_to_planar(FORCE, start)?;
+    let mut many = one.clone();
+    judge.step(&mut one, |c| c.advance_to_planar(FORCE, end))?;
+    for k in 1..=1000 {
+        let share = f64::from(k) / 1000.0;
+        many.advance_to_planar(FORCE, [0, 1].map(|i| start[i] + share * (end[i] - start[i])))?;
+    }
+    judge.split(&one, &many);
+    Ok(())
 }
 
 /// The line from `from` to `to`, (normal, displacement), in equal parts.

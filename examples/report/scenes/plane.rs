@@ -1,6 +1,6 @@
 //! Motion in both tangential directions.
 
-use super::{Add, FORCE, SEED, full_slip, held_in_depth, pressed, wearing, without_wear};
+use super::{Add, FORCE, SEED, full_slip, held_in_depth, pressed, split_in_plane, wearing, without_wear};
 use crate::judge::Judge;
 use fretting_contact::{Parameters, Profile};
 use rand::rngs::StdRng;
@@ -100,20 +100,7 @@ pub(super) fn plane(add: Add) {
         let run = move |j: &mut Judge| {
             let parameters =
                 if wears { wearing(&Parameters::default(), FORCE, SEED)?.0 } else { without_wear() };
-            let mut one = pressed(&parameters, FORCE)?;
-            let full = full_slip(&one);
-            one.advance_to_planar(FORCE, [0.3 * full, 0.2 * full])?;
-            let mut many = one.clone();
-            let end = [-0.5 * full, 0.9 * full];
-            j.step(&mut one, |c| c.advance_to_planar(FORCE, end))?;
-            for k in 1..=1000 {
-                let share = f64::from(k) / 1000.0;
-                let place = [0.3 * full, 0.2 * full];
-                let between = [0, 1].map(|i| place[i] + share * (end[i] - place[i]));
-                many.advance_to_planar(FORCE, between)?;
-            }
-            j.split(&one, &many);
-            Ok(())
+            split_in_plane(j, &parameters)
         };
         add("plane", format!("1000 steps against one, {extreme}"), Box::new(run));
     }

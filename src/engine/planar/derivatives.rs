@@ -1,7 +1,8 @@
 //! Derivatives for masters, of a contact that moves in both tangential directions.
 //!
-//! Springs that stick go along with the body. Those at their bound b along **n** = u/b that the present direction pulls on (**n**·**t** > 0) slip
-//! along it and turn: ∂u/∂U = 1 − **n n**, ∂u/∂d = m **n**, and friction takes b (**n**·dU − m dd).
+//! Springs that stick go along with the body. Those at their bound b along **n** = u/b that the
+//! present direction pulls on (**n**·**t** > 0) slip along it and turn: ∂u/∂U = 1 − **n n**, ∂u/∂d
+//! = m **n**, and friction takes b (**n**·dU − m dd).
 
 use crate::engine::{FrettingContact, Gradient};
 use crate::friction::{Standing, Vector};
@@ -62,8 +63,8 @@ impl FrettingContact {
         Some(self.gradient_in_plane(tangent.work_by_depth, tangent.work))
     }
 
-    /// Of the radius at which the springs that stick reach their bound: with r = b − |u| and its slope r' there,
-    /// dc = (K **n**·dU − m dd)/r'.
+    /// Of the radius at which the springs that stick reach their bound: with r = b − |u| and its
+    /// slope r' there, dc = (K **n**·dU − m dd)/r'.
     pub(in crate::engine) fn stick_gradient_in_plane(&self) -> Option<Gradient> {
         let standing = self.standing()?;
         let Some((fall, pull)) = standing.front_slope(self.direction_in_plane()) else {
@@ -117,7 +118,8 @@ impl FrettingContact {
         Some(self.behind_the_rig_in_plane(gradient).times(1.0))
     }
 
-    /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest in the present direction.
+    /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest in the
+    /// present direction.
     pub(in crate::engine) fn wear_depth_gradient_in_plane(&self) -> Option<Gradient> {
         let (standing, ahead) = (self.standing()?, self.direction_in_plane());
         let per_work = if self.state.wear.is_some() { self.model.constants.wear_per_work } else { 0.0 };

@@ -12,8 +12,8 @@ impl FrettingContact {
         self.state.displacement_y
     }
 
-    /// Tangential force along y that the moving body exerts on the substrate, N. With that along x it has the length μF_N at
-    /// the most.
+    /// Tangential force along y that the moving body exerts on the substrate, N. With that along x
+    /// it has at most the length μF_N.
     pub fn tangential_force_y(&self) -> f64 {
         self.force_in_plane().map_or(0.0, |force| force[1])
     }
@@ -51,7 +51,8 @@ impl FrettingContact {
         self.state.planar.as_ref().map_or([1.0, 0.0], |planar| planar.direction)
     }
 
-    /// Derivatives of the whole row for going on in the present direction, by displacement and depth.
+    /// Derivatives of the whole row for going on in the present direction, by displacement and
+    /// depth.
     pub(in crate::engine) fn tangent_in_plane(&self) -> Option<Tangent> {
         let row = 2.0 * self.model.constants.tangential_modulus;
         Some(self.standing()?.tangent(self.direction_in_plane()).scaled(row))

@@ -1,13 +1,16 @@
 //! A spring in series with a contact that moves in both tangential directions. The spring is as
 //! stiff along y as along x.
 //!
-//! Body and drive carry the same force, k_rig (**D** − **U**) = **T**(**U**), where **T** is that at the end of a straight way of the body.
-//! `balance` finds **U** over trial walks by Broyden's method from the contact's own stiffness.
+//! Body and drive carry the same force, k_rig (**D** − **U**) = **T**(**U**), where **T** is that
+//! at the end of a straight way of the body. `balance` finds **U** over trial walks by Broyden's
+//! method from the contact's own stiffness.
 //!
-//! Springs that slip let the body give way sideways, so that it goes along a curve while the drive goes straight. A piece of the drive's line is
-//! halved until the body, halfway, is near the chord; where all is on one line it is one piece.
+//! Springs that slip let the body give way sideways, so that it goes along a curve while the drive
+//! goes straight. A piece of the drive's line is halved until the body, halfway, is near the chord;
+//! where all is on one line it is one piece.
 //!
-//! Nothing is kept: **D** follows from **U** and **T**. What an update of the worn profile changes in **T** is made up for by going on, never back.
+//! Nothing is kept: **D** follows from **U** and **T**. What an update of the worn profile changes
+//! in **T** is made up for by going on, never back.
 
 use crate::engine::{FrettingContact, Gradient};
 use crate::error::Error;
@@ -71,7 +74,8 @@ fn distance(point: Vector, (from, to): (Vector, Vector)) -> f64 {
 }
 
 impl FrettingContact {
-    /// Displacement of the drive along y: U_y + T_y/k_rig, m. It is [`Self::displacement_y`] where the rig is rigid.
+    /// Displacement of the drive along y: U_y + T_y/k_rig, m. It is [`Self::displacement_y`] where
+    /// the rig is rigid.
     pub fn drive_displacement_y(&self) -> f64 {
         if self.model.compliance == 0.0 {
             return self.state.displacement_y;
@@ -179,8 +183,9 @@ impl FrettingContact {
         Ok(place)
     }
 
-    /// How far the drive is ahead of equilibrium after a straight way of the body, **D** − **U** − **T**/k_rig, m, and by how much that falls
-    /// with **U**: 1 + K/k_rig with the contact's stiffness K.
+    /// How far the drive is ahead of equilibrium after a straight way of the body, **D** − **U** −
+    /// **T**/k_rig, m, and by how much that falls with **U**: 1 + K/k_rig with the contact's
+    /// stiffness K.
     fn pull_in_plane(
         &self,
         (drive, place): (Vector, Vector),
@@ -207,7 +212,8 @@ impl FrettingContact {
         (off, one_and(modulus, stiffness))
     }
 
-    /// The derivatives of a quantity by the drive where those by the body are given: d**U** = (1 + K/k_rig)⁻¹ (d**D** − ∂**T**/∂n dn/k_rig).
+    /// The derivatives of a quantity by the drive where those by the body are given: d**U** = (1 +
+    /// K/k_rig)⁻¹ (d**D** − ∂**T**/∂n dn/k_rig).
     pub(super) fn behind_the_rig_in_plane(&self, of: Gradient) -> Gradient {
         let Some(tangent) = self.tangent_in_plane().filter(|_| self.model.compliance > 0.0) else {
             return of;

@@ -1,8 +1,9 @@
 //! Cycles of a drive: how far the contact itself moves changes with its wear.
 //!
-//! At constant force the integrator takes the amplitude from the state at every instant ([`crate::wear::live`]). At constant depth the
-//! front advances into what has not worn, which a mesh that begins at the front sees too late: there the cycles are run in stretches of
-//! constant amplitude, and so they are where the integrator cannot follow.
+//! At constant force the integrator takes the amplitude from the state at every instant
+//! ([`crate::wear::integrate`]). At constant depth the front advances into what has not worn, which
+//! a mesh that begins at the front sees too late: there the cycles are run in stretches of constant
+//! amplitude, and so they are where the integrator cannot follow.
 
 use super::super::FrettingContact;
 use crate::error::Error;
@@ -14,11 +15,13 @@ const MOST_TRIALS: u32 = 1000;
 /// Share of the tolerance that the amplitude may be wrong by at the end of a stretch, relative.
 const SHARE: f64 = 0.1;
 
-/// Share of the tolerance by which the amplitude may change along a stretch that is run with that of its start.
+/// Share of the tolerance by which the amplitude may change along a stretch that is run with that
+/// of its start.
 const STEADY: f64 = 0.01;
 
 impl FrettingContact {
-    /// Wears the surface by cycles of a drive at constant load; returns the amplitude of the contact itself at their end, m.
+    /// Wears the surface by cycles of a drive at constant load; returns the amplitude of the
+    /// contact itself at their end, m.
     ///
     /// # Errors
     /// As [`Self::wear_steadily`].
@@ -43,9 +46,9 @@ impl FrettingContact {
         self.wear_in_stretches(value, drive, cycles)
     }
 
-    /// The same in stretches of constant amplitude, the mean of those at both ends (second order in the stretch). The
-    /// end is found with the amplitude of the start first; by how much it moves when the mean is taken
-    /// tells how long a stretch may be.
+    /// The same in stretches of constant amplitude, the mean of those at both ends (second order in
+    /// the stretch). The end is found with the amplitude of the start first; by how much it moves
+    /// when the mean is taken tells how long a stretch may be.
     ///
     /// # Errors
     /// As [`Self::wear_steadily`].
@@ -101,7 +104,7 @@ impl FrettingContact {
         Ok(self.own_amplitude(drive))
     }
 
-    /// Back to another state; work is counted all the same.
+    /// Back to another state; work is counted nevertheless.
     fn go_back(&mut self, before: Self) {
         let counters = self.state.counters;
         *self = before;

@@ -8,11 +8,12 @@ use crate::friction::{Knot, PlanarKnot, Springs, difference};
 use crate::surface::{Contact, Place, Surface};
 use crate::wear::Sliding;
 
-/// How far what follows from other parts of a state may differ from them, relative: machines differ in the last digits of
-/// their elementary functions.
+/// How far what follows from other parts of a state may differ from them, relative: machines differ
+/// in the last digits of their elementary functions.
 const CLOSE: f64 = 1e-6;
 
-/// Share of the image at the farthest reach below which a depth is next to none: the search for it ends in the rounding of that.
+/// Share of the image at the farthest reach below which a depth is next to none: the search for it
+/// ends in the rounding of that.
 const NEXT_TO_NONE: f64 = 1e-9;
 
 /// Most knots of a row for each cell of the resolution, far beyond what histories leave.
@@ -137,8 +138,9 @@ impl Snapshot {
         }
     }
 
-    /// Whether the saved contact is the one that its load makes. The radius may be uncertain where wear has left the image
-    /// flat up to the edge, and both radius and depth where the load is next to none.
+    /// Whether the saved contact is the one that its load makes. The radius may be uncertain where
+    /// wear has left the image flat up to the edge, and both radius and depth where the load is
+    /// next to none.
     fn rests_on(&self, surface: &Surface, target: &FrettingContact) -> bool {
         let saved = &self.state.contact;
         let (control, scale) = (target.model.parameters.normal_control, target.force_scale());

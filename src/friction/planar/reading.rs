@@ -51,7 +51,7 @@ pub(crate) struct Standing<'a> {
 
 impl Standing<'_> {
     /// K **n**: what a displacement adds to |u|, and κ = **n**·K **n**, with K = diag(1, ρ).
-    fn pull(&self, [x, y]: Vector) -> (Vector, f64) {
+    fn stiffness_along(&self, [x, y]: Vector) -> (Vector, f64) {
         ([x, self.stiffness_ratio * y], 1.0 + (self.stiffness_ratio - 1.0) * y * y)
     }
 
@@ -71,18 +71,19 @@ impl Standing<'_> {
             || norm(self.deflection(knot)) >= bound * (1.0 - 1e-9) - rounding
     }
 
-    /// Place of the front between sample j, which sticks, and the next, which slips: where the springs that stick would reach
-    /// their bound if they went on as from the sample before, linear in g.
+    /// Place of the front between sample j, which sticks, and the next, which slips: where the
+    /// springs that stick would reach their bound if they went on as from the sample before, linear
+    /// in g.
     fn front(&self, j: usize) -> Place {
         let knots = &self.row.knots;
         let (here, next) = (&knots[j], &knots[j + 1]);
         let Some(before) = j.checked_sub(1).map(|i| &knots[i]).filter(|knot| !self.at_bound(knot)) else {
             return here.place;
         };
-        let room = |knot: &PlanarKnot| self.bound(knot) - norm(self.deflection(knot));
-        let fall = room(before) - room(here);
+        let margin = |knot: &PlanarKnot| self.bound(knot) - norm(self.deflection(knot));
+        let fall = margin(before) - margin(here);
         let rise = here.place.image - before.place.image;
-        let image = here.place.image + room(here) / fall * rise;
+        let image = here.place.image + margin(here) / fall * rise;
         if !(fall > 0.0 && rise > 0.0 && image < next.place.image) {
             return if fall > 0.0 && rise > 0.0 { next.place } else { here.place };
         }
@@ -97,7 +98,7 @@ impl Standing<'_> {
             return self.contact.radius;
         }
         let relaxed = 1e-12 * self.bound_slope * self.contact.depth.abs();
-        // with nothing but the edge at its bound, and nothing that pulls on it
+        // with nothing but the edge at its bound, and no deflection beside it
         if last + 2 == knots.len() && norm(self.deflection(&knots[last])) <= relaxed {
             return self.contact.radius;
         }
@@ -106,34 +107,35 @@ impl Standing<'_> {
 
     /// At the stick radius: fall of b − |u| per image inside it, and ∂|u|/∂**U** = K **n**, **n** =
     /// u/|u|; `None` where no front moves, as in gross slip and where
-    /// the present direction does not pull.
+    /// motion in the present direction does not increase |u|.
     pub(crate) fn front_slope(&self, ahead: Vector) -> Option<(f64, Vector)> {
         let knots = &self.row.knots;
         let last =
             knots.iter().rposition(|knot| !self.at_bound(knot)).filter(|last| last + 1 < knots.len())?;
         let (before, here) = (&knots[last.checked_sub(1)?], &knots[last]);
-        let room = |knot: &PlanarKnot| self.bound(knot) - norm(self.deflection(knot));
+        let margin = |knot: &PlanarKnot| self.bound(knot) - norm(self.deflection(knot));
         let rise = here.place.image - before.place.image;
-        let fall = (room(before) - room(here)) / rise;
+        let fall = (margin(before) - margin(here)) / rise;
         let u = self.deflection(here);
         let size = norm(u);
-        let pulls = size > 0.0 && dot(self.pull(u).0, ahead) > 0.0;
-        (fall > 0.0 && fall.is_finite() && pulls).then(|| (-fall, self.pull([u[0] / size, u[1] / size]).0))
+        let grows = size > 0.0 && dot(self.stiffness_along(u).0, ahead) > 0.0;
+        (fall > 0.0 && fall.is_finite() && grows)
+            .then(|| (-fall, self.stiffness_along([u[0] / size, u[1] / size]).0))
     }
 
-    /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e dx/√(r² − x²) from 0 to r;
-    /// on the axis that of the spring there.
+    /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e
+    /// dx/√(r² − x²) from 0 to r; on the axis that of the spring there.
     pub(crate) fn surface_slip(&self, r: f64, ahead: Vector) -> [Vector; 3] {
         let mut slip = [[0.0; 2]; 3];
         let of_spring = |knot: &PlanarKnot| {
             let u = self.deflection(knot);
             let size = norm(u);
-            if !(self.at_bound(knot) && size > 0.0 && dot(self.pull(u).0, ahead) > 0.0) {
+            if !(self.at_bound(knot) && size > 0.0 && dot(self.stiffness_along(u).0, ahead) > 0.0) {
                 return [[0.0; 2]; 3];
             }
             let n = [u[0] / size, u[1] / size];
-            let (pull, square) = self.pull(n);
-            [pull[0] / square, pull[1] / square, -self.bound_slope / square].map(|rate| scaled(n, rate))
+            let (along, square) = self.stiffness_along(n);
+            [along[0] / square, along[1] / square, -self.bound_slope / square].map(|rate| scaled(n, rate))
         };
         if r == 0.0 {
             return self.row.knots.first().map_or(slip, of_spring);
@@ -152,23 +154,24 @@ impl Standing<'_> {
         slip
     }
 
-    /// Tangents of half the row for going on in a direction: springs at their bound that the motion pulls on follow it.
+    /// Tangents of half the row for going on in a direction: springs at their bound that the motion
+    /// grows on follow it.
     pub(crate) fn tangent(&self, ahead: Vector) -> Tangent {
         let part = |knot: &PlanarKnot| {
             let u = self.deflection(knot);
             let size = norm(u);
-            let slips = self.at_bound(knot) && size > 0.0 && dot(self.pull(u).0, ahead) > 0.0;
+            let slips = self.at_bound(knot) && size > 0.0 && dot(self.stiffness_along(u).0, ahead) > 0.0;
             slips.then(|| {
                 let n = [u[0] / size, u[1] / size];
-                let (pull, square) = self.pull(n);
+                let (along, square) = self.stiffness_along(n);
                 // K − K**n** K**n**/κ, without the difference
                 let share = self.stiffness_ratio / square;
                 let (bound, m) = (self.bound(knot) / square, self.bound_slope / square);
                 let stiffness = [[n[1] * n[1], -n[0] * n[1]], [-n[0] * n[1], n[0] * n[0]]];
                 Tangent {
                     stiffness: stiffness.map(|row| row.map(|part| share * part)),
-                    by_depth: [m * pull[0], m * pull[1]],
-                    work: [bound * pull[0], bound * pull[1]],
+                    by_depth: [m * along[0], m * along[1]],
+                    work: [bound * along[0], bound * along[1]],
                     work_by_depth: -m * self.bound(knot),
                 }
             })

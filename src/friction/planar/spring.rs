@@ -1,18 +1,21 @@
 //! One spring along one straight line of the body, in closed form.
 //!
-//! The spring is deflected by a vector u = U − e and slips where |u| would exceed its bound b, along u itself: ė = λ u/b. On
-//! a straight line of path s in the direction **t**, b linear in s, it sticks at first, and slips from the root of a
-//! quadratic on: |u + s **t**| − b is convex in s, so that it is crossed once. From there on, with the angle θ from **t** to u,
+//! The spring is deflected by a vector u = U − e and slips where |u| would exceed its bound b,
+//! along u itself: ė = λ u/b. On a straight line of path s in the direction **t**, b linear in s,
+//! it sticks at first, and slips from the root of a quadratic on: |u + s **t**| − b is convex in s,
+//! so that it is crossed once. From there on, with the angle θ from **t** to u,
 //!
 //! dθ/ds = −sin θ/b, so tan(θ/2) falls by the factor exp(−∫ds/b), and λ = cos θ − db/ds,
 //!
-//! which only rises: a spring that slips goes on slipping to the end of the line (db/ds only falls along a line of force,
-//! too, see [`super`]). With y = ln cos²(θ₀/2)/cos²(θ/2), for which dy = (cos θ − 1) ds/b, the advance and the work of the drive are
+//! which only rises: a spring that slips goes on slipping to the end of the line (db/ds only falls
+//! along a line of force, too, see [`super`]). With y = ln cos²(θ₀/2)/cos²(θ/2), for which dy =
+//! (cos θ − 1) ds/b, the advance and the work of the drive are
 //!
 //! ∫cos θ ds = s + ∫b dy, ∫b cos θ ds = ∫b ds + ∫b² dy,
 //!
-//! closed at constant b, and for u along **t** at any. Where b changes and u turns at once, b is a power of (e^y − cos²(θ₀/2)), which ends
-//! like a logarithm: by Gauss's rule in ∛y from there it is good to 2e-5 of b where b changes by 5 %.
+//! closed at constant b, and for u along **t** at any. Where b changes and u turns at once, b is a
+//! power of (e^y − cos²(θ₀/2)), which ends like a logarithm: by Gauss's rule in ∛y from there it is
+//! good to 2e-5 of b where b changes by 5 %.
 
 mod anisotropic;
 
@@ -60,13 +63,15 @@ pub(super) struct Moved {
     pub(super) deflection: Vector,
     /// Length of the path by which it slipped, m.
     pub(super) slip: f64,
-    /// Mean of its bound while it slipped, m: their product is the work of friction over its stiffness.
+    /// Mean of its bound while it slipped, m: their product is the work of friction over its
+    /// stiffness.
     pub(super) mean_bound: f64,
 }
 
-/// A spring deflected by `start` whose body moves by `motion` while its bound goes evenly between the two given. An excess within
-/// the `rounding` is none. Where the `stiffness_ratio` is not 1, lengths along y are multiplied by
-/// it, except for the slip ([`anisotropic`]).
+/// A spring deflected by `start` whose body moves by `motion` while its bound goes evenly between
+/// the two given. A spring whose excess is within the `rounding` sticks. Where the
+/// `stiffness_ratio` is not 1, lengths along y are multiplied by it, except for the slip
+/// ([`anisotropic`]).
 pub(super) fn move_spring(
     start: Vector,
     motion: Vector,
@@ -113,7 +118,7 @@ pub(super) fn move_spring(
     let (advance, driven) = turn.advance(path, (onset_bound, bound));
     let slip = advance - (bound - onset_bound);
     let work = driven - mean * (bound - onset_bound);
-    // a slip of nothing has no mean
+    // the mean over a slip of 0 is not a number
     let mean_bound = (work / slip).clamp(onset_bound.min(bound), onset_bound.max(bound));
     Moved {
         deflection,
@@ -122,7 +127,8 @@ pub(super) fn move_spring(
     }
 }
 
-/// Share of the line after which the spring slips: the root of |u + t ΔU|² = (b₀ + t Δb)² at which the bound is left.
+/// Share of the line after which the spring slips: the root of |u + t ΔU|² = (b₀ + t Δb)² at which
+/// the bound is left.
 fn onset(start: Vector, motion: Vector, (first_bound, bound): (f64, f64)) -> f64 {
     let scale = norm(motion).max(first_bound).max(bound);
     let (start, motion) = ([start[0] / scale, start[1] / scale], [motion[0] / scale, motion[1] / scale]);

@@ -24,7 +24,8 @@ fn at(surface: &Surface, control: NormalControl, value: f64) -> Contact {
     surface.contact(control, value, 1.0).expect("the profile carries any load")
 }
 
-/// A contact under depth or load control whose state is followed in the plane and, on a line, by knots.
+/// A contact under depth or load control whose state is followed in the plane and, on a line, by
+/// knots.
 struct Scene {
     surface: Surface,
     control: NormalControl,
@@ -131,7 +132,8 @@ fn polar(size: f64, angle: f64) -> Vector {
 /// Displacements in units of full slip: partial slip, its reversals, gross slip and back.
 const STROKES: [f64; 7] = [0.6, -0.5, 0.3, 1.4, -0.2, -2.5, 0.1];
 
-/// Largest errors of force (of its limit), work (of limit times full slip) and stick radius (of a) along strokes on a line.
+/// Largest errors of force (of its limit), work (of limit times full slip) and stick radius (of a)
+/// along strokes on a line.
 fn line_error(
     profile: &Profile,
     control: NormalControl,
@@ -170,8 +172,9 @@ fn line_error(
     worst
 }
 
-/// Asserts that errors fall with the square of the number of samples, next to a flat tip, where the image of a blunted ball starts like a
-/// root, with the power 3/2; and their size, which is largest there.
+/// Asserts that errors fall with the square of the number of samples, next to a flat tip, where the
+/// image of a blunted ball starts like a root, with the power 3/2; and their size, which is largest
+/// there.
 fn assert_order(profile: &Profile, what: &str, (coarse, fine): ([f64; 3], [f64; 3]), most: [f64; 2]) {
     println!("{what}: {coarse:?} {fine:?}");
     let least = if matches!(profile, Profile::BluntedSphere { .. }) { 1.2 } else { 1.6 };
@@ -183,8 +186,8 @@ fn assert_order(profile: &Profile, what: &str, (coarse, fine): ([f64; 3], [f64; 
     assert!(fine[2] < 1e-9, "{what}: stick radius {:e}", fine[2]);
 }
 
-/// At any angle loops, partial and gross slip are those of one dimension, with an error of second order in the samples; the
-/// front of a first stroke is where it is, to rounding.
+/// At any angle loops, partial and gross slip are those of one dimension, with an error of second
+/// order in the samples; the front of a first stroke is where it is, to rounding.
 #[test]
 fn a_line_at_any_angle_is_the_same_as_in_one_dimension() {
     for profile in profiles() {
@@ -196,7 +199,9 @@ fn a_line_at_any_angle_is_the_same_as_in_one_dimension() {
     }
 }
 
-/// The same while load or depth vary by a third.
+/// The same while load or depth vary by a third. A line is exact under a prescribed depth; a step
+/// in the plane has an error of its own in the work. The order from 64 to 256 samples under a cone
+/// is 1.54 with 96 steps, 1.57 with 192, 1.63 with 384.
 #[test]
 fn a_line_under_a_load_that_varies_is_the_same_as_in_one_dimension() {
     for profile in profiles() {
@@ -228,7 +233,8 @@ fn polygon(control: NormalControl, swing: f64, steps: u32) -> (Vector, f64) {
     ([force[0] / limit, force[1] / limit], scene.work / (limit * full))
 }
 
-/// A step may be split at will: to rounding at constant load, to a stated error where it changes by the 5 % at which histories cut it.
+/// A step may be split at will: to rounding at constant load, to a stated error where it changes by
+/// the 5 % at which histories cut it.
 #[test]
 fn a_step_may_be_split() {
     for control in [NormalControl::Indentation, NormalControl::Force] {
@@ -242,8 +248,8 @@ fn a_step_may_be_split() {
     }
 }
 
-/// Steady circular orbit of radius U: springs with b < U slip along u at right angles to e, so that |e|² = U² − b². Force along and
-/// across U, and work of an orbit, by quadrature.
+/// Steady circular orbit of radius U: springs with b < U slip along u at right angles to e, so that
+/// |e|² = U² − b². Force along and across U, and work of an orbit, by quadrature.
 fn orbit_in_closed_form(surface: &Surface, contact: &Contact, radius: f64) -> [f64; 3] {
     let bound = |x: f64| M * (contact.depth - surface.image(x)).max(0.0);
     let front = contact.depth - radius / M;
@@ -274,7 +280,8 @@ fn orbit(scene: &mut Scene, radius: f64, corners: u32, orbits: u32) -> [f64; 3] 
     [x, y, scene.work - before]
 }
 
-/// Errors of a steady orbit: of the forces, of their limit, and of its work, of limit times length of the orbit.
+/// Errors of a steady orbit: of the forces, of their limit, and of its work, of limit times length
+/// of the orbit.
 fn orbit_error(profile: &Profile, share: f64, samples: usize, corners: u32) -> f64 {
     let mut scene = Scene::pressed(profile.clone(), NormalControl::Indentation, 2e-6, samples);
     let radius = share * M * scene.contact.depth;
@@ -284,7 +291,8 @@ fn orbit_error(profile: &Profile, share: f64, samples: usize, corners: u32) -> f
     (0..3).map(|k| (found[k] - exact[k]).abs() / scale[k]).fold(0.0, f64::max)
 }
 
-/// The force across starts like a root at the front, so that the error falls with the power 3/2 of the samples.
+/// The force across starts like a root at the front, so that the error falls with the power 3/2 of
+/// the samples.
 #[test]
 fn steady_orbits_have_the_closed_form() {
     for profile in profiles() {

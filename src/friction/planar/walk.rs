@@ -1,6 +1,7 @@
-//! The walk of the row along a straight line in load and displacement: springs touch and leave, stick and slip.
+//! The walk of the row along a straight line in load and displacement: springs touch and leave,
+//! stick and slip.
 
-use super::laying::{Samples, interpolated};
+use super::sampling::{Samples, interpolated};
 use super::spring::{Vector, difference, move_spring, norm, scaled, sum};
 use super::{PlanarKnot, PlanarRow};
 use crate::friction::SlipPiece;

@@ -2,8 +2,8 @@
 
 use super::{WearingRow, sum};
 
-/// A wearing contact of a body of revolution under force control, moved in the plane: springs slip back to Coulomb's circle along
-/// themselves, w grows by (k/σ₀) **τ**·Δ**s**.
+/// A wearing contact of a body of revolution under force control, moved in the plane: springs slip
+/// back to Coulomb's circle along themselves, w grows by (k/σ₀) **τ**·Δ**s**.
 #[derive(Debug, Clone)]
 pub struct PlanarWearingRow {
     row: WearingRow,
@@ -48,10 +48,10 @@ impl PlanarWearingRow {
         }
         let drops = load.map(|load| load.windows(2).map(|q| q[0] - q[1]).collect::<Vec<_>>());
         for i in 0..row.radii.len() {
-            let work = |k: usize| sum(&row.pressure[i], &drops[k][i..]) * sum(&row.descent[i], &slip[k]);
+            let work = |k: usize| sum(&row.pressure[i], &drops[k][i..]) * sum(&row.inverse[i], &slip[k]);
             row.depth[i] += row.wear_per_work * (work(0) + work(1)).max(0.0);
         }
-        row.ascend();
+        row.abel();
     }
 
     /// 2G* ∫ u dx, N.

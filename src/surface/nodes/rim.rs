@@ -1,20 +1,23 @@
 //! Nodes at the rim of a body that ends there, once it has worn.
 //!
-//! The pressure rises towards a sharp rim like the inverse root of the distance, for whose sake a fan of cells is laid there. Wear that is
-//! deeper by w at the rim than at the axis takes that load over some a (w/d)². In cells far narrower than this nothing is left to resolve,
-//! but each of them leaves the contact on its own, and is a sharp rim itself for a while, whose pressure an update cannot follow: a flat
-//! punch to and fro in gross slip was refused from some step on.
+//! The pressure rises towards a sharp rim like the inverse root of the distance, for whose sake a
+//! fan of cells is placed there. Wear that is deeper by w at the rim than at the axis takes that
+//! load over some a (w/d)². In cells far narrower than this nothing is left to resolve, but each of
+//! them leaves the contact on its own, and is a sharp rim itself for a while, whose pressure an
+//! update cannot follow: a flat punch to and fro in gross slip was refused from some step on.
 
 use super::Nodes;
 use crate::profile::Profile;
 use crate::transform;
 
-/// Share of an even cell that the cells at the rim need not go above: elsewhere the profile is resolved by even ones.
+/// Share of an even cell that the cells at the rim need not go above: elsewhere the profile is
+/// resolved by even ones.
 const OF_EVEN: f64 = 0.25;
 
 impl Nodes {
-    /// These nodes without those that crowd at a worn rim under a contact of some depth (m); `None` where none do. Image and depth stay
-    /// at all others but the last, which takes what keeps the worn volume.
+    /// These nodes without those that crowd at a worn rim under a contact of some depth (m); `None`
+    /// where none do. Image and depth stay at all others but the last, which takes what keeps the
+    /// worn volume.
     pub(crate) fn spread_at_rim(&self, depth: f64, profile: &Profile) -> Option<Self> {
         let (start, least) = self.relieved_rim(depth, profile.outer_radius())?;
         let rim = self.last();
@@ -37,7 +40,8 @@ impl Nodes {
         Some(nodes)
     }
 
-    /// Where the last even cells of a body that ends at its last node begin, and the width that they need not go below, m.
+    /// Where the last even cells of a body that ends at its last node begin, and the width that
+    /// they need not go below, m.
     fn relieved_rim(&self, depth: f64, outer: f64) -> Option<(f64, f64)> {
         let worn = self.depth[self.last()] - self.depth[0];
         if self.x[self.last()] < outer || !(worn > 0.0 && depth > 0.0) {
@@ -55,6 +59,6 @@ impl Nodes {
         unit[last] = 1.0;
         let more = (volume - self.worn_volume()) / self.volume(&unit);
         self.depth[last] = (self.depth[last] + more).max(0.0).min(self.depth[last]);
-        self.worn_image[last] = transform::ascend_last(&self.x, &self.worn_image, self.depth[last]);
+        self.worn_image[last] = transform::abel_last(&self.x, &self.worn_image, self.depth[last]);
     }
 }

@@ -7,8 +7,8 @@ use crate::transform;
 /// Most iterations in the search for a radius; bisection alone would need 60.
 const MOST_ITERATIONS: usize = 100;
 
-/// Slope at the node between two cells, each given by its width and secant, of a cubic that is monotone where the data are
-/// (Steffen, Astron. Astrophys. 239 (1990), 443).
+/// Slope at the node between two cells, each given by its width and secant, of a cubic that is
+/// monotone where the data are (Steffen, Astron. Astrophys. 239 (1990), 443).
 fn steffen_slope((h0, before): (f64, f64), (h1, after): (f64, f64)) -> f64 {
     let mean = (before * h1 + after * h0) / (h0 + h1);
     (before.signum() + after.signum()) * before.abs().min(after.abs()).min(0.5 * mean.abs())
@@ -20,7 +20,7 @@ impl Nodes {
         if r >= self.x[self.last()] {
             0.0
         } else {
-            transform::descent_at(&self.x, &self.worn_image, r).max(0.0)
+            transform::inverse_at(&self.x, &self.worn_image, r).max(0.0)
         }
     }
 
@@ -34,7 +34,8 @@ impl Nodes {
         (1.0 - share) * self.depth[j] + share * self.depth[j + 1]
     }
 
-    /// Image and depth (m) of the node at a radius, within a share of that; `None` where there is none.
+    /// Image and depth (m) of the node at a radius, within a share of that; `None` where there is
+    /// none.
     pub(crate) fn at(&self, radius: f64, share: f64) -> Option<(f64, f64)> {
         let near = self.x.partition_point(|x| *x < radius * (1.0 - share));
         let found = self.x.get(near).is_some_and(|x| *x <= radius * (1.0 + share));
@@ -47,9 +48,9 @@ impl Nodes {
         (above < self.x.len()).then(|| above - 1)
     }
 
-    /// Radius between two others at which the whole image takes a value, where a cell between nodes holds it and it rises there:
-    /// Newton's method, kept inside the cell by bisection, from the line in X between the nodes, which for a sphere is the
-    /// image itself.
+    /// Radius between two others at which the whole image takes a value, where a cell between nodes
+    /// holds it and it rises there: Newton's method, kept inside the cell by bisection, from the
+    /// line in X between the nodes, which for a sphere is the image itself.
     pub(crate) fn radius_of_image(&self, profile: &Profile, image: f64, low: f64, high: f64) -> Option<f64> {
         let start = self.x.partition_point(|x| *x <= low);
         let end = self.x.partition_point(|x| *x < high);
@@ -88,8 +89,8 @@ impl Nodes {
         Some(x.max(low).min(high))
     }
 
-    /// Ends (m) of the outermost cell whose inner end has an image of `image` (m) at most, and whose
-    /// outer end has a larger one.
+    /// Ends (m) of the outermost cell whose inner end has an image of `image` (m) at most, and
+    /// whose outer end has a larger one.
     pub(crate) fn outermost_cell_below(&self, image: f64) -> Option<(f64, f64)> {
         let inner = self.whole.iter().rposition(|g| *g <= image)?;
         Some((self.x[inner], *self.x.get(inner + 1)?))
@@ -126,7 +127,8 @@ impl Nodes {
     }
 
     /// Image of the wear at x by Steffen's monotone cubic in x²: of higher order than
-    /// the line where the image is smooth, without overshoot at a jump. For taking it over to other nodes.
+    /// the line where the image is smooth, without overshoot at a jump. For taking it over to other
+    /// nodes.
     pub(crate) fn smooth_image(&self, x: f64) -> f64 {
         let Some(j) = self.cell(x) else { return self.worn_part(x).0 };
         let (x0, width) = (self.x[j], (self.x[j + 1] - self.x[j]) * (self.x[j + 1] + self.x[j]));

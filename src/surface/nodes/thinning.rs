@@ -3,9 +3,10 @@
 /// Share of the largest image that thinning may take at the usual tolerance.
 const USUAL_SHARE: f64 = 5e-5;
 
-/// Indices of nodes such that the line (in x²) between neighbours meets all others within a share of the largest image, or that
-/// crowd at the end: there each lies a part of its distance from the end apart from the next, or of the radius, which falls with the
-/// root of the share, as the error of a line does with the square of its length.
+/// Indices of nodes such that the line (in x²) between neighbours meets all others within a share
+/// of the largest image, or that crowd at the end: there each lies a part of its distance from the
+/// end apart from the next, or of the radius, which falls with the root of the share, as the error
+/// of a line does with the square of its length.
 pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64) -> Vec<usize> {
     let last = x.len() - 1;
     let spread = (share / USUAL_SHARE).sqrt().min(1.0);
@@ -43,7 +44,8 @@ pub(super) fn thin_unless(
     kept
 }
 
-/// Whether the line (in x²) between two nodes meets a field at all between them within a share of its largest value.
+/// Whether the line (in x²) between two nodes meets a field at all between them within a share of
+/// its largest value.
 pub(super) fn met_by_lines(x: &[f64], field: &[f64], share: f64) -> impl Fn(usize, usize) -> bool {
     let least = share * field.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
     move |anchor, end| {
@@ -59,7 +61,8 @@ pub(super) fn met_by_lines(x: &[f64], field: &[f64], share: f64) -> impl Fn(usiz
 mod tests {
     use super::*;
 
-    /// The line from the axis to the first worn node would meet all between them well enough, and wear what has not worn.
+    /// The line from the axis to the first worn node would meet all between them well enough, and
+    /// wear what has not worn.
     #[test]
     fn thinning_leaves_what_has_not_worn_at_all_unworn() {
         let x = [0.0, 0.2, 0.4, 0.5, 0.50001, 0.6, 0.7];

@@ -46,10 +46,10 @@ fn apply(transform: impl Fn(&[f64], &mut [f64], &mut Scratch), values: &[f64]) -
     out
 }
 
-fn ascend(fast: &FastAbel, first: f64, s: &[f64]) -> Vec<f64> {
+fn abel(fast: &FastAbel, first: f64, s: &[f64]) -> Vec<f64> {
     let mut out = vec![f64::NAN; s.len()];
     out[0] = first;
-    fast.ascend(s, &mut out, &mut Scratch::default());
+    fast.abel(s, &mut out, &mut Scratch::default());
     out
 }
 
@@ -64,9 +64,9 @@ fn what_is_linear_is_transformed_exactly() {
             ("constant", values(&x, |_| 1.0), values(&x, |z| FRAC_2_PI * (z - 0.16).sqrt())),
             ("line", values(&x, |x| x - 0.16), values(&x, |z| 4.0 / (3.0 * PI) * (z - 0.16).powf(1.5))),
         ] {
-            let s = apply(|v, o, t| fast.descend(v, o, t), &k);
+            let s = apply(|v, o, t| fast.inverse_abel(v, o, t), &k);
             assert!(difference(&s, &exact) < 1e-13, "{name}, {what}: {:e}", difference(&s, &exact));
-            let back = ascend(&fast, k[0], &exact);
+            let back = abel(&fast, k[0], &exact);
             assert!(difference(&back, &k) < 1e-9, "{name}, {what} back: {:e}", difference(&back, &k));
         }
         // Hertz; q is given to rounding only, which a narrow cell turns into pressure
@@ -77,16 +77,17 @@ fn what_is_linear_is_transformed_exactly() {
         // a disc: image x² belongs to profile r²/2
         let x = nodes(grading, 700);
         let fast = FastAbel::new(&x, Density::Image);
-        let s = apply(|v, o, t| fast.descend(v, o, t), &x);
+        let s = apply(|v, o, t| fast.inverse_abel(v, o, t), &x);
         let error = difference(&s, &values(&x, |z| z / 2.0));
         assert!(error < 1e-13, "{name}, paraboloid: {error:e}");
         let constant = vec![0.7; 701];
-        assert_eq!(apply(|v, o, t| fast.descend(v, o, t), &constant), constant);
+        assert_eq!(apply(|v, o, t| fast.inverse_abel(v, o, t), &constant), constant);
     }
 }
 
-/// Largest errors on a mesh of so many cells against closed forms that are not linear: descent and ascent of k = X², and
-/// of k = √X whose descent is a line, and the pressures of q = (1 − X)² and of q = √(1 − X), which is constant.
+/// Largest errors on a mesh of so many cells against closed forms that are not linear: both
+/// directions of k = X², and of k = √X whose inverse transform is a line, and the pressures of q =
+/// (1 − X)² and of q = √(1 − X), which is constant.
 fn errors(grading: fn(f64) -> f64, cells: usize) -> [f64; 6] {
     let x = nodes(grading, cells);
     let fast = FastAbel::new(&x, Density::Quotient);
@@ -98,10 +99,10 @@ fn errors(grading: fn(f64) -> f64, cells: usize) -> [f64; 6] {
     let edge = apply(|v, o, t| fast.pressure(v, o, t), &values(&x, |x| (1.0 - x).max(0.0).sqrt()));
     let inside = x.partition_point(|&z| z < 0.75);
     [
-        error(apply(|v, o, t| fast.descend(v, o, t), &square), &square_down),
-        error(ascend(&fast, 0.0, &square_down), &square),
-        error(apply(|v, o, t| fast.descend(v, o, t), &root), &root_down),
-        error(ascend(&fast, 0.0, &root_down), &root),
+        error(apply(|v, o, t| fast.inverse_abel(v, o, t), &square), &square_down),
+        error(abel(&fast, 0.0, &square_down), &square),
+        error(apply(|v, o, t| fast.inverse_abel(v, o, t), &root), &root_down),
+        error(abel(&fast, 0.0, &root_down), &root),
         error(smooth, &values(&x, |z| 8.0 / (3.0 * PI) * (1.0 - z).powf(1.5))),
         error(edge[..inside].to_vec(), &vec![0.5; inside]),
     ]
@@ -109,8 +110,9 @@ fn errors(grading: fn(f64) -> f64, cells: usize) -> [f64; 6] {
 
 #[test]
 fn errors_fall_with_their_orders() {
-    // second order where cells follow the data; a root of X − X₀ on even cells costs one order, its slope being infinite, and
-    // so does the inverse; the pressure loses half an order to the cell next to its singular kernel
+    // second order where cells follow the data; a root of X − X₀ on even cells costs one order, its
+    // slope being infinite, and so does the inverse; the pressure loses half an order to the cell
+    // next to its singular kernel
     for ((name, grading), expected) in GRADINGS.into_iter().zip([
         [2.0, 2.0, 1.0, 0.5, 1.5, 1.5],
         [2.0, 2.0, 2.0, 1.5, 1.5, 1.5],
@@ -140,17 +142,17 @@ fn the_fast_form_is_the_dense_one() {
                 let error = difference(fast, dense);
                 assert!(error < most, "{name}, {density:?}, {what}: {error:e}");
             };
-            let s = apply(|v, o, t| dense.descend(v, o, t), &v);
-            check("descent", &apply(|v, o, t| fast.descend(v, o, t), &v), &s, 1e-13);
+            let s = apply(|v, o, t| dense.inverse_abel(v, o, t), &v);
+            check("inverse", &apply(|v, o, t| fast.inverse_abel(v, o, t), &v), &s, 1e-13);
             let p = apply(|v, o, t| dense.pressure(v, o, t), &v);
             check("pressure", &apply(|v, o, t| fast.pressure(v, o, t), &v), &p, 1e-13);
-            let back = ascend(&fast, v[0], &s);
-            check("descent of the ascent", &apply(|v, o, t| fast.descend(v, o, t), &back), &s, 1e-13);
+            let back = abel(&fast, v[0], &s);
+            check("there and back", &apply(|v, o, t| fast.inverse_abel(v, o, t), &back), &s, 1e-13);
             // narrow cells far out leave the inverse badly conditioned, the dense one as well
             let most = if name == "clusters" { 1e-9 } else { 1e-11 };
             let mut dense_back = vec![v[0]; v.len()];
-            dense.ascend(&s, &mut dense_back, &mut Scratch::default());
-            check("ascent", &back, &dense_back, most);
+            dense.abel(&s, &mut dense_back, &mut Scratch::default());
+            check("Abel", &back, &dense_back, most);
             check("there and back", &back, &v, most);
         }
     }
@@ -160,7 +162,7 @@ fn the_fast_form_is_the_dense_one() {
 fn some_meshes_have_exact_weights_for_leaves_that_do_not_adjoin() {
     let tree = Tree::new(&clusters(3000));
     let pairs = tree.pairs();
-    assert!(Sweep::descent(&tree, &pairs, Density::Quotient).has_sources_apart());
+    assert!(Sweep::inverse(&tree, &pairs, Density::Quotient).has_sources_apart());
     assert!(Sweep::pressure(&tree, &pairs).has_sources_apart());
 }
 
@@ -175,7 +177,8 @@ fn work_grows_in_proportion_to_the_cells() {
             assert!(many < 140 * 32_768, "{name}: {many}");
         }
     }
-    // where cells grow by several per cent each, all leaves are neighbours: then it is that of the tables
+    // where cells grow by several per cent each, all leaves are neighbours: then it is that of the
+    // tables
     for cells in [200, 400, 1000] {
         let x = nodes(GRADINGS[3].1, cells);
         let (dense, fast) = (DenseAbel::new(&x, Density::Quotient), FastAbel::new(&x, Density::Quotient));
@@ -192,8 +195,8 @@ fn transforms_are_causal_to_the_last_digit() {
             // what comes later may be anything
             let v: Vec<f64> =
                 (0..=1500).map(|i| if i <= edge { (i as f64).cos() } else { f64::NAN }).collect();
-            let s = apply(|v, o, t| fast.descend(v, o, t), &v);
-            let back = ascend(&fast, v[0], &s);
+            let s = apply(|v, o, t| fast.inverse_abel(v, o, t), &v);
+            let back = abel(&fast, v[0], &s);
             assert!(s[..=edge].iter().chain(&back[..=edge]).all(|s| s.is_finite()));
             assert!(s[edge + 1..].iter().all(|s| s.is_nan()));
             let q: Vec<f64> = v.iter().rev().copied().collect();
@@ -202,9 +205,9 @@ fn transforms_are_causal_to_the_last_digit() {
             assert!(p[..1500 - edge].iter().all(|p| p.is_nan()));
             // what has not slipped stays exactly where it is
             let slip: Vec<f64> = (0..=1500).map(|i| if i <= edge { 0.0 } else { 1.0 }).collect();
-            let s = apply(|v, o, t| fast.descend(v, o, t), &slip);
+            let s = apply(|v, o, t| fast.inverse_abel(v, o, t), &slip);
             assert!(s[..=edge].iter().all(|s| *s == 0.0) && s[edge + 1..].iter().all(|s| *s > 0.0));
-            assert!(ascend(&fast, 0.0, &s)[..=edge].iter().all(|v| *v == 0.0));
+            assert!(abel(&fast, 0.0, &s)[..=edge].iter().all(|v| *v == 0.0));
         }
     }
 }
@@ -216,29 +219,29 @@ fn scratch_carries_nothing_from_one_call_to_the_next() {
         (FastAbel::new(&long, Density::Image), FastAbel::new(&short, Density::Quotient));
     let (v, w) = (values(&long, f64::cos), values(&short, f64::exp));
     let (mut scratch, mut out) = (Scratch::default(), vec![0.0; 2001]);
-    of_long.descend(&v, &mut out, &mut scratch);
+    of_long.inverse_abel(&v, &mut out, &mut scratch);
     of_short.pressure(&w, &mut out[..901], &mut scratch);
     assert_eq!(out[..901], apply(|v, o, t| of_short.pressure(v, o, t), &w));
-    of_short.descend(&w, &mut out[..901], &mut scratch);
-    assert_eq!(out[..901], apply(|v, o, t| of_short.descend(v, o, t), &w));
-    of_long.descend(&v, &mut out, &mut scratch);
-    assert_eq!(out, apply(|v, o, t| of_long.descend(v, o, t), &v));
+    of_short.inverse_abel(&w, &mut out[..901], &mut scratch);
+    assert_eq!(out[..901], apply(|v, o, t| of_short.inverse_abel(v, o, t), &w));
+    of_long.inverse_abel(&v, &mut out, &mut scratch);
+    assert_eq!(out, apply(|v, o, t| of_long.inverse_abel(v, o, t), &v));
 }
 
 #[test]
-fn a_functional_of_the_values_is_one_of_their_descents() {
+fn a_functional_of_the_values_is_one_of_their_transforms() {
     let meshes = GRADINGS.iter().map(|&(name, grading)| (name, nodes(grading, 1500)));
     for (name, x) in meshes.chain([("clusters", clusters(3000)), ("short", clusters(20))]) {
         for density in [Density::Quotient, Density::Image] {
             let fast = FastAbel::new(&x, density);
             let width = x[x.len() - 1];
             let s = values(&x, |x| (5.0 * x / width).sin() + 0.3 * x / width);
-            let v = ascend(&fast, 0.4, &s);
+            let v = abel(&fast, 0.4, &s);
             // an integral over v
             let mut functional = values(&x, |x| (x / width - 0.3).exp() / x.max(1e-3 * width));
             functional[0] = 0.7;
             let direct: f64 = functional.iter().zip(&v).map(|(f, v)| f * v).sum();
-            fast.ascend_transposed(&mut functional, &mut Scratch::default());
+            fast.abel_transposed(&mut functional, &mut Scratch::default());
             let inner = if density == Density::Quotient { 0.4 } else { s[0] };
             let other: f64 =
                 functional[0] * inner + functional[1..].iter().zip(&s[1..]).map(|(f, s)| f * s).sum::<f64>();

@@ -4,8 +4,8 @@ use super::{Expansions, Leaf, Step, Sweep};
 use crate::transform::interpolation::{ORDER, Row, add_scaled, product};
 
 impl Sweep {
-    /// What [`super::Target::solve`] makes of sums, in a functional Σ fⱼ vⱼ of the values: `row` holds f and becomes its
-    /// weights on the sums, and on the value at 0, which is given.
+    /// What [`super::Target::solve`] makes of sums, in a functional Σ fⱼ vⱼ of the values: `row`
+    /// holds f and becomes its weights on the sums, and on the value at 0, which is given.
     pub(in crate::transform) fn solve_transposed(&self, row: &mut [f64], expansions: &mut Expansions) {
         for part in [&mut expansions.moments, &mut expansions.fields] {
             part.clear();
@@ -31,7 +31,7 @@ impl Sweep {
                     }
                 }
                 Step::Leaf(leaf) => {
-                    if leaf.speaks {
+                    if leaf.emits {
                         let sum = moments[leaf.block];
                         for value in row[leaf.start..leaf.end + self.extra].iter_mut().rev() {
                             *value += product(weights.row(), &sum);
@@ -45,18 +45,18 @@ impl Sweep {
 
     fn targets(&self, leaf: &Leaf, row: &mut [f64], field: &mut Row, weights: &mut Backward<'_>) {
         for target in (leaf.start + 1..=leaf.end).rev() {
-            let run = weights.take(target + self.extra - leaf.reach);
+            let run = weights.take(target + self.extra - leaf.near);
             let (before, diagonal) = run.split_at(run.len() - 1);
             row[target] /= diagonal[0];
             let value = row[target];
             let mut take_off = |start: usize, weights: &[f64]| {
                 row[start..start + weights.len()].iter_mut().zip(weights).for_each(|(r, w)| *r -= value * w);
             };
-            take_off(leaf.reach, before);
+            take_off(leaf.near, before);
             for apart in self.apart[leaf.apart.clone()].iter().rev() {
                 take_off(apart.start, weights.take(apart.len()));
             }
-            if leaf.hears {
+            if leaf.receives {
                 add_scaled(-value, weights.row(), field);
             }
         }

@@ -66,8 +66,8 @@ fn equal_cycles_make_their_closed_law_whatever_the_steps() {
     }
 }
 
-/// A slide that begins amid slip moves its front inward: what slips lies between the two fronts and
-/// outside.
+/// A slide that begins while springs slip moves its front inward: what slips lies between the two
+/// fronts and outside.
 #[test]
 fn a_slide_that_goes_on_slips_from_its_new_front() {
     let (before, now) = (0.3 * M * DEPTH, 0.7 * M * DEPTH);

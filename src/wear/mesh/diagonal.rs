@@ -1,7 +1,8 @@
-//! The diagonal of what turns a depth into the pressure that its image relieves, from nodes near by.
+//! The diagonal of what turns a depth into the pressure that its image relieves, from nodes near
+//! by.
 
 use super::{Region, UnitMesh, density, weights};
-use crate::transform::add_descent;
+use crate::transform::add_inverse;
 
 /// Nodes outside a node that count. What is left out falls with the square of their number.
 const REACH: usize = 6;
@@ -16,7 +17,7 @@ pub(super) fn relief(mesh: &UnitMesh, rim: bool) -> Vec<f64> {
         // column i of D̂⁻¹, down to there
         let mut z = [0.0; REACH + 1];
         for k in i..=last {
-            let row = mesh.descent_part(&root, i, k);
+            let row = mesh.inverse_part(&root, i, k);
             let sum: f64 = row[..k - i].iter().zip(&z).map(|(weight, z)| weight * z).sum();
             z[k - i] = (f64::from(u8::from(k == i)) - sum) / row[k - i];
         }
@@ -27,7 +28,7 @@ pub(super) fn relief(mesh: &UnitMesh, rim: bool) -> Vec<f64> {
 
 impl UnitMesh {
     /// D̂ at (k, j) for j from i to k.
-    fn descent_part(&self, root: &[f64], i: usize, k: usize) -> [f64; REACH + 1] {
+    fn inverse_part(&self, root: &[f64], i: usize, k: usize) -> [f64; REACH + 1] {
         let mut part = [0.0; REACH + 1];
         if k == 0 {
             part[0] = if self.region == Region::Disc { 1.0 } else { 0.0 };
@@ -36,7 +37,7 @@ impl UnitMesh {
         let mut row = [0.0; REACH + 2];
         let start = i.saturating_sub(1);
         let row = &mut row[..=k - start];
-        add_descent(density(self.region), &self.share, root, self.share[k], start..k, row);
+        add_inverse(density(self.region), &self.share, root, self.share[k], start..k, row);
         part[..=k - i].copy_from_slice(&row[i - start..]);
         part
     }
@@ -64,7 +65,7 @@ mod tests {
                 for i in mesh.first()..=96 {
                     let (mut w, mut z, mut p) = (vec![0.0; 97], vec![0.0; 97], vec![0.0; 97]);
                     w[i] = 1.0;
-                    mesh.ascend(&w, &mut z);
+                    mesh.abel(&w, &mut z);
                     mesh.pressure(&z, rim, &mut p);
                     assert!(
                         (relief[i] - p[i]).abs() <= 0.02 * p[i].abs(),

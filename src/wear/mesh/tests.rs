@@ -8,15 +8,15 @@ fn errors(region: Region, n: usize) -> (f64, f64, f64) {
     // z = φ on the annulus: (1/π)∫ X dX/√(Z − X) = 4 Z^{3/2}/(3π); on the disc h = x² : w = r²/2
     let mut w = vec![0.0; n + 1];
     let linear: Vec<f64> = phi.clone();
-    mesh.descend(&linear, &mut w);
+    mesh.inverse_abel(&linear, &mut w);
     let exact = |z: f64| match region {
         Region::Annulus => 4.0 / (3.0 * PI) * z.powf(1.5),
         Region::Disc => z / 2.0,
     };
-    let descent = (0..=n).map(|i| (w[i] - exact(phi[i])).abs()).fold(0.0, f64::max);
+    let inverse = (0..=n).map(|i| (w[i] - exact(phi[i])).abs()).fold(0.0, f64::max);
     // z = X²: not linear
     let square: Vec<f64> = phi.iter().map(|x| x * x).collect();
-    mesh.descend(&square, &mut w);
+    mesh.inverse_abel(&square, &mut w);
     let exact = |z: f64| match region {
         Region::Annulus => 16.0 / (15.0 * PI) * z.powf(2.5),
         Region::Disc => 3.0 / 8.0 * z * z,
@@ -27,14 +27,14 @@ fn errors(region: Region, n: usize) -> (f64, f64, f64) {
     let mut p = vec![0.0; n + 1];
     mesh.pressure(&q, false, &mut p);
     let hertz = (0..=n).map(|i| (p[i] - FRAC_2_PI * (1.0 - phi[i]).sqrt()).abs()).fold(0.0, f64::max);
-    (descent, hertz, curved)
+    (inverse, hertz, curved)
 }
 
 #[test]
 fn transforms_are_exact_for_lines_and_of_second_order_else() {
     for region in [Region::Annulus, Region::Disc] {
-        let (descent, hertz, coarse) = errors(region, 32);
-        assert!(descent < 1e-9 && hertz < 1e-12, "{region:?}: {descent:e} {hertz:e}");
+        let (inverse, hertz, coarse) = errors(region, 32);
+        assert!(inverse < 1e-9 && hertz < 1e-12, "{region:?}: {inverse:e} {hertz:e}");
         let fine = errors(region, 128).2;
         let order = (coarse / fine).log2() / 2.0;
         assert!((1.9..2.2).contains(&order), "{region:?}: order {order}");
@@ -45,7 +45,8 @@ fn transforms_are_exact_for_lines_and_of_second_order_else() {
 fn the_drift_is_of_fourth_order() {
     for region in [Region::Annulus, Region::Disc] {
         let p = grading(region, 64);
-        // w = sin 2ξ − 2ξ + (4/3) ξ³, of fifth order at ξ = 0, where the last neighbours are missing
+        // w = sin 2ξ − 2ξ + (4/3) ξ³, of fifth order at ξ = 0, where the last neighbours are
+        // missing
         let error = |n: usize| {
             let mesh = UnitMesh::graded(region, n, p, false);
             let xi = |i: usize| i as f64 / n as f64;
@@ -63,14 +64,14 @@ fn the_drift_is_of_fourth_order() {
 }
 
 #[test]
-fn ascending_undoes_descending_and_functionals_agree() {
+fn abel_undoes_inverse_abel_and_functionals_agree() {
     for region in [Region::Annulus, Region::Disc] {
         let mesh = UnitMesh::shared(region, 40);
         let z: Vec<f64> = mesh.share.iter().map(|x| 0.3 + x - 2.0 * x * x).collect();
         let (mut w, mut back) = (vec![0.0; 41], vec![0.0; 41]);
-        mesh.descend(&z, &mut w);
+        mesh.inverse_abel(&z, &mut w);
         back[0] = z[0];
-        mesh.ascend(&w, &mut back);
+        mesh.abel(&w, &mut back);
         for (a, b) in z.iter().zip(&back) {
             assert!((a - b).abs() < 1e-12, "{region:?}: {a} {b}");
         }
@@ -82,11 +83,12 @@ fn ascending_undoes_descending_and_functionals_agree() {
 
 #[test]
 fn the_volume_is_that_of_the_depth() {
-    // disc: w = r²/2 (h = x²): ∫₀¹ 2πr w dr = π/4. Annulus (in L = 1): π ∫ w dZ with w = (4/3π) Z^{3/2}: 8/15
+    // disc: w = r²/2 (h = x²): ∫₀¹ 2πr w dr = π/4. Annulus (in L = 1): π ∫ w dZ with w = (4/3π)
+    // Z^{3/2}: 8/15
     for (region, exact) in [(Region::Disc, PI / 4.0), (Region::Annulus, 8.0 / 15.0)] {
         let mesh = UnitMesh::shared(region, 40);
         let mut w = vec![0.0; 41];
-        mesh.descend(&mesh.share, &mut w);
+        mesh.inverse_abel(&mesh.share, &mut w);
         let volume = mesh.volume.of(&w, 0.0);
         assert!((volume - exact).abs() < 1e-10, "{region:?}: {volume} against {exact}");
     }
@@ -113,8 +115,8 @@ fn a_mesh_that_is_halved_has_the_transforms_of_tables() {
             })
         };
         let mut pairs = vec![
-            both(&|mesh, out| mesh.descend(&z, out)),
-            both(&|mesh, out| mesh.ascend(&z, out)),
+            both(&|mesh, out| mesh.inverse_abel(&z, out)),
+            both(&|mesh, out| mesh.abel(&z, out)),
             both(&|mesh, out| mesh.pressure(&z, false, out)),
             both(&|mesh, out| mesh.pressure(&z, true, out)),
         ];

@@ -1,10 +1,11 @@
 //! Weights of the transforms and integrals on a mesh of shares.
 
 use crate::surface::depth_volume;
-use crate::transform::descent_row;
+use crate::transform::inverse_row;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
-/// φ times the weights of a derivative at node i of a mesh graded with the power p, by the central difference in ξ; none at the ends.
+/// φ times the weights of a derivative at node i of a mesh graded with the power p, by the central
+/// difference in ξ; none at the ends.
 pub(super) fn drift_at(p: f64, i: usize, cells: usize) -> [f64; 3] {
     if i == 0 || i == cells {
         return [0.0; 3];
@@ -18,21 +19,21 @@ pub(super) fn drift_at(p: f64, i: usize, cells: usize) -> [f64; 3] {
 /// Rows of D̂ for k piecewise linear in X: (1/π) ∫ k dX/√(Z − X).
 pub(super) fn annulus_table(share: &[f64]) -> Vec<f64> {
     let n = share.len() - 1;
-    let mut descent = Vec::with_capacity((n + 1) * (n + 2) / 2);
+    let mut inverse = Vec::with_capacity((n + 1) * (n + 2) / 2);
     for i in 0..=n {
-        let start = descent.len();
-        descent.resize(start + i + 1, 0.0);
+        let start = inverse.len();
+        inverse.resize(start + i + 1, 0.0);
         for j in 0..i {
             let cell = share[j + 1] - share[j];
             let (far, near) = ((share[i] - share[j]).sqrt(), (share[i] - share[j + 1]).sqrt());
             // 2 (far − near), and the share of the outer end in it, without cancellation
             let whole = 2.0 * cell / (far + near);
             let outer = (2.0 * far + near) / (3.0 * (far + near)) * whole;
-            descent[start + j] += FRAC_1_PI * (whole - outer);
-            descent[start + j + 1] += FRAC_1_PI * outer;
+            inverse[start + j] += FRAC_1_PI * (whole - outer);
+            inverse[start + j + 1] += FRAC_1_PI * outer;
         }
     }
-    descent
+    inverse
 }
 
 /// Weights for k piecewise linear in X: ∫ k dX / 2 and 2 ∫ k √(1 − X) dX.
@@ -60,20 +61,21 @@ pub(super) fn annulus_integrals(share: &[f64]) -> (Vec<f64>, Vec<f64>) {
 pub(super) fn disc_table(share: &[f64]) -> Vec<f64> {
     let n = share.len() - 1;
     let x: Vec<f64> = share.iter().map(|s| s.sqrt()).collect();
-    let mut descent = Vec::with_capacity((n + 1) * (n + 2) / 2);
+    let mut inverse = Vec::with_capacity((n + 1) * (n + 2) / 2);
     for i in 0..=n {
-        let start = descent.len();
-        descent.resize(start + i + 1, 0.0);
-        descent[start] = 1.0;
-        descent_row(&x[..=i], x[i], |j, c| {
-            descent[start + j] -= c;
-            descent[start + j + 1] += c;
+        let start = inverse.len();
+        inverse.resize(start + i + 1, 0.0);
+        inverse[start] = 1.0;
+        inverse_row(&x[..=i], x[i], |j, c| {
+            inverse[start + j] -= c;
+            inverse[start + j + 1] += c;
         });
     }
-    descent
+    inverse
 }
 
-/// Weights for h piecewise linear in X on a disc of radius 1: ∫ h dx and the volume 4 ∫ h √(1 − x²) dx.
+/// Weights for h piecewise linear in X on a disc of radius 1: ∫ h dx and the volume 4 ∫ h √(1 − x²)
+/// dx.
 pub(super) fn disc_integrals(share: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let n = share.len() - 1;
     let x: Vec<f64> = share.iter().map(|s| s.sqrt()).collect();

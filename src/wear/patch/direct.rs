@@ -1,5 +1,5 @@
-//! The matrix of a step's linear system, for meshes with tables: D̂ − γτ J D̂ in the unknowns z at the nodes first ..= n. At a
-//! moving edge its last row keeps the depth there.
+//! The matrix of a step's linear system, for meshes with tables: D̂ − γτ J D̂ in the unknowns z at
+//! the nodes first ..= n. At a moving edge its last row keeps the depth there.
 
 use super::{Patch, Rate};
 use crate::transform::dot;
@@ -15,7 +15,8 @@ pub(in crate::wear) struct Direct {
 }
 
 impl Direct {
-    /// Depths whose system has the given right side, and the change of the volume rate that belongs to them.
+    /// Depths whose system has the given right side, and the change of the volume rate that belongs
+    /// to them.
     pub(super) fn solve(&self, patch: &Patch, right: &[f64]) -> Option<(Vec<f64>, f64)> {
         let mut unknowns = DVector::from_column_slice(&right[patch.mesh.first()..]);
         self.lu.solve_mut(&mut unknowns).then(|| {
@@ -35,9 +36,9 @@ impl Patch {
     ) -> Direct {
         let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
         let size = n + 1 - first;
-        let (span, a) = (self.span(rate.area), rate.area.sqrt());
+        let (span, a) = (self.span(rate.radius_squared), rate.radius_squared.sqrt());
         let root = span.sqrt();
-        let (factor, lag) = (self.factor * rate.share, self.lag(rate));
+        let (factor, sensitivity) = (self.factor * rate.share, self.sensitivity(rate));
         let mut jacobian = vec![0.0; size * size];
         let mut volume_row = vec![0.0; size];
         // h = z/b; whether a spring slips; b of those that do
@@ -57,19 +58,19 @@ impl Patch {
                     row[n - first] -= stiffness * mesh.rim[i] * softness[n];
                     uniform += mesh.rim[i];
                 }
-                let descent = &tables.descent_row(i)[first..];
-                for ((entry, weight), slips) in row.iter_mut().zip(descent).zip(&slipping) {
+                let inverse = &tables.inverse_row(i)[first..];
+                for ((entry, weight), slips) in row.iter_mut().zip(inverse).zip(&slipping) {
                     *entry += soft * weight * slips;
                 }
-                let moved = dot(descent, &sliding[..descent.len()]);
+                let moved = dot(inverse, &sliding[..inverse.len()]);
                 // the body sinks as it wears
-                let sinking = stiffness * uniform - soft * moved * lag;
+                let approach = stiffness * uniform - soft * moved * sensitivity;
                 if self.is_force() && self.rim {
                     for (entry, width) in row.iter_mut().zip(&mesh.width[first..]) {
-                        *entry += sinking * root * width / a;
+                        *entry += approach * root * width / a;
                     }
                 } else if self.is_force() {
-                    row[n - first] += sinking * softness[n];
+                    row[n - first] += approach * softness[n];
                 }
             }
             for (sum, entry) in volume_row.iter_mut().zip(&*row) {
@@ -78,8 +79,8 @@ impl Patch {
             if !self.rim && i > 0 {
                 for (weight, k) in mesh.drift[i].iter().zip(i - 1..) {
                     let speed = rate.area_rate * weight / span;
-                    for (entry, descent) in row.iter_mut().zip(&tables.descent_row(k)[first.min(k)..]) {
-                        *entry += speed * descent;
+                    for (entry, inverse) in row.iter_mut().zip(&tables.inverse_row(k)[first.min(k)..]) {
+                        *entry += speed * inverse;
                     }
                 }
             }
@@ -90,17 +91,18 @@ impl Patch {
         jacobian.iter_mut().for_each(|entry| *entry *= -gamma_step);
         for i in first..=n {
             let row = &mut jacobian[(i - first) * size..];
-            row.iter_mut().zip(&tables.descent_row(i)[first..]).for_each(|(entry, weight)| *entry += weight);
+            row.iter_mut().zip(&tables.inverse_row(i)[first..]).for_each(|(entry, weight)| *entry += weight);
         }
         let matrix = DMatrix::from_row_slice(size, size, &jacobian);
         Direct { lu: matrix.lu(), volume_row }
     }
 
-    /// What the movement of the edge adds: the drift of the nodes, and the change of all fields with A.
+    /// What the movement of the edge adds: the drift of the nodes, and the change of all fields
+    /// with A.
     fn add_edge_terms(&self, depth: &[f64], rate: &Rate, jacobian: &mut [f64], volume_row: &mut [f64]) {
         let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
         let size = n + 1 - first;
-        let span = self.span(rate.area);
+        let span = self.span(rate.radius_squared);
         let edge = self.edge_change(depth, rate);
         let mut acceleration = vec![0.0; size];
         for i in first..n {
@@ -112,14 +114,14 @@ impl Patch {
         let mut area_row = vec![0.0; size];
         if self.is_force() {
             for j in first..=n {
-                area_row[j - first] = span.sqrt() * mesh.width[j] / edge.condition.area;
+                area_row[j - first] = span.sqrt() * mesh.width[j] / edge.condition.radius_squared;
             }
-            area_row[n - first] -= rate.area.sqrt() / rate.scale[n] / edge.condition.area;
+            area_row[n - first] -= rate.radius_squared.sqrt() / rate.scale[n] / edge.condition.radius_squared;
         } else {
-            area_row[n - first] = -1.0 / rate.scale[n] / edge.condition.area;
+            area_row[n - first] = -1.0 / rate.scale[n] / edge.condition.radius_squared;
         }
-        for (entry, area) in volume_row.iter_mut().zip(&area_row) {
-            *entry += edge.volume * area;
+        for (entry, radius_squared) in volume_row.iter_mut().zip(&area_row) {
+            *entry += edge.volume * radius_squared;
         }
         for i in first..n {
             let row = &mut jacobian[(i - first) * size..(i - first + 1) * size];
@@ -135,7 +137,7 @@ impl Patch {
         let mut full = vec![0.0; n + 1];
         full[first..].copy_from_slice(z);
         let mut depth = vec![0.0; n + 1];
-        self.mesh.descend(&full, &mut depth);
+        self.mesh.inverse_abel(&full, &mut depth);
         if !self.rim {
             depth[n] = 0.0;
         }

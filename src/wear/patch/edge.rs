@@ -1,4 +1,5 @@
-//! Where the contact ends: the square A of the radius that satisfies the condition for the edge, and how that changes.
+//! Where the contact ends: the square A of the radius that satisfies the condition for the edge,
+//! and how that changes.
 
 use super::Patch;
 use crate::transform::dot;
@@ -9,7 +10,7 @@ pub(super) struct EdgeCondition {
     /// To the depths at the nodes.
     pub(super) depth: Vec<f64>,
     /// To A, at fixed depths inside.
-    pub(super) area: f64,
+    pub(super) radius_squared: f64,
 }
 
 impl Patch {
@@ -18,10 +19,10 @@ impl Patch {
         -self.depth_from_inside(a)
     }
 
-    /// Residual of the condition for the edge: g(a) − d, or what the load lacks, from Σ edge·w̃ and Σ mean·w̃ over the
-    /// nodes before the last.
-    fn edge_residual(&self, area: f64, sums: (f64, f64)) -> f64 {
-        let (a, span, end) = (area.sqrt(), self.span(area), self.cells());
+    /// Residual of the condition for the edge: g(a) − d, or what the load lacks, from Σ edge·w̃ and
+    /// Σ mean·w̃ over the nodes before the last.
+    fn edge_residual(&self, radius_squared: f64, sums: (f64, f64)) -> f64 {
+        let (a, span, end) = (radius_squared.sqrt(), self.span(radius_squared), self.cells());
         if a > self.body.profile().outer_radius() {
             return f64::INFINITY;
         }
@@ -44,33 +45,36 @@ impl Patch {
         )
     }
 
-    /// Slope of the residual in A, by a central difference, or from inside next to the end of the body.
-    fn edge_slope(&self, area: f64, sums: (f64, f64)) -> f64 {
-        let step = 1e-5 * self.span(area);
-        let outer = if self.is_inside(area + step) { step } else { 0.0 };
-        let rise = self.edge_residual(area + outer, sums) - self.edge_residual(area - step, sums);
+    /// Slope of the residual in A, by a central difference, or from inside next to the end of the
+    /// body.
+    fn edge_slope(&self, radius_squared: f64, sums: (f64, f64)) -> f64 {
+        let step = 1e-5 * self.span(radius_squared);
+        let outer = if self.is_inside(radius_squared + step) { step } else { 0.0 };
+        let rise = self.edge_residual(radius_squared + outer, sums)
+            - self.edge_residual(radius_squared - step, sums);
         rise / (outer + step)
     }
 
-    pub(super) fn is_inside(&self, area: f64) -> bool {
-        area.sqrt() <= self.body.profile().outer_radius()
+    pub(super) fn is_inside(&self, radius_squared: f64) -> bool {
+        radius_squared.sqrt() <= self.body.profile().outer_radius()
     }
 
-    /// A that satisfies the condition for the edge, by Newton's method from a guess, else by bisection.
+    /// A that satisfies the condition for the edge, by Newton's method from a guess, else by
+    /// bisection.
     pub(super) fn solve_area(&self, depth: &[f64], guess: f64) -> Option<f64> {
         if self.rim {
             return Some(guess);
         }
         let sums = self.edge_sums(depth);
-        let mut area = guess;
+        let mut radius_squared = guess;
         for _ in 0..8 {
-            let change = -self.edge_residual(area, sums) / self.edge_slope(area, sums);
-            if !(change.is_finite() && change.abs() <= 0.5 * self.span(area)) {
+            let change = -self.edge_residual(radius_squared, sums) / self.edge_slope(radius_squared, sums);
+            if !(change.is_finite() && change.abs() <= 0.5 * self.span(radius_squared)) {
                 break;
             }
-            area += change;
-            if change.abs() <= 1e-13 * area {
-                return Some(area);
+            radius_squared += change;
+            if change.abs() <= 1e-13 * radius_squared {
+                return Some(radius_squared);
             }
         }
         self.bisect_area(guess, sums)
@@ -103,8 +107,13 @@ impl Patch {
         Some(high)
     }
 
-    pub(super) fn edge_condition(&self, depth: &[f64], area: f64, edge_scale: f64) -> EdgeCondition {
-        let (n, span, a) = (self.cells(), self.span(area), area.sqrt());
+    pub(super) fn edge_condition(
+        &self,
+        depth: &[f64],
+        radius_squared: f64,
+        edge_scale: f64,
+    ) -> EdgeCondition {
+        let (n, span, a) = (self.cells(), self.span(radius_squared), radius_squared.sqrt());
         let mut row: Vec<f64> = if self.is_force() {
             let edge = self.mesh.edge_image.depth.iter().zip(&self.mesh.mean_image.depth);
             edge.map(|(edge, mean)| a * edge / edge_scale - span.sqrt() * mean).collect()
@@ -112,6 +121,6 @@ impl Patch {
             self.mesh.edge_image.depth.iter().map(|edge| edge / edge_scale).collect()
         };
         row[n] = 0.0;
-        EdgeCondition { depth: row, area: self.edge_slope(area, self.edge_sums(depth)) }
+        EdgeCondition { depth: row, radius_squared: self.edge_slope(radius_squared, self.edge_sums(depth)) }
     }
 }

@@ -3,9 +3,10 @@
 use super::{Patch, RIM, Rate};
 use crate::surface::Region;
 
-/// Cells at the inner edge within which a front may stand; beyond, the mesh is laid anew. Where the front is pinned decides the
-/// profile there, and a front amid the mesh is only as sharp as the cell that it stands in: with a twelfth of the cells its
-/// error did not fall with the tolerance, and on fine meshes their uneven steps took ten times the work.
+/// Cells at the inner edge within which a front may stand; beyond, a new mesh is made. Where the
+/// front is pinned decides the profile there, and a front inside the mesh is only as sharp as the
+/// cell that it stands in: with a twelfth of the cells its error did not fall with the tolerance,
+/// and on fine meshes their uneven steps took ten times the work.
 pub(crate) const FRONT_CELLS: usize = 2;
 
 /// Where the springs first slip at the end of a step.
@@ -13,7 +14,7 @@ pub(crate) const FRONT_CELLS: usize = 2;
 pub(crate) enum Front {
     /// Where the mesh has it.
     Kept,
-    /// Elsewhere: the mesh has to be laid anew.
+    /// Elsewhere: a new mesh has to be made.
     Moved,
 }
 
@@ -28,7 +29,7 @@ impl Patch {
             };
             self.bound_slope * (rate.indentation - self.body.image(rate.radius[i]) - h)
         };
-        let small = 1e-6 * rate.reach;
+        let small = 1e-6 * rate.free_slip;
         // a punch's worn rim may leave contact, and a contact may grow to the rim
         let edge = if self.rim {
             bound(self.cells()) < -1e-3 * self.bound_slope * rate.indentation.abs()
@@ -36,19 +37,20 @@ impl Patch {
             self.is_at_end_of_body(rate)
         };
         let moved = match self.mesh.region {
-            Region::Annulus => rate.reach > bound(0) + small || rate.slip[FRONT_CELLS] == 0.0,
-            Region::Disc => rate.reach < bound(0) - small,
+            Region::Annulus => rate.free_slip > bound(0) + small || rate.slip[FRONT_CELLS] == 0.0,
+            Region::Disc => rate.free_slip < bound(0) - small,
         };
         if moved || edge { Front::Moved } else { Front::Kept }
     }
 
     /// Whether the contact edge has come to the end of the body.
     pub(crate) fn is_at_end_of_body(&self, rate: &Rate) -> bool {
-        rate.area.sqrt() >= self.body.profile().outer_radius() * (1.0 - RIM)
+        rate.radius_squared.sqrt() >= self.body.profile().outer_radius() * (1.0 - RIM)
     }
 
-    /// Last node before the front; 0 where the first slips, or all do. Behind a rig a front may retreat so slowly that a node next to it
-    /// comes and goes, in cells of a millionth of the region: its error is no reason for a shorter step.
+    /// Last node before the front; 0 where the first slips, or all do. Behind a rig a front may
+    /// retreat so slowly that a node next to it comes and goes, in cells of a millionth of the
+    /// region: its error is no reason for a shorter step.
     pub(crate) fn sticking(&self, rate: &Rate) -> usize {
         if self.motion.rig.is_none() || self.mesh.region == Region::Disc {
             return 0;
@@ -56,27 +58,28 @@ impl Patch {
         rate.slip[1..=FRONT_CELLS].iter().take_while(|slip| **slip == 0.0).count()
     }
 
-    /// Lets the image at the nodes next to the front not fall below what it was: there it never does, and an error of the
-    /// integration, however small, would let the front creep. Returns whether anything had to be mended.
+    /// Lets the image at the nodes next to the front not fall below what it was: there it never
+    /// does, and an error of the integration, however small, would let the front creep. Returns
+    /// whether anything had to be corrected.
     pub(crate) fn hold_front(&self, depth: &mut [f64], before: &Rate, after: &Rate) -> bool {
         if self.mesh.region == Region::Disc {
             return false;
         }
         let mut image = after.image[..=FRONT_CELLS].to_vec();
-        let mut mended = false;
+        let mut corrected = false;
         for i in 1..=FRONT_CELLS {
             let least = before.image[i] / before.scale[i] * after.scale[i];
             if image[i] < least {
                 image[i] = least;
-                mended = true;
+                corrected = true;
             }
         }
-        if mended {
+        if corrected {
             image.resize(self.cells() + 1, 0.0);
             let mut held = vec![0.0; self.cells() + 1];
-            self.mesh.descend(&image, &mut held);
+            self.mesh.inverse_abel(&image, &mut held);
             depth[1..=FRONT_CELLS].copy_from_slice(&held[1..=FRONT_CELLS]);
         }
-        mended
+        corrected
     }
 }

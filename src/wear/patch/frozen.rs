@@ -15,8 +15,8 @@ pub(crate) struct Frozen {
 }
 
 impl Frozen {
-    /// Points x² and weights W with which the image alone brings the depth (2/π) ∫ h dx/√(r² − x²) = Σ W/√(r² − x²)
-    /// outside, by three-point Gauss in each worn cell.
+    /// Points x² and weights W with which the image alone brings the depth (2/π) ∫ h dx/√(r² − x²)
+    /// = Σ W/√(r² − x²) outside, by three-point Gauss in each worn cell.
     pub(super) fn sources(&self) -> Vec<(f64, f64)> {
         let mut sources = Vec::new();
         for (x, h) in self.x.windows(2).zip(self.image.windows(2)).filter(|(_, h)| h[0] != 0.0 || h[1] != 0.0)
@@ -37,7 +37,8 @@ impl Frozen {
         self.image.last().copied().unwrap_or(0.0)
     }
 
-    /// Without the nodes that the line (in x²) between those which stay meets within a share of the largest image.
+    /// Without the nodes that the line (in x²) between those which stay meets within a share of the
+    /// largest image.
     pub(crate) fn thinned(&self, share: f64) -> Self {
         let kept = crate::surface::kept_nodes(&self.x, &self.image, share);
         let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect();

@@ -28,8 +28,8 @@ impl<'a> Linear<'a> {
         }
     }
 
-    /// Depths with the given right side, zero at a moving edge, and the change of the volume rate that belongs to them; `None`
-    /// where there are none.
+    /// Depths with the given right side, zero at a moving edge, and the change of the volume rate
+    /// that belongs to them; `None` where the matrix is singular.
     pub(in crate::wear) fn solve(&self, right: &[f64], counters: &mut Counters) -> Option<(Vec<f64>, f64)> {
         match self {
             Self::Direct(patch, direct) => direct.solve(patch, right),
@@ -52,11 +52,11 @@ pub(super) struct EdgeChange {
 
 impl Patch {
     pub(super) fn edge_change(&self, depth: &[f64], rate: &Rate) -> EdgeChange {
-        let condition = self.edge_condition(depth, rate.area, rate.scale[self.cells()]);
-        let total = condition.area + dot(&condition.depth, &rate.drift);
-        let step = 1e-6 * self.span(rate.area);
-        let step = if self.is_inside(rate.area + step) { step } else { -step };
-        let shifted = self.rate_at(depth, rate.area + step);
+        let condition = self.edge_condition(depth, rate.radius_squared, rate.scale[self.cells()]);
+        let total = condition.radius_squared + dot(&condition.depth, &rate.drift);
+        let step = 1e-6 * self.span(rate.radius_squared);
+        let step = if self.is_inside(rate.radius_squared + step) { step } else { -step };
+        let shifted = self.rate_at(depth, rate.radius_squared + step);
         let growth = shifted.growth.iter().zip(&rate.growth).map(|(new, old)| (new - old) / step).collect();
         EdgeChange { condition, total, growth, volume: (shifted.volume_rate - rate.volume_rate) / step }
     }

@@ -10,7 +10,8 @@ pub(crate) struct Motion {
     /// F_N/(2E*) in m² or the indentation depth in m.
     pub(crate) value: f64,
     pub(crate) sliding: Sliding,
-    /// What drives cycles, where it is no rigid rig: their amplitude is then that on the surface at the start.
+    /// What drives cycles, where it is no rigid rig: their amplitude is then that on the surface at
+    /// the start.
     pub(crate) rig: Option<Rig>,
 }
 
@@ -33,7 +34,7 @@ pub(crate) enum Sliding {
 }
 
 impl Sliding {
-    /// Slip σ = reach − ratio·m q, of which `strokes` make a unit.
+    /// Slip σ = U − ratio·m q, of which `strokes` make a unit.
     pub(super) fn law(self) -> (f64, f64, f64) {
         match self {
             Self::Cycles(amplitude) => (amplitude, 1.0, 4.0),

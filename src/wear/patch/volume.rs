@@ -3,22 +3,23 @@
 use super::{Patch, Rate, State};
 use crate::transform::dot;
 
-/// Largest α or β by which depths may grow for a volume to be met. They oppose each other and are some ten times the share by which the
-/// volume grows (8 to 11, measured): this is about 5 % of it, what laying a mesh may miss.
+/// Largest α or β by which depths may grow for a volume to be met. They oppose each other and are
+/// some ten times the share by which the volume grows (8 to 11, measured): this is about 5 % of it,
+/// what a new mesh may miss.
 const MOST_GROWTH: f64 = 0.5;
 
 impl Patch {
     /// Worn volume that the mesh and the frozen part carry, m³.
     pub(crate) fn volume(&self, rate: &Rate) -> f64 {
         let inside: f64 =
-            self.sources.iter().map(|(x2, weight)| weight * (rate.area - x2).max(0.0).sqrt()).sum();
+            self.sources.iter().map(|(x2, weight)| weight * (rate.radius_squared - x2).max(0.0).sqrt()).sum();
         // 4 ∫ h √(a² − x²) dx, of which the weights hold (2/π) ∫ h dx
         self.own_volume(rate) + 2.0 * std::f64::consts::PI * inside
     }
 
     /// Worn volume that the mesh alone carries, m³.
     pub(crate) fn own_volume(&self, rate: &Rate) -> f64 {
-        self.span(rate.area) * dot(&self.mesh.volume_of_image, &rate.image)
+        self.span(rate.radius_squared) * dot(&self.mesh.volume_of_image, &rate.image)
     }
 
     /// Worn depth outside the front at the nodes, m.
@@ -28,20 +29,21 @@ impl Patch {
         (0..=self.cells()).map(|i| if i >= first && i < end { depth(i) } else { 0.0 }).collect()
     }
 
-    /// The state that carries a little more volume (m³) outside the front, and its rate. The depths grow by the share α φ + β φ²,
-    /// which leaves the contact edge where it is, and leaves the image smooth at both edges; one that is not takes many steps to
-    /// recover from on narrow cells. `None` where that is no small change.
+    /// The state that carries a little more volume (m³) outside the front, and its rate. The depths
+    /// grow by the share α φ + β φ², which leaves the contact edge where it is, and leaves the
+    /// image smooth at both edges; one that is not takes many steps to recover from on narrow
+    /// cells. `None` where that is no small change.
     pub(crate) fn with_volume(&self, state: &State, rate: &Rate, volume: f64) -> Option<(State, Rate)> {
         let rising = |depth: &[f64]| -> Vec<f64> {
             depth.iter().zip(&self.mesh.share).map(|(depth, phi)| depth * phi).collect()
         };
         let first = rising(&self.depth_outside(state, rate));
         let second = rising(&first);
-        let volume_of = |depth: &[f64]| self.span(rate.area) * dot(&self.mesh.volume.depth, depth);
+        let volume_of = |depth: &[f64]| self.span(rate.radius_squared) * dot(&self.mesh.volume.depth, depth);
         let (alpha, beta) = if self.rim {
             (volume / volume_of(&first), 0.0)
         } else {
-            let condition = self.edge_condition(&state.depth, rate.area, rate.scale[self.cells()]);
+            let condition = self.edge_condition(&state.depth, rate.radius_squared, rate.scale[self.cells()]);
             let change = |depth: &[f64]| dot(&condition.depth, depth);
             let determinant = volume_of(&first) * change(&second) - volume_of(&second) * change(&first);
             (volume * change(&second) / determinant, -volume * change(&first) / determinant)
@@ -51,7 +53,7 @@ impl Patch {
         }
         let grown = |((depth, first), second): ((&f64, &f64), &f64)| depth + alpha * first + beta * second;
         let depth: Vec<f64> = state.depth.iter().zip(&first).zip(&second).map(grown).collect();
-        let rate = self.rate(&depth, rate.area)?;
-        Some((State { depth, area: rate.area }, rate))
+        let rate = self.rate(&depth, rate.radius_squared)?;
+        Some((State { depth, radius_squared: rate.radius_squared }, rate))
     }
 }

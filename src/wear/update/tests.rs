@@ -1,6 +1,6 @@
 use super::*;
 use crate::profile::Profile;
-use crate::surface::{FrontWay, TransformCache};
+use crate::surface::{FrontMotion, TransformCache};
 use crate::wear::{Sliding, SlipAtDepth};
 use std::f64::consts::PI;
 
@@ -82,7 +82,7 @@ fn no_slip_is_no_wear() {
             assert!(*w > 0.0, "{x}");
         }
     }
-    let image = tables.ascend(&depth);
+    let image = tables.abel(&depth);
     let stuck = nodes.x().partition_point(|x| *x <= 0.4 * contact.radius);
     assert!(image[..stuck].iter().all(|h| *h == 0.0));
 }
@@ -120,7 +120,7 @@ fn a_stiff_update_stays_bounded() {
             "{path}: {:e}",
             depth.iter().fold(0.0, |a: f64, b| a.max(*b))
         );
-        let image = tables.ascend(&depth);
+        let image = tables.abel(&depth);
         assert!(image.iter().all(|h| h.is_finite()));
     }
 }
@@ -198,7 +198,7 @@ fn tables_are_made_once_for_a_set_of_nodes() {
     let mut nodes = surface.worn().expect("the scene has nodes").clone();
     assert!(cache.get(&nodes).1);
     assert!(!cache.get(&nodes).1);
-    nodes.adapt(surface.profile(), 1.3 * contact.radius, (0.3 * contact.radius, FrontWay::Returns));
+    nodes.adapt(surface.profile(), 1.3 * contact.radius, (0.3 * contact.radius, FrontMotion::Returns));
     assert!(cache.get(&nodes).1, "the nodes have moved");
     surface.set_worn(Some(nodes.clone()));
     assert!(!cache.get(&nodes).1);

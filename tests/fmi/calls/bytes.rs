@@ -11,7 +11,7 @@ const FIELDS: u32 = 35;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Record(pub(crate) [u8; 8]);
 
-/// Shares of a start or nominal value, and what is none.
+/// Shares of a start or nominal value, and values that are not one.
 const SHARES: [f64; 16] = [
     1.0,
     0.0,

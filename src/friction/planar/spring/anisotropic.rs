@@ -23,7 +23,7 @@ const STAGES: f64 = 64.0;
 /// Most stages of one line.
 const MOST_STAGES: f64 = 16.0;
 
-/// Change of b that is none, relative.
+/// Relative change of b below which b is constant.
 const CONSTANT: f64 = 1e-12;
 
 /// Most iterations of Newton's method; 3 to 6 are usual.
@@ -153,7 +153,7 @@ impl Line {
     }
 
     /// ∫ tan(ψ/2) f dψ from 0, with cos ψ = −tanh z.
-    fn lag(&self, z: f64, side: f64) -> f64 {
+    fn lost_path(&self, z: f64, side: f64) -> f64 {
         let tangent = z.exp();
         let half = 1.0 + tangent * tangent;
         let (less, sine) = (2.0 * tangent * tangent / half, side * 2.0 * tangent / half);
@@ -196,8 +196,8 @@ impl Spring {
             turned = line.turned(side * 2.0 * end.exp().atan());
             let sine_of_change = x * turned[1] - y * turned[0];
             let sine_of_sum = x * turned[1] + y * turned[0];
-            let lag = line.lag(start, side) - line.lag(end, side);
-            path - bound * (lag + line.anisotropy * sine_of_sum * sine_of_change)
+            let lost = line.lost_path(start, side) - line.lost_path(end, side);
+            path - bound * (lost + line.anisotropy * sine_of_sum * sine_of_change)
         } else {
             // along the line, or pushed straight back
             path.copysign(cosine)

@@ -17,11 +17,22 @@ fn explicit(start: Vector, motion: Vector, (first, last): (f64, f64), steps: usi
     (u, slip, work)
 }
 
-fn polar(size: f64, angle: f64) -> Vector {
+pub(super) fn polar(size: f64, angle: f64) -> Vector {
     [size * angle.cos(), size * angle.sin()]
 }
 
-/// Starts inside and on the bound, at any angle to the motion, with a bound that stays, rises and falls.
+/// Lines along the spring itself: its deflection at the start, the motion, and the bound at both
+/// ends.
+pub(super) const ALONG_THE_SPRING: [(f64, f64, (f64, f64)); 5] = [
+    (0.3, 2.0, (1.0, 1.4)),
+    (-1.0, 2.5, (1.0, 0.6)),
+    (-0.5, 0.1, (1.0, 0.2)),
+    (1.0, -4.0, (1.0, 1.1)),
+    (0.0, 1.0, (0.0, 0.4)),
+];
+
+/// Starts inside and on the bound, at any angle to the motion, with a bound that stays, rises and
+/// falls.
 fn lines() -> Vec<(Vector, Vector, (f64, f64))> {
     let mut lines = Vec::new();
     for share in [0.0, 0.4, 1.0] {
@@ -46,8 +57,8 @@ fn a_line_is_the_limit_of_many_explicit_steps() {
             (norm(difference(u, exact.deflection)), (slip - exact.slip).abs(), (work - found).abs())
         };
         let fine = error(40_000);
-        // explicit steps are of first order; where the bound changes by 5 % and the spring turns, a line has the error that the
-        // test of its limits below measures
+        // explicit steps are of first order; where the bound changes by 5 % and the spring turns, a
+        // line has the error that the test of its limits below measures
         assert!(fine.0 < 2e-4 && fine.1 < 2e-4 && fine.2 < 2e-4, "{start:?} {motion:?} {bounds:?}: {fine:?}");
     }
 }
@@ -107,13 +118,7 @@ fn a_slipping_spring_turns_by_the_closed_form() {
 #[test]
 fn along_its_own_line_a_spring_is_the_scalar_one_whatever_the_bound_does() {
     for angle in [0.0, 1.0, PI, -2.0] {
-        for (start, way, bounds) in [
-            (0.3, 2.0, (1.0, 1.4)),
-            (-1.0, 2.5, (1.0, 0.6)),
-            (-0.5, 0.1, (1.0, 0.2)),
-            (1.0, -4.0, (1.0, 1.1)),
-            (0.0, 1.0, (0.0, 0.4)),
-        ] {
+        for (start, way, bounds) in ALONG_THE_SPRING {
             let moved = move_spring(polar(start, angle), polar(way, angle), bounds, 1.0, 0.0);
             let trial: f64 = start + way;
             let expected = trial.clamp(-bounds.1, bounds.1);
@@ -127,7 +132,8 @@ fn along_its_own_line_a_spring_is_the_scalar_one_whatever_the_bound_does() {
     }
 }
 
-/// Where a line turns the spring while its bound changes by up to 5 %, splitting it changes path and work by little.
+/// Where a line turns the spring while its bound changes by up to 5 %, splitting it changes path
+/// and work by little.
 #[test]
 fn a_line_with_a_bound_that_changes_may_be_split_to_a_stated_error() {
     let mut worst = 0.0f64;

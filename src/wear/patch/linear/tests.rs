@@ -34,7 +34,8 @@ const SCENES: [Scene; 7] = [
 ];
 
 impl Scene {
-    /// The unworn region on a mesh for direct or iterative solution, and how much of the motion wears about the indentation depth.
+    /// The unworn region on a mesh for direct or iterative solution, and how much of the motion
+    /// wears about the indentation depth.
     fn begin(self, cells: usize, halved: bool) -> (Patch, State, Rate, f64) {
         let profile = if self.rim {
             Profile::FlatPunch { flat_radius: 2e-4 }
@@ -73,13 +74,13 @@ impl Scene {
         let patch = Patch::new((surface, Frozen::default()), mesh, c, motion, self.rim, &constants);
         let depth = vec![0.0; cells + 1];
         let rate = patch.rate(&depth, a * a).expect("it is in contact");
-        let state = State { depth, area: rate.area };
+        let state = State { depth, radius_squared: rate.radius_squared };
         (patch, state, rate, a / (0.6 * 1e-13 * 115e9 * slip))
     }
 
-    /// Calls `sink` with the states of a life, on one mesh wherever its front goes, and the steps that error control takes there; returns what
-    /// was counted.
-    fn live(self, cells: usize, halved: bool, sink: &mut dyn FnMut(&State, &Rate, f64)) -> Counters {
+    /// Calls `sink` with the states of a life, on one mesh wherever its front goes, and the steps
+    /// that error control takes there; returns what was counted.
+    fn integrate(self, cells: usize, halved: bool, sink: &mut dyn FnMut(&State, &Rate, f64)) -> Counters {
         let (patch, mut state, mut rate, life) = self.begin(cells, halved);
         let (mut passed, mut step) = (0.0, 1e-4 * life);
         let mut counters = Counters::default();
@@ -105,7 +106,7 @@ fn largest(values: impl Iterator<Item = f64>) -> f64 {
 /// Largest image of depths.
 fn image(patch: &Patch, depth: &[f64]) -> f64 {
     let mut z = vec![0.0; depth.len()];
-    patch.mesh.ascend(depth, &mut z);
+    patch.mesh.abel(depth, &mut z);
     largest(z.into_iter())
 }
 
@@ -115,14 +116,15 @@ fn both_forms_of_the_system_have_the_same_solution() {
         let (direct, ..) = scene.begin(256, false);
         let (halved, ..) = scene.begin(256, true);
         let mut compared = 0;
-        scene.live(256, false, &mut |state, rate, step| {
+        scene.integrate(256, false, &mut |state, rate, step| {
             let mut counters = Counters::default();
             let given = (&state.depth[..], rate);
             let (exact, volume) = Linear::new(&direct, given, 0.43 * step, &mut counters)
                 .solve(&rate.growth, &mut counters)
                 .expect("a solution");
             let multigrid = Multigrid::new(&halved, given, 0.43 * step);
-            // far tighter than needed, up to the rounding in difference quotients for the edge; and as it is used
+            // far tighter than needed, up to the rounding in difference quotients for the edge; and
+            // as it is used
             for (tolerance, most) in [(1e-10, 1e-5), (TOLERANCE, 20.0 * TOLERANCE)] {
                 let (other, other_volume) =
                     multigrid.solve_to(tolerance, &rate.growth, &mut counters).expect("a solution");
@@ -146,7 +148,7 @@ fn both_forms_take_the_same_steps() {
     for scene in SCENES {
         let (direct, ..) = scene.begin(256, false);
         let (halved, ..) = scene.begin(256, true);
-        let counters = scene.live(256, false, &mut |state, rate, step| {
+        let counters = scene.integrate(256, false, &mut |state, rate, step| {
             let mut counters = [Counters::default(); 2];
             let mut trial = |patch: &Patch, k: usize| {
                 rosenbrock::step(patch, state, rate, step, &mut counters[k]).expect("a step")
@@ -160,7 +162,7 @@ fn both_forms_take_the_same_steps() {
             assert!(error < 1e-5 && volume < 1e-5, "{scene:?}, {step:e}: image {error:e}, volume {volume:e}");
             assert!(counters[0].solver_iterations == 0 && counters[1].solver_iterations > 0);
         });
-        let halved = scene.live(256, true, &mut |_, _, _| ());
+        let halved = scene.integrate(256, true, &mut |_, _, _| ());
         let steps = (counters.factorisations, halved.factorisations);
         assert!(steps.0.abs_diff(steps.1) <= 1, "{scene:?}: {steps:?} steps");
     }
@@ -171,7 +173,7 @@ fn both_forms_take_the_same_steps() {
 fn the_iterations_do_not_grow_with_the_cells() {
     for scene in SCENES {
         for cells in [256, 1024, 4096] {
-            let counters = scene.live(cells, true, &mut |_, _, _| ());
+            let counters = scene.integrate(cells, true, &mut |_, _, _| ());
             // a step solves its system four times
             let each = counters.solver_iterations as f64 / (4 * counters.factorisations) as f64;
             assert!(each <= 10.0, "{scene:?}, {cells} cells: {each} iterations");

@@ -1,9 +1,10 @@
 //! x ↦ (1 − γτ J) x on one mesh, and how fields go from mesh to mesh.
 //!
-//! With a moving edge the growth G has the part Ȧ d, d = φ ∂w̃/∂X, and A is fixed by a condition whose change is e·x + e' δA = 0.
-//! The change of Ȧ by that of the rest, R x + ∂G/∂A δA, is −e·(…)/(e' + e·d). As x − γτ (…) − γτ δȦ d is the right side y, taking e· of
-//! that gives γτ δȦ = δA (1 + γτ e·∂G/∂A/e') + e·y/e': for y + d (e·y)/e' on the right the edge adds the change of A, times
-//! a field, and no change of its speed.
+//! With a moving edge the growth G has the part Ȧ d, d = φ ∂w̃/∂X, and A is fixed by a condition
+//! whose change is e·x + e' δA = 0. The change of Ȧ by that of the rest, R x + ∂G/∂A δA, is
+//! −e·(…)/(e' + e·d). As x − γτ (…) − γτ δȦ d is the right side y, taking e· of that gives γτ δȦ =
+//! δA (1 + γτ e·∂G/∂A/e') + e·y/e': for y + d (e·y)/e' on the right the edge adds the change of A,
+//! times a field, and no change of its speed.
 
 use crate::transform::dot;
 use crate::wear::mesh::UnitMesh;
@@ -12,8 +13,8 @@ use crate::wear::patch::{Patch, Rate};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
-/// The system on one mesh. Fields are given at all nodes; depths are zero at the nodes outside `first..end`, where they are
-/// given.
+/// The system on one mesh. Fields are given at all nodes; depths are zero at the nodes outside
+/// `first..end`, where they are given.
 #[derive(Debug)]
 pub(super) struct Level {
     mesh: Arc<UnitMesh>,
@@ -21,14 +22,15 @@ pub(super) struct Level {
     pub(super) first: usize,
     pub(super) end: usize,
     rim: bool,
-    /// γτ times the growth with the depth that follows from the slip, and with the pressure times √L; 0 where nothing wears.
+    /// γτ times the growth with the depth that follows from the slip, and with the pressure times
+    /// √L; 0 where nothing wears.
     soft: Vec<f64>,
     stiff: Vec<f64>,
     /// 1 where springs slip, else 0; none where all do.
     slipping: Option<Vec<f64>>,
     /// 1/b: the image of z.
     softness: Vec<f64>,
-    sinking: Option<Sinking>,
+    approach: Option<Approach>,
     edge: Option<Edge>,
     /// What of the system is local to a node and its neighbours.
     local: Tridiagonal,
@@ -36,7 +38,7 @@ pub(super) struct Level {
 
 /// What is added where the load is held: the body sinks as it wears.
 #[derive(Debug)]
-struct Sinking {
+struct Approach {
     /// γτ times the growth at the nodes, over the way that it sinks.
     growth: Vec<f64>,
     by: Combination,
@@ -50,7 +52,7 @@ struct Edge {
     /// What the change of A adds to the depths.
     column: Vec<f64>,
     /// Change of A with z.
-    area: Combination,
+    radius_squared: Combination,
 }
 
 /// A functional of z: so many times ∫ h dx/√L and its last value.
@@ -72,13 +74,13 @@ pub(super) struct Change {
     /// γτ times the change of the growth at given motion of the edge and of the nodes.
     pub(super) growth: Vec<f64>,
     /// Change of A.
-    pub(super) area: f64,
+    pub(super) radius_squared: f64,
 }
 
 impl Level {
     pub(super) fn finest(patch: &Patch, rate: &Rate, edge: Option<&EdgeChange>, gamma_step: f64) -> Self {
         let (mesh, n, first, end) = (&patch.mesh, patch.cells(), patch.mesh.first(), patch.end());
-        let (root, a) = (patch.span(rate.area).sqrt(), rate.area.sqrt());
+        let (root, a) = (patch.span(rate.radius_squared).sqrt(), rate.radius_squared.sqrt());
         let factor = gamma_step * patch.factor * rate.share;
         let of_nodes = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
             let wears = |i: usize| (first..end).contains(&i) && rate.surface_slip[i] > 0.0;
@@ -89,31 +91,38 @@ impl Level {
         let slips = |i: usize| f64::from(u8::from(i >= first && rate.slip[i] > 0.0));
         let slipping: Vec<f64> = (0..=n).map(slips).collect();
         let softness: Vec<f64> = rate.scale.iter().map(|b| 1.0 / b).collect();
-        let sinking = patch.is_force().then(|| {
+        let approach = patch.is_force().then(|| {
             let moved: Vec<f64> = slipping.iter().zip(&rate.scale).map(|(on, b)| on * b).collect();
             let (mut uniform, mut slid) = (vec![0.0; n + 1], vec![0.0; n + 1]);
             mesh.pressure(&vec![1.0; n + 1], patch.rim, &mut uniform);
-            mesh.descend(&moved, &mut slid);
+            mesh.inverse_abel(&moved, &mut slid);
             let by = if patch.rim {
                 Combination { width: root / a, last: 0.0 }
             } else {
                 Combination { width: 0.0, last: softness[n] }
             };
-            let lag = patch.lag(rate);
-            Sinking { growth: (0..=n).map(|i| stiff[i] * uniform[i] - lag * soft[i] * slid[i]).collect(), by }
+            let sensitivity = patch.sensitivity(rate);
+            Approach {
+                growth: (0..=n).map(|i| stiff[i] * uniform[i] - sensitivity * soft[i] * slid[i]).collect(),
+                by,
+            }
         });
         let edge = edge.map(|edge| {
-            let with_area = edge.condition.area;
+            let with_area = edge.condition.radius_squared;
             // by how much a change of A changes its own rate
             let own = 1.0 + gamma_step * dot(&edge.condition.depth, &edge.growth) / with_area;
             let column = (0..=n).map(|i| own * rate.drift[i] + gamma_step * edge.growth[i]).collect();
             let last = -softness[n] / with_area;
-            let area = if patch.is_force() {
+            let radius_squared = if patch.is_force() {
                 Combination { width: root / with_area, last: a * last }
             } else {
                 Combination { width: 0.0, last }
             };
-            Edge { speed: gamma_step * rate.area_rate / patch.span(rate.area), column, area }
+            Edge {
+                speed: gamma_step * rate.area_rate / patch.span(rate.radius_squared),
+                column,
+                radius_squared,
+            }
         });
         let all = slipping[first..].iter().all(|on| *on == 1.0);
         let slipping = (!all).then_some(slipping);
@@ -127,7 +136,7 @@ impl Level {
             stiff,
             slipping,
             softness,
-            sinking,
+            approach,
             edge,
             local: Tridiagonal::default(),
         };
@@ -138,7 +147,7 @@ impl Level {
     pub(super) fn coarser(&self) -> Option<Self> {
         let mesh = self.mesh.coarser.clone()?;
         let pick = |field: &Vec<f64>| -> Vec<f64> { field.iter().step_by(2).copied().collect() };
-        let sinking = |of: &Sinking| Sinking { growth: pick(&of.growth), by: of.by };
+        let approach = |of: &Approach| Approach { growth: pick(&of.growth), by: of.by };
         let edge = |of: &Edge| Edge { column: pick(&of.column), ..*of };
         let level = Self {
             first: self.first,
@@ -148,7 +157,7 @@ impl Level {
             stiff: pick(&self.stiff),
             slipping: self.slipping.as_ref().map(pick),
             softness: pick(&self.softness),
-            sinking: self.sinking.as_ref().map(sinking),
+            approach: self.approach.as_ref().map(approach),
             edge: self.edge.as_ref().map(edge),
             local: Tridiagonal::default(),
             mesh,
@@ -175,13 +184,13 @@ impl Level {
     pub(super) fn change(&self, depth: &[f64]) -> Change {
         let (mesh, n) = (&*self.mesh, self.mesh.cells);
         let mut z = vec![0.0; n + 1];
-        mesh.ascend(depth, &mut z);
-        let mut room: Vec<f64> = z.iter().zip(&self.softness).map(|(z, soft)| z * soft).collect();
+        mesh.abel(depth, &mut z);
+        let mut overlap: Vec<f64> = z.iter().zip(&self.softness).map(|(z, soft)| z * soft).collect();
         if !self.rim {
-            room[n] = 0.0;
+            overlap[n] = 0.0;
         }
         let mut growth = vec![0.0; n + 1];
-        mesh.pressure(&room, self.rim, &mut growth);
+        mesh.pressure(&overlap, self.rim, &mut growth);
         growth.iter_mut().zip(&self.stiff).for_each(|(growth, stiff)| *growth *= -stiff);
         let mut soften = |slid: &[f64]| {
             growth
@@ -195,26 +204,29 @@ impl Level {
             Some(slipping) => {
                 let moved: Vec<f64> = z.iter().zip(slipping).map(|(z, on)| z * on).collect();
                 let mut slid = vec![0.0; n + 1];
-                mesh.descend(&moved, &mut slid);
+                mesh.inverse_abel(&moved, &mut slid);
                 soften(&slid);
             }
         }
-        if let Some(sinking) = &self.sinking {
-            add(&mut growth, sinking.by.of(mesh, &z), &sinking.growth);
+        if let Some(approach) = &self.approach {
+            add(&mut growth, approach.by.of(mesh, &z), &approach.growth);
         }
         growth[..self.first].fill(0.0);
         growth[self.end..].fill(0.0);
-        Change { growth, area: self.edge.as_ref().map_or(0.0, |edge| edge.area.of(mesh, &z)) }
+        Change {
+            growth,
+            radius_squared: self.edge.as_ref().map_or(0.0, |edge| edge.radius_squared.of(mesh, &z)),
+        }
     }
 
     /// The system's left side.
     pub(super) fn apply(&self, depth: &[f64]) -> Vec<f64> {
-        let Change { mut growth, area } = self.change(depth);
+        let Change { mut growth, radius_squared } = self.change(depth);
         if let Some(edge) = &self.edge {
             for i in 1..self.mesh.cells {
                 growth[i] += edge.speed * dot(&self.mesh.drift[i], &depth[i - 1..=i + 1]);
             }
-            add(&mut growth, area, &edge.column);
+            add(&mut growth, radius_squared, &edge.column);
         }
         let mut image: Vec<f64> = depth.iter().zip(&growth).map(|(depth, growth)| depth - growth).collect();
         image[..self.first].fill(0.0);
@@ -281,8 +293,8 @@ fn add(sum: &mut [f64], factor: f64, term: &[f64]) {
     sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += factor * term);
 }
 
-/// A tridiagonal matrix, factorised row by row. The motion of the mesh alone fills its other diagonals, with weights of opposite
-/// signs, so that no row needs another for a pivot.
+/// A tridiagonal matrix, factorised row by row. The motion of the mesh alone fills its other
+/// diagonals, with weights of opposite signs, so that no row needs another for a pivot.
 #[derive(Debug, Default)]
 struct Tridiagonal {
     /// Below the diagonal; the inverse pivot; above it, over the pivot.
@@ -290,7 +302,8 @@ struct Tridiagonal {
 }
 
 impl Tridiagonal {
-    /// Adds a row: its own entry, to which the weights of the node before, itself and the one after are added.
+    /// Adds a row: its own entry, to which the weights of the node before, itself and the one after
+    /// are added.
     fn push(&mut self, own: f64, [before, here, after]: [f64; 3]) {
         let above = self.rows.last().map_or(0.0, |row| row[2]);
         let inverse = 1.0 / (own + here - before * above);

@@ -1,3 +1,4 @@
+use super::super::tests::{ALONG_THE_SPRING, polar};
 use super::super::{difference, move_spring, scaled, sum};
 use super::*;
 
@@ -28,10 +29,6 @@ fn explicit(
         work += l * bound * bound;
     }
     (v, slip, work)
-}
-
-fn polar(size: f64, angle: f64) -> Vector {
-    [size * angle.cos(), size * angle.sin()]
 }
 
 /// Starts inside and on the bound, at any angle to the motion, with a bound that stays, rises and
@@ -173,13 +170,7 @@ fn a_long_way_turns_the_force_into_the_motion() {
 #[test]
 fn along_an_axis_a_spring_is_the_scalar_one() {
     for (axis, ratio) in [(0, 1.3), (1, 1.3), (1, 0.6)] {
-        for (start, way, bounds) in [
-            (0.3, 2.0, (1.0, 1.4)),
-            (-1.0, 2.5, (1.0, 0.6)),
-            (-0.5, 0.1, (1.0, 0.2)),
-            (1.0, -4.0, (1.0, 1.1)),
-            (0.0, 1.0, (0.0, 0.4)),
-        ] {
+        for (start, way, bounds) in ALONG_THE_SPRING {
             let on_axis = |value: f64| if axis == 0 { [value, 0.0] } else { [0.0, value] };
             let moved = move_spring(on_axis(start), on_axis(way), bounds, ratio, 0.0);
             let trial: f64 = start + way;

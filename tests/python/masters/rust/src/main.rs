@@ -1,5 +1,5 @@
-//! The `fmi` crate as a master: <https://github.com/jondo2010/rust-fmi>. Reads its task from stdin as the other masters do, and leaves
-//! its answer beside it.
+//! The `fmi` crate as a master: <https://github.com/jondo2010/rust-fmi>. Reads its task from stdin
+//! as the other masters do, and leaves its answer beside it.
 
 use fmi::fmi2::import::Fmi2Import;
 use fmi::fmi2::instance::{CoSimulation, Common};

@@ -1,8 +1,10 @@
 //! Where the row is sampled: even radii, the nodes of a worn profile, and the contact edge.
 //!
-//! The even radii stay as the contact grows and shrinks; their distance is doubled or halved where they become twice as many or half
-//! as few as asked for, so that the samples that remain are the springs of before. The nodes of a worn profile are springs of their own: wear
-//! asks for their slip, and one between a spring that sticks and one that slips would let wear leak across the front.
+//! The even radii stay as the contact grows and shrinks; their distance is doubled or halved where
+//! they become twice as many or half as few as asked for, so that the samples that remain are the
+//! springs of before. The nodes of a worn profile are springs of their own: wear asks for their
+//! slip, and one between a spring that sticks and one that slips would let wear leak across the
+//! front.
 
 use super::reading::Standing;
 use super::spring::{Vector, along, difference, norm};
@@ -109,9 +111,9 @@ impl PlanarRow {
         Self { spacing, knots: radii.iter().zip(origins).map(knot).collect() }
     }
 
-    /// The same springs at other radii, up to a contact radius, on the surface on which they lie or, where that `is_another`, on one
-    /// whose nodes may be others or lie elsewhere.
-    fn laid(&self, (surface, is_another): (&Surface, bool), spacing: f64, radius: f64) -> Self {
+    /// The same springs at other radii, up to a contact radius, on the surface on which they lie
+    /// or, where that `is_another`, on one whose nodes may be others or lie elsewhere.
+    fn resampled(&self, (surface, is_another): (&Surface, bool), spacing: f64, radius: f64) -> Self {
         let Some(first) = self.knots.first() else { return Self::default() };
         let mut row = Self { spacing, knots: Vec::new() };
         let place = surface.place(0.0);
@@ -129,7 +131,8 @@ impl PlanarRow {
         row
     }
 
-    /// Image at a radius behind sample j on the surface on which the row lay, as evenly as it rises over narrow cells.
+    /// Image at a radius behind sample j on the surface on which the row lay, as evenly as it rises
+    /// over narrow cells.
     fn former_image(&self, j: usize, x: f64) -> f64 {
         let (p, q) = (&self.knots[j].place, &self.knots[(j + 1).min(self.knots.len() - 1)].place);
         let width = q.x - p.x;
@@ -137,7 +140,8 @@ impl PlanarRow {
         p.image + share * (q.image - p.image)
     }
 
-    /// Takes samples that were not there before to their bound, where the image of a rough profile falls between their neighbours'.
+    /// Takes samples that were not there before to their bound, where the image of a rough profile
+    /// falls between their neighbours'.
     fn keep_within(&mut self, contact: &Contact, (bound_slope, displacement): (f64, Vector)) {
         for knot in &mut self.knots {
             let bound = bound_slope * (contact.depth - knot.place.image).max(0.0);
@@ -155,7 +159,7 @@ impl PlanarRow {
             let edge = self.knots.last().map(|knot| knot.place.x);
             self.spacing = spacing;
             if let Some(edge) = edge {
-                *self = self.laid((path.surface, false), spacing, edge);
+                *self = self.resampled((path.surface, false), spacing, edge);
             }
         }
         // the edge of before has no deflection, and the samples beyond it tell when they touched
@@ -177,13 +181,14 @@ impl PlanarRow {
             && radius > 0.0
             && let Some(spacing) = path.samples.respaced(self.spacing, radius)
         {
-            *self = self.laid((path.surface, false), spacing, radius);
+            *self = self.resampled((path.surface, false), spacing, radius);
             self.keep_within(&path.to, (path.bound_slope, path.end));
         }
     }
 
-    /// The row on a surface that has worn while nothing moved. Springs that slipped have followed their bound, up or down, all
-    /// the time; others slip back to theirs where it has fallen below them.
+    /// The row on a surface that has worn while nothing moved. Springs that slipped have followed
+    /// their bound, up or down, all the time; others slip back to theirs where it has fallen below
+    /// them.
     pub(crate) fn rested(&self, resting: &Resting) -> Self {
         let (old, new) = resting.contacts;
         if new.is_open() {
@@ -196,7 +201,7 @@ impl PlanarRow {
         let before =
             Standing { row: self, surface, contact: old, bound_slope, stiffness_ratio, displacement };
         let slides = |j: usize| self.knots.get(j).is_none_or(|knot| before.at_bound(knot));
-        let mut row = self.laid((surface, true), spacing, new.radius);
+        let mut row = self.resampled((surface, true), spacing, new.radius);
         let old_edge = self.knots.last().map_or(0.0, |knot| knot.place.x);
         let (mut j, mut last) = (0, [0.0; 2]);
         for knot in &mut row.knots {

@@ -1,4 +1,4 @@
-//! Where nodes lie: laid around a contact, left by a moving mesh, put together, refined and thinned.
+//! Where nodes are: around a contact, from a moving mesh, joined, refined and thinned.
 
 use super::thinning::{met_by_lines, thin_unless};
 use super::{MeshPlace, Nodes};
@@ -11,15 +11,17 @@ const SPARE: usize = 6;
 
 /// How the front of slip goes on its way, and with it what an update needs there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum FrontWay {
-    /// With every stroke it comes in again: a node, unless the cell there is finer than half an even one.
+pub(crate) enum FrontMotion {
+    /// With every stroke it comes in again: a node, unless the cell there is finer than half an
+    /// even one.
     Returns,
-    /// As the body goes round it creeps outward before the worn image that rises steeply behind it. Where a cell flattens that rise it
-    /// creeps too far, and V of an orbit was 1.2 % low at a tolerance of 10⁻⁴ and 128 cells: a fan, unless the cell is finer than a twentieth.
+    /// As the body goes round it creeps outward before the worn image that rises steeply behind it.
+    /// Where a cell flattens that rise it creeps too far, and V of an orbit was 1.2 % low at a
+    /// tolerance of 10⁻⁴ and 128 cells: a fan, unless the cell is finer than a twentieth.
     Creeps,
 }
 
-impl FrontWay {
+impl FrontMotion {
     /// Width of the cell at the front, in even ones, that will do.
     fn fine(self) -> f64 {
         match self {
@@ -38,9 +40,9 @@ impl FrontWay {
 }
 
 impl Nodes {
-    /// Unworn nodes for a contact of radius `a` whose slip reaches inward to `front`. All cells go to the slipping
-    /// annulus (where nothing slips there is no wear to resolve), with nodes at the rim of a flat tip and at the
-    /// front, and cells that shrink towards the front from outside.
+    /// Unworn nodes for a contact of radius `a` whose slip reaches inward to `front`. All cells go
+    /// to the slipping annulus (where nothing slips there is no wear to resolve), with nodes at the
+    /// rim of a flat tip and at the front, and cells that shrink towards the front from outside.
     pub(crate) fn around(profile: &Profile, resolution: usize, a: f64, front: f64) -> Self {
         let mut nodes = Self {
             x: vec![0.0, a],
@@ -72,8 +74,8 @@ impl Nodes {
         nodes
     }
 
-    /// Nodes left by a moving mesh: radii, image of the wear and depth, m, with the mesh's place among them. Nodes beyond
-    /// the mesh keep their depth; their image is that which belongs to it.
+    /// Nodes left by a moving mesh: radii, image of the wear and depth, m, with the mesh's place
+    /// among them. Nodes beyond the mesh keep their depth; their image is that which belongs to it.
     pub(crate) fn assembled(
         profile: &Profile,
         resolution: usize,
@@ -85,7 +87,7 @@ impl Nodes {
         nodes.extend_beyond(nodes.x[end], profile.outer_radius());
         for k in end + 1..nodes.x.len() {
             nodes.worn_image[k] =
-                transform::ascend_last(&nodes.x[..=k], &nodes.worn_image[..=k], nodes.depth[k]);
+                transform::abel_last(&nodes.x[..=k], &nodes.worn_image[..=k], nodes.depth[k]);
         }
         nodes.update_integrals(profile);
         nodes
@@ -104,11 +106,12 @@ impl Nodes {
         Self { x, worn_image, depth, whole, worn_load, square, resolution, mesh, remains: None }
     }
 
-    /// These nodes with the wear of a mesh, left as the others, on top. Nodes at which the line between others meets image and depth
-    /// within a share of their largest values are left out: the volume is told from the depths.
+    /// These nodes with the wear of a mesh, left as the others, on top. Nodes at which the line
+    /// between others meets image and depth within a share of their largest values are left out:
+    /// the volume follows from the depths.
     ///
-    /// A body that ends at its last node, worn there, is steep outside the mesh. There its depths stay lines between its own nodes:
-    /// more of them would change the volume.
+    /// A body that ends at its last node, worn there, is steep outside the mesh. There its depths
+    /// stay lines between its own nodes: more of them would change the volume.
     pub(crate) fn with(&self, others: &Self, share: f64, profile: &Profile) -> Self {
         let end = self.x[self.last()];
         let edge = match others.mesh {
@@ -124,8 +127,9 @@ impl Nodes {
         let image_of = |nodes: &Self| x.iter().map(|x| nodes.worn_part(*x).0).collect::<Vec<f64>>();
         let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<f64>>();
         let depth_of = |nodes: &Self, image: &[f64]| {
-            let mut depth = transforms.descend(image);
-            // behind its last node nothing of a surface has worn, where lines cannot follow its image exactly
+            let mut depth = transforms.inverse_abel(image);
+            // behind its last node nothing of a surface has worn, where lines cannot follow its
+            // image exactly
             let inside = x[..outside].partition_point(|x| *x < nodes.x[nodes.last()]);
             depth[..inside].iter_mut().for_each(|w| *w = w.max(0.0));
             depth[inside..].iter_mut().zip(&x[inside..]).for_each(|(w, x)| *w = nodes.line_of_depth(*x));
@@ -135,11 +139,11 @@ impl Nodes {
         let depth = sum(&depth_of(self, &base), &depth_of(others, &top));
         let mut worn_image = sum(&base, &top);
         if outside < x.len() {
-            let found = transforms.descend(&worn_image);
+            let found = transforms.inverse_abel(&worn_image);
             let mut missing: Vec<f64> =
                 depth.iter().zip(&found).map(|(depth, found)| depth - found).collect();
             missing[..outside].fill(0.0);
-            worn_image = sum(&worn_image, &transforms.ascend(&missing));
+            worn_image = sum(&worn_image, &transforms.abel(&missing));
         }
         let kept = thin_unless(&x, &worn_image, share, |_, _| false, met_by_lines(&x, &depth, share));
         Self::of_kept(&kept, [&x, &worn_image, &depth], self.resolution, profile)
@@ -153,9 +157,10 @@ impl Nodes {
         nodes
     }
 
-    /// Adapts the nodes to a contact of radius `a` whose slip has reached inward to `front`: extends them beyond a,
-    /// halves cells of the slipping annulus that are too wide, puts nodes at the front. h does not change by that.
-    pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, (front, way): (f64, FrontWay)) {
+    /// Adapts the nodes to a contact of radius `a` whose slip has reached inward to `front`:
+    /// extends them beyond a, halves cells of the slipping annulus that are too wide, puts nodes at
+    /// the front. h does not change by that.
+    pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, (front, way): (f64, FrontMotion)) {
         let before = self.x.len();
         self.extend_beyond(a, profile.outer_radius());
         if self.wants_node_at((front, way), a) {
@@ -168,13 +173,15 @@ impl Nodes {
         }
     }
 
-    /// These nodes, for a contact of radius `a`, without those that a line (in x²) between others meets within `share` of the
-    /// largest image, as long as no cell becomes wider than an even one; `None` where that would spare less than a
-    /// fifth of them. What a front needed where it no longer stands makes an update stiff.
+    /// These nodes, for a contact of radius `a`, without those that a line (in x²) between others
+    /// meets within `share` of the largest image, as long as no cell becomes wider than an even
+    /// one; `None` where that would spare less than a fifth of them. What a front needed where it
+    /// no longer stands makes an update stiff.
     ///
-    /// A mesh that has moved with the contact edge leaves narrow cells there, too. In its outer half none stays narrower than half an
-    /// even one: an implicit update takes the contact edge for one that stays in its cell or goes on to the next, and across
-    /// many narrow ones it overshoots.
+    /// A mesh that has moved with the contact edge leaves narrow cells there, too. In its outer
+    /// half none stays narrower than half an even one: an implicit update takes the contact edge
+    /// for one that stays in its cell or goes on to the next, and across many narrow ones it
+    /// overshoots.
     pub(crate) fn thinned(&self, share: f64, a: f64, profile: &Profile) -> Option<Self> {
         let width = |anchor: usize, end: usize| self.x[end] - self.x[anchor];
         let (outer_half, least) = self.remains.or(self.remains_of_mesh()).unwrap_or((f64::INFINITY, 0.0));
@@ -195,8 +202,9 @@ impl Nodes {
         self.mesh = None;
     }
 
-    /// Middle of the mesh and the width that its cells outside that should have on a surface at rest: an even one of
-    /// its own, or half an even one of the contact unless that would leave less than sixteen.
+    /// Middle of the mesh and the width that its cells outside that should have on a surface at
+    /// rest: an even one of its own, or half an even one of the contact unless that would leave
+    /// less than sixteen.
     fn remains_of_mesh(&self) -> Option<(f64, f64)> {
         let mesh = self.mesh?;
         let (inner, edge) = (self.x[mesh.first], self.x[mesh.first + mesh.cells]);
@@ -204,8 +212,8 @@ impl Nodes {
         Some((0.5 * (inner + edge), (span / mesh.cells as f64).max((0.5 * even).min(span / 16.0))))
     }
 
-    /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each, up to 1/resolution of
-    /// their radius.
+    /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each,
+    /// up to 1/resolution of their radius.
     fn extend_beyond(&mut self, a: f64, outer: f64) {
         while self.x[self.last().saturating_sub(SPARE)] <= a && self.x[self.last()] < outer {
             let end = self.x[self.last()];
@@ -217,7 +225,7 @@ impl Nodes {
             self.worn_load.push(f64::NAN);
             if self.worn_image.iter().any(|h| *h != 0.0) {
                 let last = self.last();
-                self.worn_image[last] = transform::ascend_last(&self.x, &self.worn_image, 0.0);
+                self.worn_image[last] = transform::abel_last(&self.x, &self.worn_image, 0.0);
             }
         }
     }
@@ -235,14 +243,15 @@ impl Nodes {
     }
 
     /// A front wants a node of its own unless the cell around it is fine.
-    fn wants_node_at(&self, (front, way): (f64, FrontWay), a: f64) -> bool {
+    fn wants_node_at(&self, (front, way): (f64, FrontMotion), a: f64) -> bool {
         let Some(j) = self.cell(front) else { return false };
         let width = self.x[j + 1] - self.x[j];
         let off = (front - self.x[j]).min(self.x[j + 1] - front);
         front > 0.0 && off > 1e-9 * a && width > way.fine() * a / self.resolution as f64
     }
 
-    /// Puts a node at `front` and a fan of nodes outside it whose distances fall by four at each level from a cell's.
+    /// Puts a node at `front` and a fan of nodes outside it whose distances fall by four at each
+    /// level from a cell's.
     fn refine_at(&mut self, front: f64, levels: i32) {
         let Some(j) = self.cell(front) else { return };
         let width = self.x[j + 1] - front;

@@ -1,82 +1,94 @@
-//! Laying a mesh over the slipping region of a surface.
+//! A new mesh on the slipping region of a surface.
 
 use super::Constants;
-use super::life::{Fineness, MISSING, THINNING};
+use super::life::{IntegrationSettings, MISSING, THINNING};
 use super::mesh::UnitMesh;
-use super::patch::{FRONT_CELLS, Frozen, Motion, Patch, RIM, State, lost};
+use super::patch::{FRONT_CELLS, Frozen, Motion, Patch, RIM, State, edge_not_found};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
 use crate::surface::Region;
 use crate::surface::{Contact, MeshPlace, Nodes, Surface};
 
-/// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells of a disc do not see: they would
-/// leave out a whole cell, a fifth of the volume. It is taken for partial slip with a front next to the axis.
+/// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells
+/// of a disc do not see: they would leave out a whole cell, a fifth of the volume. It is taken for
+/// partial slip with a front next to the axis.
 const JUST_ALL: f64 = 1e-4;
 
 /// Radius of that front, and the least of any, relative to the contact radius.
 const LEAST_FRONT: f64 = 1e-4;
 
-/// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth a mesh.
+/// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth
+/// a mesh.
 const THINNEST: f64 = 1e-5;
 
-// The next four and `MISSING` say when a mesh is laid over a worn surface. Half of each and twice leave every scene of the stability report with the
-// same outcome; beyond them, updates on nodes at rest do the same, only slower.
+// The next four and `MISSING` say when a mesh is made on a worn surface. Half of each and twice
+// leave every scene of the stability report with the same outcome; beyond them, updates on nodes at
+// rest do the same, only slower.
 
-/// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an update of a profile that wears very
-/// fast leaves there by an inexact contact edge.
+/// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an
+/// update of a profile that wears very fast leaves there by an inexact contact edge.
 const FAINT: f64 = 1e-2;
 
-/// How far the contact edge may move where a mesh is laid over a surface at rest, on which it is known to a cell: in cells of an even
-/// mesh over the contact.
+/// How far the contact edge may move where a mesh is made on a surface at rest, on which it is
+/// known to a cell: in cells of an even mesh over the contact.
 const EDGE_CELLS: f64 = 1.0;
 
 /// And in shares of the slipping region.
 const EDGE_SHARE: f64 = 0.2;
 
-/// And of what the mesh carries of it; in a thin annulus, whose image may be below 0, a small part of the whole is more than that.
+/// And of what the mesh carries of it; in a thin annulus, whose image may be below 0, a small part
+/// of the whole is more than that.
 const MISSING_OF_OWN: f64 = 0.09;
 
-/// The slipping region of a contact, with the state that its surface gives it; `None` where nothing slips.
-pub(super) fn over(
+/// The slipping region of a contact, with the state that its surface gives it; `None` where nothing
+/// slips.
+pub(super) fn mesh_slip_zone(
     surface: &Surface,
     contact: &Contact,
     motion: &Motion,
     constants: &Constants,
-    fineness: &Fineness,
+    settings: &IntegrationSettings,
 ) -> Result<Option<(Patch, State)>, Error> {
     let motion = &motion.on(surface, contact, constants.bound_slope());
     if contact.is_open() || motion.sliding.amplitude() == 0.0 {
         return Ok(None);
     }
     let a = contact.radius;
-    let reach = motion.sliding.amplitude() / constants.bound_slope();
-    let room = contact.depth - surface.image(0.0);
-    let (region, front) = if reach >= room * (1.0 + JUST_ALL)
-        || (reach >= room && surface.profile().flat_radius() > 0.0)
+    let free_slip = motion.sliding.amplitude() / constants.bound_slope();
+    let overlap = contact.depth - surface.image(0.0);
+    let (region, front) = if free_slip >= overlap * (1.0 + JUST_ALL)
+        || (free_slip >= overlap && surface.profile().flat_radius() > 0.0)
     {
         (Region::Disc, 0.0)
     } else {
-        let front = if reach < room { surface.radius_of_image(contact.depth - reach, 0.0, a) } else { 0.0 };
+        let front = if free_slip < overlap {
+            surface.radius_of_image(contact.depth - free_slip, 0.0, a)
+        } else {
+            0.0
+        };
         (Region::Annulus, front.max(LEAST_FRONT * a))
     };
     if front >= a * (1.0 - THINNEST) {
         return Ok(None);
     }
-    let mesh = UnitMesh::shared(region, fineness.cells);
+    let mesh = UnitMesh::shared(region, settings.cells);
     let outer = surface.profile().outer_radius();
     let rim = a >= outer * (1.0 - RIM);
     if rim {
         check_end_of_body(surface, motion, constants)?;
     }
     let a = if rim { outer } else { a };
-    let start =
-        |body: Surface, inside: Frozen, front: f64, area: f64, images: &dyn Fn(&[f64]) -> Vec<f64>| {
-            let patch = Patch::new((body, inside), mesh.clone(), front, *motion, rim, constants);
-            let depth = patch.depths(&images(&patch.radii(area)), area);
-            let area = patch.rate(&depth, area)?.area;
-            Some((patch, State { depth, area }))
-        };
+    let start = |body: Surface,
+                 inside: Frozen,
+                 front: f64,
+                 radius_squared: f64,
+                 images: &dyn Fn(&[f64]) -> Vec<f64>| {
+        let patch = Patch::new((body, inside), mesh.clone(), front, *motion, rim, constants);
+        let depth = patch.depths(&images(&patch.radii(radius_squared)), radius_squared);
+        let radius_squared = patch.rate(&depth, radius_squared)?.radius_squared;
+        Some((patch, State { depth, radius_squared }))
+    };
     if let Some(nodes) = surface.worn() {
         // the mesh goes on where it was left
         if let Some(place) = nodes.mesh().filter(|place| fits(nodes, place, &mesh, front)) {
@@ -85,30 +97,31 @@ pub(super) fn over(
             let images = |_: &[f64]| nodes.worn_image()[first..=end].to_vec();
             let kept = start(
                 surface.unworn(),
-                inside(surface, front, fineness.tolerance),
+                inside(surface, front, settings.tolerance),
                 front,
                 edge * edge,
                 &images,
             );
             if let Some((patch, state)) = kept
                 && rim == (edge == outer)
-                && (state.area - edge * edge).abs() <= 1e-4 * patch.span(state.area)
+                && (state.radius_squared - edge * edge).abs() <= 1e-4 * patch.span(state.radius_squared)
             {
                 return Ok(Some((patch, state)));
             }
         }
-        // it is laid anew where it can carry all the wear there is, else the wear so far is left to the body
+        // it is made again where it can carry all the wear there is, else the wear so far is left
+        // to the body
         let beyond = nodes.x().partition_point(|x| *x <= a);
         let deepest = nodes.depth().iter().fold(0.0, |most: f64, w| most.max(*w));
         if nodes.depth()[beyond..].iter().all(|w| *w <= FAINT * deepest) {
             let images = |x: &[f64]| x.iter().map(|x| nodes.smooth_image(*x)).collect();
-            let laid =
-                start(surface.unworn(), inside(surface, front, fineness.tolerance), front, a * a, &images);
+            let made =
+                start(surface.unworn(), inside(surface, front, settings.tolerance), front, a * a, &images);
             let volume = nodes.worn_volume();
-            if let Some((patch, state)) = laid
-                && patch.rate(&state.depth, state.area).is_some_and(|rate| {
+            if let Some((patch, state)) = made
+                && patch.rate(&state.depth, state.radius_squared).is_some_and(|rate| {
                     let missing = (patch.volume(&rate) - volume).abs();
-                    let off = (state.area - a * a).abs();
+                    let off = (state.radius_squared - a * a).abs();
                     missing <= (MISSING * volume).min(MISSING_OF_OWN * patch.own_volume(&rate))
                         && off
                             <= (EDGE_CELLS * 2.0 * a * a / mesh.cells as f64)
@@ -121,11 +134,11 @@ pub(super) fn over(
     }
     let zero = |x: &[f64]| vec![0.0; x.len()];
     let inside = if front > 0.0 && surface.worn().is_none() {
-        inside(surface, front, fineness.tolerance)
+        inside(surface, front, settings.tolerance)
     } else {
         Frozen::default()
     };
-    start(surface.clone(), inside, front, a * a, &zero).map(Some).ok_or_else(|| lost(motion))
+    start(surface.clone(), inside, front, a * a, &zero).map(Some).ok_or_else(|| edge_not_found(motion))
 }
 
 /// A contact may grow to the end of a punch, but not to that of a table: what lies beyond its last
@@ -152,7 +165,8 @@ fn fits(nodes: &Nodes, place: &MeshPlace, mesh: &UnitMesh, front: f64) -> bool {
         && front <= x[FRONT_CELLS]
 }
 
-/// What lies inside the front: the surface's nodes up to there, without those that a line through others replaces.
+/// What lies inside the front: the surface's nodes up to there, without those that a line through
+/// others replaces.
 fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
     if front == 0.0 {
         return Frozen::default();
@@ -168,7 +182,8 @@ fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
             }
         }
     }
-    // next to a node the image may be so steep that a rounding of the front would show, and let it creep
+    // next to a node the image may be so steep that a rounding of the front would show, and let it
+    // creep
     let node = surface.worn().and_then(|nodes| nodes.at(front, 1e-11));
     let (image, depth) = node.unwrap_or_else(|| {
         (surface.worn_image(front), surface.worn().map_or(0.0, |nodes| nodes.depth_at(front)))
