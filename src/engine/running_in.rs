@@ -23,6 +23,10 @@ const ACCURACY_WITH_WEAR: f64 = 1e-4;
 /// of the walks.
 const SHORTEST: f64 = 1e-4;
 
+/// Least part of a line: within less of it μ may change as it likes. That bounds the parts where
+/// W_r is far less than the work of a line, and where a falling μ lets springs snap.
+const LEAST_PART: f64 = 1e-3;
+
 /// Relative difference from μ_end below which μ is constant.
 const RUN_IN: f64 = 1e-9;
 
@@ -30,7 +34,8 @@ const RUN_IN: f64 = 1e-9;
 /// a bound.
 const DRIFT: f64 = 0.02;
 
-/// Most iterations for μ at the end of a part; each gains three digits.
+/// Most iterations for μ at the end of a part, each of which usually gains three digits, before its
+/// bounds are halved instead.
 const MOST_ITERATIONS: u32 = 8;
 
 /// Relative change of μ that ends these iterations.
@@ -109,32 +114,28 @@ impl FrettingContact {
         let scale = if self.model.constants.force_control { self.force_scale() } else { 1.0 };
         let start = (self.state.contact.control * scale, self.drive_place());
         let mut now = self.clone();
-        let (mut done, mut stretch) = (0.0, 1.0);
+        let mut done = 0.0;
         while done < 1.0 {
             let mut rest = now.without_wear();
             rest.advance_in_plane(normal, target)?;
             let work = rest.state.work - now.state.work;
             let most = now.energy_of_part(ACCURACY);
             // from rest the work rises at most with the third power of the path
-            // `stretch` bounds the parts where W_r is next to nothing and the load rises
-            let cubic = if work > most { (most / work).cbrt() } else { 1.0 };
-            let mut part = (1.0 - done) * (stretch * cubic).min(1.0);
+            let mut part = if work > most { (1.0 - done) * (most / work).cbrt() } else { 1.0 };
             loop {
-                // the last part ends at the target to the bit, as does one below the rounding of
-                // the way
-                let next = if done + part > done { done + part } else { 1.0 };
+                part = part.max(LEAST_PART);
+                // the last part ends at the target to the bit
+                let next = (done + part).min(1.0);
                 let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
                 let place = [at(start.1[0], target[0]), at(start.1[1], target[1])];
                 let control = at(start.0, normal);
                 let end = now.run_in_part(|this| this.advance_in_plane(control, place))?;
                 let gained = end.state.work - now.state.work;
-                let is_rough = gained > 2.0 * most && done + part > done;
-                if !is_rough {
-                    stretch = if gained < 0.25 * most { 2.0 * stretch } else { 1.0 };
+                if gained <= 2.0 * most || part == LEAST_PART {
                     (now, done) = (end, next);
                     break;
                 }
-                (part, stretch) = (part * (most / gained), 1.0);
+                part *= most / gained;
             }
             now.absorb_after_drift()?;
         }
@@ -143,21 +144,31 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// The contact after a part of a step, with the coefficient of friction of its end.
+    /// The contact after a part of a step, with the coefficient of friction of its end: that of its
+    /// work, found by iteration. It lies between that of the start and the final one.
     fn run_in_part(&self, advance: impl Fn(&mut Self) -> Result<(), Error>) -> Result<Self, Error> {
+        let parameters = &self.model.parameters;
         let mut coefficient = self.model.constants.friction_coefficient;
+        let last = parameters.friction_coefficient_final;
+        let (mut low, mut high) = (coefficient.min(last), coefficient.max(last));
         let mut iterations = 0;
         loop {
             let mut next = self.clone();
             next.set_friction(coefficient);
             advance(&mut next)?;
-            let found = self.model.parameters.friction_coefficient_after(next.state.work);
+            let found = parameters.friction_coefficient_after(next.state.work);
             iterations += 1;
-            if (found - coefficient).abs() <= CONVERGED * found || iterations == MOST_ITERATIONS {
+            if (found - coefficient).abs() <= CONVERGED * found || high - low <= CONVERGED * high {
                 next.follow_running_in();
                 return Ok(next);
             }
-            coefficient = found;
+            if found > coefficient {
+                low = coefficient;
+            } else {
+                high = coefficient;
+            }
+            let converges = iterations < MOST_ITERATIONS && low < found && found < high;
+            coefficient = if converges { found } else { 0.5 * (low + high) };
         }
     }
 

@@ -78,6 +78,35 @@ fn an_energy_that_is_next_to_nothing_is_run_in_at_once() {
     }
 }
 
+/// A step whose work is many times the energy of running in is divided no further than the engine
+/// allows. Where the coefficient falls, springs snap: their energy is lost at once, by an amount
+/// that the size of the step changes a little.
+#[test]
+fn one_step_runs_in_like_a_thousand() {
+    for energy in [1e-4, 1e-5, 1e-6, 1e-7, 1e-8] {
+        for (first, last, accuracy) in [(START, END, 5e-4), (END, START, 3e-2)] {
+            let ends = [1, 1000].map(|steps| {
+                let parameters = Parameters {
+                    friction_coefficient: first,
+                    friction_coefficient_final: last,
+                    ..running_in(energy)
+                };
+                let mut contact = FrettingContact::new(parameters).expect("valid parameters");
+                contact.start_at(0.01 * FORCE, 0.0).expect("a contact");
+                in_steps(&mut contact, (0.01 * FORCE, 0.0), (FORCE, full()), steps);
+                let walks = contact.counters().spring_walks;
+                assert!(walks < 3000 + 20 * steps as u64, "{energy}, {first} to {last}: {walks} walks");
+                contact
+            });
+            let what = format!("{energy} J, {first} to {last}");
+            let [work, fine] = ends.each_ref().map(FrettingContact::dissipated_energy);
+            close_to(work, fine, accuracy, &format!("{what}: W"));
+            let [force, fine] = ends.each_ref().map(FrettingContact::tangential_force);
+            close(force, fine, 0.1 * accuracy * END * FORCE, &format!("{what}: T"));
+        }
+    }
+}
+
 /// Ends of lines: load as a share of the usual one, displacement of that of full slip.
 fn lines(seed: u64, count: usize) -> Vec<(f64, f64)> {
     let mut random = seeded(seed);
