@@ -78,7 +78,7 @@ pub struct FrettingContact {
     surface: Surface,
     state: State,
     /// The worn profile up to this instant, made when read.
-    view: OnceCell<Nodes>,
+    view: OnceCell<Box<Nodes>>,
     memory: Memory,
 }
 
