@@ -29,6 +29,7 @@ pub use crate::counters::Counters;
 pub use derivatives::Gradient;
 pub(crate) use member::unworn_load;
 pub(crate) use memory::Memory;
+pub(crate) use model::Model;
 pub use snapshot::Snapshot;
 pub(crate) use state::Mark;
 
@@ -37,7 +38,6 @@ use crate::friction::Springs;
 use crate::parameters::{NormalControl, Parameters};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use model::Model;
 use serde::{Deserialize, Serialize};
 use state::State;
 use std::cell::OnceCell;
