@@ -20,7 +20,8 @@ const BIN_SHIFT: u32 = 49;
 /// Octaves below the depth at first slip in which places of hinges are distinguished.
 const OCTAVES: i64 = 14;
 
-/// The same for depths. Slip under an eighth of the depth wears little (docs/decisions/wear_backlog.md).
+/// The same for depths. Slip under an eighth of the depth wears little: see
+/// `docs/decisions/wear_backlog.md`.
 const OCTAVES_OF_DEPTH: i64 = 3;
 
 /// Bins in the range of a double.
