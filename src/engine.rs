@@ -29,6 +29,7 @@ pub use crate::counters::Counters;
 pub use derivatives::Gradient;
 pub(crate) use member::unworn_load;
 pub(crate) use memory::Memory;
+pub(crate) use model::Model;
 pub use snapshot::Snapshot;
 pub(crate) use state::Mark;
 
@@ -37,7 +38,6 @@ use crate::friction::Springs;
 use crate::parameters::{NormalControl, Parameters};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use model::Model;
 use serde::{Deserialize, Serialize};
 use state::State;
 use std::cell::OnceCell;
@@ -78,7 +78,7 @@ pub struct FrettingContact {
     surface: Surface,
     state: State,
     /// The worn profile up to this instant, made when read.
-    view: OnceCell<Nodes>,
+    view: OnceCell<Box<Nodes>>,
     memory: Memory,
 }
 

@@ -45,7 +45,6 @@ pub use summit::Summit;
 use crate::engine::FrettingContact;
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
-use crate::profile::Profile;
 use members::Members;
 use serde::{Deserialize, Serialize};
 
@@ -119,8 +118,8 @@ impl Interface {
     ///
     /// # Errors
     /// Those of [`FrettingContact::new`]; [`Error::ContactsTable`] for summits that are not valid;
-    /// [`Error::Parameter`] for what an interface does not have: a rig stiffness, an ellipse, a
-    /// coating, friction that runs in.
+    /// [`Error::Parameter`] for what an interface does not have: a rig stiffness, a coating,
+    /// friction that runs in.
     pub fn new(parameters: Parameters, summits: &[Summit]) -> Result<Self, Error> {
         parameters.validate()?;
         if parameters.rig_compliance() > 0.0 {
@@ -128,16 +127,7 @@ impl Interface {
             let value = parameters.rig_stiffness;
             return Err(Error::Parameter { name: "rig_stiffness", value, requirement });
         }
-        let radius_x = match parameters.profile {
-            Profile::Ellipse { radius_x, .. } => radius_x,
-            _ => 0.0,
-        };
         for (name, value, requirement) in [
-            (
-                "radius_x",
-                radius_x,
-                "the contacts of an interface are bodies of revolution: take another profile",
-            ),
             ("coating_thickness", parameters.coating_thickness, "an interface has no coating: leave it at 0"),
             (
                 "running_in_energy",
@@ -210,7 +200,7 @@ impl Interface {
             })?;
             this.settle()
         })?;
-        self.members.share(Parameters { normal_control: NormalControl::Indentation, ..new.clone() });
+        self.members.share(&new)?;
         self.parameters = new;
         Ok(())
     }

@@ -158,7 +158,7 @@ impl Surface {
             self.check_one_disc(place.contact.radius)?;
             return Ok(place.contact);
         }
-        let touch = self.image(0.0);
+        let touch = self.tip();
         let apart = if control == NormalControl::Force { touch } else { value };
         let open = Contact { control: value, depth: apart, radius: 0.0, load: 0.0 };
         let contact = match control {
@@ -260,7 +260,8 @@ impl Surface {
         if outer.is_finite() && depth >= self.image(outer) {
             return self.outer_edge(outer, "indentation", depth);
         }
-        let (low, high) = self.bracket(outer, |x| self.image(x), depth);
+        let cell = self.worn().and_then(|nodes| nodes.outermost_cell_below(depth));
+        let (low, high) = cell.unwrap_or_else(|| self.bracket(outer, |x| self.image(x), depth));
         Ok(roots::of_rising(low, high, |x| (self.image(x) - depth, self.image_slope(x))))
     }
 

@@ -13,12 +13,8 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// As [`FrettingContact::advance_to`].
-pub(crate) fn unworn_load(
-    parameters: &Parameters,
-    profile: &Arc<Profile>,
-    depth: f64,
-) -> Result<(f64, f64), Error> {
-    load_of(&Surface::shared(profile.clone()), parameters, depth)
+pub(crate) fn unworn_load(model: &Model, profile: &Arc<Profile>, depth: f64) -> Result<(f64, f64), Error> {
+    load_of(&Surface::shared(profile.clone()), &model.parameters, depth)
 }
 
 fn load_of(surface: &Surface, parameters: &Parameters, depth: f64) -> Result<(f64, f64), Error> {
@@ -28,14 +24,14 @@ fn load_of(surface: &Surface, parameters: &Parameters, depth: f64) -> Result<(f6
 }
 
 impl FrettingContact {
-    /// A contact of parameters that have been validated, with its own profile in place of theirs.
-    pub(crate) fn with_profile(parameters: Arc<Parameters>, profile: Arc<Profile>) -> Self {
-        Self::on_surface(Model::of_revolution(parameters), Surface::shared(profile))
+    /// A contact of a model, with its own body in place of that of the parameters.
+    pub(crate) fn with_profile(model: &Model, profile: &Arc<Profile>) -> Self {
+        Self::on_surface(model.clone(), Surface::shared(profile.clone()))
     }
 
     /// Parameters that are equal to those of other contacts but for what the contact has itself.
-    pub(crate) fn share_parameters(&mut self, parameters: &Arc<Parameters>) {
-        self.model.parameters = parameters.clone();
+    pub(crate) fn share_parameters(&mut self, model: &Model) {
+        self.model.parameters = model.parameters.clone();
     }
 
     /// Places a body that has not touched yet, at a depth (m) above the other body.

@@ -9,7 +9,7 @@ use crate::wear::Constants;
 use std::sync::Arc;
 
 #[derive(Debug, Clone)]
-pub(super) struct Model {
+pub(crate) struct Model {
     pub(super) parameters: Arc<Parameters>,
     pub(super) constants: Constants,
     /// m = μE*/G*, from `constants`.
@@ -27,7 +27,7 @@ impl Model {
     ///
     /// # Errors
     /// [`Error::Parameter`] for radii that make no ellipse.
-    pub(super) fn new(parameters: Parameters) -> Result<(Self, Profile), Error> {
+    pub(crate) fn new(parameters: Parameters) -> Result<(Self, Profile), Error> {
         let materials = &parameters.materials;
         let (body, axes, tangential_modulus) = match parameters.profile.ellipse()? {
             None => (parameters.profile.clone(), Axes::CIRCLE, materials.tangential_modulus()),
@@ -39,12 +39,6 @@ impl Model {
             ),
         };
         Ok((Self::with_axes(Arc::new(parameters), axes, tangential_modulus), body))
-    }
-
-    /// The model of a body of revolution, of parameters that have been validated.
-    pub(super) fn of_revolution(parameters: Arc<Parameters>) -> Self {
-        let modulus = parameters.materials.tangential_modulus();
-        Self::with_axes(parameters, Axes::CIRCLE, modulus)
     }
 
     fn with_axes(parameters: Arc<Parameters>, axes: Axes, tangential_modulus: f64) -> Self {

@@ -200,10 +200,10 @@ impl FrettingContact {
                 && let Some(nodes) = copy.surface.worn()
             {
                 // a race is impossible: the cell belongs to this thread
-                let _ = self.view.set(nodes.clone());
+                let _ = self.view.set(Box::new(nodes.clone()));
             }
         }
-        self.view.get().or(self.surface.worn())
+        self.view.get().map(|nodes| &**nodes).or(self.surface.worn())
     }
 
     /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn

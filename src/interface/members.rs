@@ -5,7 +5,7 @@
 
 use super::Pose;
 use super::summit::Summit;
-use crate::engine::{FrettingContact, Mark, Memory, unworn_load};
+use crate::engine::{FrettingContact, Mark, Memory, Model, unworn_load};
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
@@ -25,8 +25,8 @@ pub(super) type Marks = Vec<Option<Box<Mark>>>;
 /// All contacts.
 #[derive(Debug, Clone)]
 pub(super) struct Members {
-    /// Those of every contact, under depth control; profiles are apart.
-    shared: Arc<Parameters>,
+    /// That of every contact, under depth control; bodies are apart.
+    model: Model,
     summits: Arc<[Summit]>,
     /// Contacts by rising offset.
     order: Arc<[u32]>,
@@ -44,8 +44,8 @@ pub(super) type Loads = Vec<(f64, f64)>;
 
 impl Members {
     pub(super) fn new(parameters: &Parameters, summits: &[Summit]) -> Result<Self, Error> {
-        let control = NormalControl::Indentation;
-        let shared = Arc::new(Parameters { normal_control: control, ..parameters.clone() });
+        // the body of an ellipse is its equivalent sphere
+        let (model, body) = Model::new(at_depth(parameters))?;
         // bodies of one size share their profile
         let mut sizes: HashMap<u64, Arc<Profile>> = HashMap::new();
         let mut profiles = Vec::with_capacity(summits.len());
@@ -55,8 +55,8 @@ impl Members {
                 Some(profile) => profile.clone(),
                 None => {
                     let scaled = match summit.radius_factor {
-                        1.0 => shared.profile.clone(),
-                        factor => shared.profile.scaled(factor).map_err(refuse)?,
+                        1.0 => body.clone(),
+                        factor => body.scaled(factor).map_err(refuse)?,
                     };
                     let profile = Arc::new(scaled);
                     sizes.insert(summit.radius_factor.to_bits(), profile.clone());
@@ -68,7 +68,7 @@ impl Members {
         let mut order: Vec<u32> = (0..summits.len() as u32).collect();
         order.sort_by(|a, b| summits[*a as usize].offset.total_cmp(&summits[*b as usize].offset));
         Ok(Self {
-            shared,
+            model,
             order: order.into(),
             profiles: profiles.into(),
             slots: vec![None; summits.len()],
@@ -109,15 +109,19 @@ impl Members {
 
     /// A contact that has not touched, as it stands in a pose.
     pub(super) fn untouched(&self, index: usize, pose: &Pose) -> FrettingContact {
-        untouched(&self.shared, &self.profiles[index], &self.summits[index], pose)
+        untouched(&self.model, &self.profiles[index], &self.summits[index], pose)
     }
 
     /// Gives all contacts other parameters after each has taken them over.
-    pub(super) fn share(&mut self, parameters: Parameters) {
-        self.shared = Arc::new(parameters);
+    ///
+    /// # Errors
+    /// Those of [`FrettingContact::new`].
+    pub(super) fn share(&mut self, parameters: &Parameters) -> Result<(), Error> {
+        (self.model, _) = Model::new(at_depth(parameters))?;
         for contact in self.slots.iter_mut().flatten() {
-            contact.share_parameters(&self.shared);
+            contact.share_parameters(&self.model);
         }
+        Ok(())
     }
 
     /// Approach at which the first contact touches, m.
@@ -139,7 +143,7 @@ impl Members {
             let depth = approach - self.summits[index].offset;
             let load = match &self.slots[index] {
                 Some(contact) => contact.load_at(depth),
-                None => unworn_load(&self.shared, &self.profiles[index], depth),
+                None => unworn_load(&self.model, &self.profiles[index], depth),
             };
             load.map_err(|problem| Error::InContact { contact: index + 1, problem: Box::new(problem) })
         };
@@ -224,14 +228,14 @@ impl Members {
         to: &Pose,
         change: impl Fn(&mut FrettingContact, &Summit) -> Result<(), Error> + Sync,
     ) -> Result<(), Error> {
-        let (shared, summits, profiles) = (self.shared.clone(), self.summits.clone(), self.profiles.clone());
+        let (model, summits, profiles) = (self.model.clone(), self.summits.clone(), self.profiles.clone());
         self.each(|index, slot, memory| {
             let summit = &summits[index];
             if slot.is_none() && to.approach <= summit.offset {
                 return Ok(());
             }
             let contact =
-                slot.get_or_insert_with(|| Box::new(untouched(&shared, &profiles[index], summit, from)));
+                slot.get_or_insert_with(|| Box::new(untouched(&model, &profiles[index], summit, from)));
             contact.exchange_memory(memory);
             let result = change(contact, summit);
             contact.exchange_memory(memory);
@@ -262,13 +266,13 @@ impl Members {
     }
 }
 
-fn untouched(
-    shared: &Arc<Parameters>,
-    profile: &Arc<Profile>,
-    summit: &Summit,
-    pose: &Pose,
-) -> FrettingContact {
-    let mut contact = FrettingContact::with_profile(shared.clone(), profile.clone());
+/// Parameters of a contact: each is held at its depth.
+fn at_depth(parameters: &Parameters) -> Parameters {
+    Parameters { normal_control: NormalControl::Indentation, ..parameters.clone() }
+}
+
+fn untouched(model: &Model, profile: &Arc<Profile>, summit: &Summit, pose: &Pose) -> FrettingContact {
+    let mut contact = FrettingContact::with_profile(model, profile);
     let depth = (pose.approach - summit.offset).min(contact.touch_depth());
     contact.place_apart(depth, summit.displacement(pose.displacement, pose.rotation));
     contact

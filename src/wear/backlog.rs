@@ -12,20 +12,24 @@ use super::Sliding;
 use crate::friction::SlipPiece;
 use crate::surface::Contact;
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// Bits of a double below its three leading ones of the mantissa: eight bins in an octave.
 const BIN_SHIFT: u32 = 49;
 
-/// Octaves below the depth at first slip in which bins are distinguished.
+/// Octaves below the depth at first slip in which places of hinges are distinguished.
 const OCTAVES: i64 = 14;
+
+/// The same for depths. Slip under an eighth of the depth wears little: see
+/// `docs/decisions/wear_backlog.md`.
+const OCTAVES_OF_DEPTH: i64 = 3;
 
 /// Bins in the range of a double.
 const MOST_BINS: i64 = 8 * 2048;
 
-/// Hinges of one bin.
+/// Hinges of one bin, which is that of their places.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Hinge {
-    bin: i64,
     /// Σ C.
     sum: f64,
     /// Σ C y of their places y = reference − g, m.
@@ -55,8 +59,8 @@ struct Level {
 pub(crate) struct WearBacklog {
     /// Depth at the first slip, m: images are counted from here.
     reference: f64,
-    /// In the order of their bins.
-    levels: Vec<Level>,
+    /// In the order of their bins. Copies of a backlog share those that have not changed since.
+    levels: Vec<Arc<Level>>,
     /// Friction work, J.
     pub(crate) work: f64,
     /// Largest contact radius, m.
@@ -102,15 +106,9 @@ impl WearBacklog {
 
     /// Becomes a copy of another backlog in its own memory.
     pub(crate) fn copy_from(&mut self, other: &Self) {
-        (self.reference, self.work, self.radius) = (other.reference, other.work, other.radius);
-        self.levels.truncate(other.levels.len());
-        for (level, from) in self.levels.iter_mut().zip(&other.levels) {
-            let mut hinges = std::mem::take(&mut level.hinges);
-            hinges.clone_from(&from.hinges);
-            *level = Level { hinges, ..*from };
-        }
-        let kept = self.levels.len();
-        self.levels.extend_from_slice(&other.levels[kept..]);
+        let mut levels = std::mem::take(&mut self.levels);
+        levels.clone_from(&other.levels);
+        *self = Self { levels, ..*other };
     }
 
     /// Whether all slip was under one depth (m).
@@ -136,12 +134,10 @@ impl WearBacklog {
                 && numbers.iter().all(|value| value.is_finite())
                 && level.bin.abs() < MOST_BINS
                 && level.hinges.len() < MOST_BINS as usize
-                && rises(level.hinges.iter().map(|hinge| hinge.bin))
+                && level.hinges.windows(2).all(|pair| pair[0].range.1 < pair[1].range.0)
                 && level.hinges.iter().all(|h| {
                     let numbers = [h.sum, h.moment, h.range.0, h.range.1];
-                    h.bin.abs() < MOST_BINS
-                        && h.range.0 <= h.range.1
-                        && numbers.iter().all(|value| value.is_finite())
+                    h.range.0 <= h.range.1 && numbers.iter().all(|value| value.is_finite())
                 })
         };
         amount(self.work)
@@ -150,12 +146,12 @@ impl WearBacklog {
             && self.reference.is_finite()
             && self.levels.len() < MOST_BINS as usize
             && rises(self.levels.iter().map(|level| level.bin))
-            && self.levels.iter().all(level)
+            && self.levels.iter().map(|level| &**level).all(level)
     }
 
-    /// Lowest bin of lengths for a contact of a given depth over the tip.
-    fn least(overlap: f64) -> i64 {
-        ((overlap.abs().to_bits() >> BIN_SHIFT) as i64 - 8 * OCTAVES).max(0)
+    /// Lowest bin of lengths for a contact of a given depth over the tip, m.
+    fn least(overlap: f64, octaves: i64) -> i64 {
+        ((overlap.abs().to_bits() >> BIN_SHIFT) as i64 - 8 * octaves).max(0)
     }
 
     /// Adds the slip of a straight line between two contacts and its friction work, J; says whether
@@ -183,17 +179,17 @@ impl WearBacklog {
         if self.levels.is_empty() {
             self.reference = to.depth.max(from.depth);
         }
-        let least = Self::least(self.reference - tip);
         let reference = self.reference;
-        let index = bin(depth - tip, least);
+        let least = Self::least(reference - tip, OCTAVES);
+        let index = bin(depth - tip, Self::least(reference - tip, OCTAVES_OF_DEPTH));
         let place = match self.levels.binary_search_by_key(&index, |level| level.bin) {
             Ok(place) => place,
             Err(place) => {
-                self.levels.insert(place, Level::new(index));
+                self.levels.insert(place, Arc::new(Level::new(index)));
                 place
             }
         };
-        let level = &mut self.levels[place];
+        let level = Arc::make_mut(&mut self.levels[place]);
         level.slip += slip;
         level.moment += slip * depth;
         // the slope of E between knots, and the hinges where it changes
@@ -233,7 +229,7 @@ impl Level {
             return;
         }
         let index = bin(place, least);
-        match self.hinges.binary_search_by_key(&index, |hinge| hinge.bin) {
+        match self.hinges.binary_search_by_key(&index, |hinge| bin(hinge.range.0, least)) {
             Ok(k) => {
                 self.hinges[k].sum += slope;
                 self.hinges[k].moment += slope * place;
@@ -241,8 +237,9 @@ impl Level {
                 self.hinges[k].range = (low.min(place), high.max(place));
             }
             Err(k) => {
-                let hinge = Hinge { bin: index, sum: slope, moment: slope * place, range: (place, place) };
-                self.hinges.insert(k, hinge);
+                // there are many backlogs with few hinges: no room that may stay empty
+                self.hinges.reserve_exact(1);
+                self.hinges.insert(k, Hinge { sum: slope, moment: slope * place, range: (place, place) });
             }
         }
     }

@@ -43,12 +43,12 @@ fn equal_contacts_wear_as_one() {
             NormalControl::Force => (100.0, 500.0),
             NormalControl::Indentation => (3.48e-6, 3.48e-6),
         };
-        for k in 0..1500 {
+        for k in 0..2000 {
             let (load, u) = motion(k);
             one.advance_to(unit * load, u).unwrap();
             five.advance_to(all * load, [u, 0.0], 0.0).unwrap();
         }
-        assert!(one.counters().profile_updates > 5, "{}", one.counters());
+        assert!(one.counters().profile_updates > 10, "{}", one.counters());
         close_to(five.wear_volume(), 5.0 * one.wear_volume(), tolerance, "worn volume");
         // the depth of so little wear differs by 0.8 % between settings of `tolerance`, for one
         // contact

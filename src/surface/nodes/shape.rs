@@ -92,6 +92,9 @@ impl Nodes {
     /// Ends (m) of the outermost cell whose inner end has an image of `image` (m) at most, and
     /// whose outer end has a larger one.
     pub(crate) fn outermost_cell_below(&self, image: f64) -> Option<(f64, f64)> {
+        if self.whole.len() != self.x.len() {
+            return None;
+        }
         let inner = self.whole.iter().rposition(|g| *g <= image)?;
         Some((self.x[inner], *self.x.get(inner + 1)?))
     }

@@ -101,6 +101,24 @@ fn a_copy_in_other_memory_is_the_same() {
     }
 }
 
+/// Slip under another depth leaves a copy as it was, and what has not changed is held once.
+#[test]
+fn copies_share_the_levels_that_have_not_changed() {
+    let mut backlog = strokes(&[0.4 * M * DEPTH, 0.0], 3);
+    let (copy, same) = (backlog.clone(), strokes(&[0.4 * M * DEPTH, 0.0], 3));
+    let contact = Contact { control: 0.5 * DEPTH, depth: 0.5 * DEPTH, radius: 1e-4, load: 1e-10 };
+    let slip =
+        SlipPiece { image: (0.2 * DEPTH, 0.5 * DEPTH), slip: (0.0, 1e-7), integral: 1e-12, moment: 1e-18 };
+    assert!(backlog.record(&[slip], (1e-6, 1e-18), (&contact, &contact), 0.0));
+    assert_eq!(copy, same);
+    assert_eq!(backlog.levels.len(), 2);
+    assert!(backlog.levels.iter().any(|level| Arc::ptr_eq(level, &copy.levels[0])));
+    let full = Contact { control: DEPTH, depth: DEPTH, ..contact };
+    assert!(backlog.record(&[slip], (1e-6, 1e-18), (&full, &full), 0.0));
+    assert_eq!(copy, same);
+    assert!(!backlog.levels.iter().any(|level| Arc::ptr_eq(level, &copy.levels[0])));
+}
+
 /// Gross slip to and fro: every spring slips, the innermost least.
 #[test]
 fn gross_slip_has_no_front() {
