@@ -107,7 +107,19 @@ impl WearBacklog {
     /// Becomes a copy of another backlog in its own memory.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         let mut levels = std::mem::take(&mut self.levels);
-        levels.clone_from(&other.levels);
+        levels.truncate(other.levels.len());
+        for (level, from) in levels.iter_mut().zip(&other.levels) {
+            match Arc::get_mut(level) {
+                Some(level) => {
+                    let mut hinges = std::mem::take(&mut level.hinges);
+                    hinges.clone_from(&from.hinges);
+                    *level = Level { hinges, ..**from };
+                }
+                None => *level = from.clone(),
+            }
+        }
+        let kept = levels.len();
+        levels.extend_from_slice(&other.levels[kept..]);
         *self = Self { levels, ..*other };
     }
 

@@ -56,6 +56,10 @@ fn contact_alone_under_a_load_that_varies() {
 /// An orbit and a Lissajous figure, at constant and at varying load.
 #[test]
 fn motion_in_the_plane() {
+    asks_for_nothing_in_the_plane(0.0);
+}
+
+fn asks_for_nothing_in_the_plane(wear: f64) {
     let inputs = ["normal_force", "tangential_displacement", "tangential_displacement_y"].map(reference);
     let outputs = [
         "tangential_force",
@@ -66,7 +70,7 @@ fn motion_in_the_plane() {
     ]
     .map(reference);
     for (turns, swing) in [(1.0, 0.0), (2.0, 0.0), (1.0, 30.0), (2.0, 30.0)] {
-        let fmu = Fmu::started(|fmu| assert_eq!(fmu.set_real("wear_coefficient", 0.0), OK));
+        let fmu = Fmu::started(|fmu| assert_eq!(fmu.set_real("wear_coefficient", wear), OK));
         for step in 0..20 * STEPS {
             let phase = TAU * f64::from(step + 1) / f64::from(STEPS);
             let before = allocations();
@@ -84,6 +88,8 @@ fn motion_in_the_plane() {
 fn with_wear_between_two_updates() {
     asks_for_nothing("partial slip", 1e-9, 1e-6, 0.0);
     asks_for_nothing("gross slip", 1e-9, 5e-6, 0.0);
+    asks_for_nothing("varying load", 1e-11, 1e-6, 60.0);
+    asks_for_nothing_in_the_plane(1e-11);
 }
 
 /// The counter counts: building an instance asks for memory.
