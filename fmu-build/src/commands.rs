@@ -193,7 +193,7 @@ impl Setup<'_> {
     fn report_script(&self, title: &str, script: &str) -> Result<()> {
         progress::shown(title, || {
             let mut python = self.venv.python();
-            python.args([&format!("examples/report/{script}"), "reports"]);
+            python.args([&format!("reports/harness/{script}"), "reports"]);
             python.env("MPLBACKEND", "Agg");
             run_shown(python)
         })

@@ -17,7 +17,7 @@ mod host;
 mod instantiate;
 mod interface;
 mod lifecycle;
-#[path = "../../examples/report/masters.rs"]
+#[path = "../../reports/harness/masters.rs"]
 mod masters;
 mod no_allocation;
 mod planar;

@@ -35,7 +35,7 @@ def test_a_picture_is_small_and_shown_on_a_page(picture):
 
 @pytest.mark.parametrize("name", ["error_against_time", "stability", "coupling"])
 def test_a_picture_of_a_report_is_drawn_from_the_present_numbers(plot, name):
-    """Else run `target/venv/bin/python examples/report/plot.py`."""
+    """Else run `target/venv/bin/python reports/harness/plot.py`."""
     assert plot.is_current(ROOT / "reports" / f"{name}.csv")
 
 

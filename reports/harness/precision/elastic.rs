@@ -24,7 +24,7 @@ const SUBSTEPS: usize = 128;
 
 const PLAIN: &str = "plain spring row";
 /// The problem of `hertz` that an independent solver can be asked, too:
-/// `examples/report/independent.py`.
+/// `reports/harness/independent.py`.
 pub(crate) const HERTZ: &str = "Hertz contact, ball";
 
 /// A contact of the ball without wear.

@@ -330,7 +330,7 @@ fn page(lines: &[Line], coupling: &coupling::Coupling) -> String {
     text += "A machine model around the contact: [below](#as-a-part-of-a-stiff-system).\n\n";
     text += "![Each scene at its worst invariant over that bound](stability.png)\n\n\
              Most scenes run the same short life at the extreme named: loops with wear, swings of load, cycles in one \
-             call, separation, a slide. All are in `examples/report/scenes`.\n\n";
+             call, separation, a slide. All are in `reports/harness/scenes`.\n\n";
     text += "| scene | extreme | outcome | worst | states | time |\n| --- | --- | --- | --- | --- | --- |\n";
     // what went wrong first
     let rank = |line: &&Line| match line.outcome {
