@@ -18,7 +18,7 @@ LARGEST = 150_000  # bytes
 
 @pytest.fixture(scope="module")
 def plot():
-    spec = importlib.util.spec_from_file_location("plot", ROOT / "examples" / "report" / "plot.py")
+    spec = importlib.util.spec_from_file_location("plot", ROOT / "reports" / "harness" / "plot.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
