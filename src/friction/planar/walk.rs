@@ -2,7 +2,7 @@
 //! stick and slip.
 
 use super::sampling::{Samples, interpolated};
-use super::spring::{Vector, difference, move_spring, norm, scaled, sum};
+use super::spring::{Line, Moved, Vector, difference, norm, scaled, sum, unit};
 use super::{PlanarKnot, PlanarRow};
 use crate::friction::SlipPiece;
 use crate::friction::interval::Interval;
@@ -32,7 +32,9 @@ impl PlanarPath<'_> {
     /// The spring that comes into contact at a radius along the line.
     pub(super) fn touching(&self, x: f64) -> PlanarKnot {
         let place = self.surface.place(x);
-        let origin = sum(self.start, scaled(self.motion(), self.share_at_touch(&place)));
+        let share = self.share_at_touch(&place);
+        // at the end to the bit, however long the way
+        let origin = if share == 1.0 { self.end } else { sum(self.start, scaled(self.motion(), share)) };
         PlanarKnot { place, origin }
     }
 
@@ -43,13 +45,6 @@ impl PlanarPath<'_> {
     fn motion(&self) -> Vector {
         difference(self.end, self.start)
     }
-}
-
-/// A spring after its line.
-struct End {
-    place: Place,
-    slip: f64,
-    mean_bound: f64,
 }
 
 impl PlanarRow {
@@ -67,53 +62,55 @@ impl PlanarRow {
         if path.to.radius > path.from.radius {
             row.touch(path);
         }
-        let rounding = 4.0
-            * f64::EPSILON
-            * (path.bound_slope * path.to.depth.abs() + norm(path.start).max(norm(path.end)));
-        let mut work = 0.0;
-        let mut last: Option<End> = None;
         let inside = row.knots.partition_point(|knot| knot.place.x <= path.to.radius);
         if !path.to.is_open() && row.knots.get(inside.max(1) - 1).is_some_and(|k| k.place.x < path.to.radius)
         {
             let place = path.surface.place(path.to.radius);
             row.knots.insert(inside, interpolated(&row, inside - 1, place));
         }
+        let (motion, depths) = (path.motion(), (path.from.depth, path.to.depth));
+        let bound = path.bound_slope * depths.1.abs();
+        let unit = unit(norm(motion).max(bound).max(path.start_slope * depths.0.abs()));
+        let rounding = 4.0 * f64::EPSILON * (bound + norm(path.start).max(norm(path.end)));
+        let scale = 1.0 / unit;
+        let line = Line::new(scaled(motion, scale), path.stiffness_ratio, scale * rounding);
+        let slopes = (scale * path.start_slope, scale * path.bound_slope);
+        // those inside are in contact all the way
+        let lasting = if path.from.is_open() { 0.0 } else { path.from.radius.min(path.to.radius) };
+        let mut work = 0.0;
+        let mut inner = (0.0, 0.0);
         for j in 0..row.knots.len() {
             let knot = &mut row.knots[j];
-            let before = knot.origin;
             // m (d − g), below 0 out of contact
-            let first = path.start_slope * (path.from.depth - knot.place.image);
-            let bound = path.bound_slope * (path.to.depth - knot.place.image);
-            let touches = path.from.is_open() || knot.place.x > path.from.radius;
-            let leaves = path.to.is_open() || knot.place.x > path.to.radius;
-            let motion = if touches {
+            let first = slopes.0 * (depths.0 - knot.place.image);
+            let last = slopes.1 * (depths.1 - knot.place.image);
+            let bounds = (first.max(0.0), last.max(0.0));
+            let moved = if knot.place.x <= lasting {
+                line.slip(scaled(difference(path.end, knot.origin), scale), bounds)
+            } else if path.from.is_open() || knot.place.x > path.from.radius {
                 // on the way, relaxed
-                scaled(path.motion(), 1.0 - path.share_at_touch(&knot.place))
-            } else if leaves && bound < 0.0 && first > 0.0 {
-                scaled(path.motion(), first / (first - bound))
+                let line = line.part(1.0 - path.share_at_touch(&knot.place));
+                line.slip(line.trial([0.0; 2]), bounds)
             } else {
-                path.motion()
+                let share = if last < 0.0 && first > 0.0 { first / (first - last) } else { 1.0 };
+                let line = line.part(share);
+                line.slip(line.trial(scaled(difference(path.start, knot.origin), scale)), bounds)
             };
-            let start = if touches { [0.0; 2] } else { difference(path.start, before) };
-            let moved =
-                move_spring(start, motion, (first.max(0.0), bound.max(0.0)), path.stiffness_ratio, rounding);
-            // a slip may be lost to rounding beside a bound that falls far
-            let held = moved.slip <= 0.0 && moved.deflection == sum(start, motion);
-            if !held || norm(moved.deflection) == 0.0 {
-                knot.origin = difference(path.end, moved.deflection);
+            let mut outer = (0.0, bounds.1);
+            if let Some(Moved { deflection, slip, mean_bound }) = moved {
+                knot.origin = difference(path.end, scaled(deflection, unit));
+                outer = (slip, mean_bound);
             }
-            let end = End { place: knot.place, slip: moved.slip, mean_bound: moved.mean_bound };
-            if let Some(inner) = &last
-                && (inner.slip > 0.0 || end.slip > 0.0)
-            {
-                let interval = Interval::between(&inner.place, &end.place);
-                let slip = (inner.slip, end.slip);
-                work += interval.slip_work((inner.mean_bound, end.mean_bound), slip);
+            if j > 0 && (inner.0 > 0.0 || outer.0 > 0.0) {
+                let (p, q) = (&row.knots[j - 1].place, &row.knots[j].place);
+                let interval = Interval::between(p, q);
+                work += interval.slip_work((inner.1, outer.1), (inner.0, outer.0));
                 if let Some(slips) = &mut slips {
-                    slips.push(SlipPiece::over((inner.place.image, end.place.image), slip, &interval));
+                    let slip = (unit * inner.0, unit * outer.0);
+                    slips.push(SlipPiece::over((p.image, q.image), slip, &interval));
                 }
             }
-            last = Some(end);
+            inner = outer;
         }
         let kept = if path.to.is_open() {
             0
@@ -122,6 +119,6 @@ impl PlanarRow {
         };
         row.knots.truncate(kept);
         row.tidy(path);
-        (row, work)
+        (row, work * unit * unit)
     }
 }

@@ -14,7 +14,7 @@
 //! changes along a line, motion and change of b follow each other (symmetric operator splitting, of
 //! second order).
 
-use super::{Moved, Vector, along, logarithmic_mean, norm};
+use super::{Moved, Vector, along, mean_reciprocal, norm};
 
 /// Stages per relative change of b, for a path of the length b: 1.6 % in one stage. The slip is
 /// good to 1e-4 of b.
@@ -40,7 +40,7 @@ pub(super) fn slide(start: Vector, motion: Vector, (first, last): (f64, f64), ra
     }
     let mut spring = Spring { force: start, slip: 0.0, work: 0.0 };
     if change.abs() <= CONSTANT || change.is_nan() {
-        spring.turn(&line, line.path, last, last);
+        spring.turn(&line, line.path, last, 1.0 / last);
     } else {
         let stages = (STAGES * change.abs() * (1.0 + line.path / largest)).ceil().clamp(1.0, MOST_STAGES);
         let at = |k: f64| first + (last - first) * k / stages;
@@ -52,7 +52,7 @@ pub(super) fn slide(start: Vector, motion: Vector, (first, last): (f64, f64), ra
             share = turning_share(path / (middle * line.slope));
             // the second half of the stage before and the first of this one
             spring.follow_bound(middle, ratio, share);
-            spring.turn(&line, path, middle, logarithmic_mean(at(k), at(k + 1.0)));
+            spring.turn(&line, path, middle, mean_reciprocal(at(k), at(k + 1.0)));
         }
         spring.follow_bound(last, ratio, share);
     }
@@ -176,8 +176,8 @@ struct Spring {
 }
 
 impl Spring {
-    /// Follows part of a line at a constant bound; it turns by the path over `turning_bound`.
-    fn turn(&mut self, line: &Line, path: f64, bound: f64, turning_bound: f64) {
+    /// Follows part of a line at a constant bound; it turns by the path times `reciprocal`.
+    fn turn(&mut self, line: &Line, path: f64, bound: f64, reciprocal: f64) {
         let [x, y] = along(self.force, 1.0);
         let [ahead, aside] = line.ahead;
         let (cosine, sine) = (x * ahead + y * aside, ahead * y - aside * x);
@@ -185,7 +185,7 @@ impl Spring {
         // tan(ψ/2), not as a difference
         let tangent = if cosine < 0.0 { (1.0 - cosine) / sine.abs() } else { sine.abs() / (1.0 + cosine) };
         let start = tangent.ln();
-        let turn = if path > 0.0 { path / turning_bound } else { 0.0 };
+        let turn = if path > 0.0 { path * reciprocal } else { 0.0 };
         let end = match start.is_finite() {
             false => start,
             true if turn.is_finite() => line.turned_to(start, turn, side),

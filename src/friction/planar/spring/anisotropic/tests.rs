@@ -1,5 +1,5 @@
-use super::super::tests::{ALONG_THE_SPRING, polar};
-use super::super::{difference, move_spring, scaled, sum};
+use super::super::tests::{ALONG_THE_SPRING, move_spring, polar};
+use super::super::{difference, scaled, sum};
 use super::*;
 
 /// The law in many explicit steps: the body moves, the spring slips back along its force to its
@@ -51,7 +51,7 @@ fn lines(bounds: &[f64]) -> Vec<(Vector, Vector, (f64, f64), f64)> {
 }
 
 fn end(line: &(Vector, Vector, (f64, f64), f64)) -> Moved {
-    move_spring(line.0, line.1, line.2, line.3, 0.0)
+    move_spring(line.0, line.1, line.2, line.3)
 }
 
 #[test]
@@ -159,7 +159,7 @@ fn the_work_of_the_drive_is_stored_or_taken_by_friction() {
 fn a_long_way_turns_the_force_into_the_motion() {
     for ratio in [0.7, 1.4] {
         let way = polar(50.0, 0.9);
-        let moved = move_spring(polar(1.0, 2.5), [way[0], ratio * way[1]], (1.0, 1.0), ratio, 0.0);
+        let moved = move_spring(polar(1.0, 2.5), [way[0], ratio * way[1]], (1.0, 1.0), ratio);
         assert!(norm(difference(moved.deflection, polar(1.0, 0.9))) < 1e-14, "{:?}", moved.deflection);
         // the slip is the way of the body less what the spring has given way
         assert!((moved.slip - 50.0).abs() < 2.0);
@@ -172,7 +172,7 @@ fn along_an_axis_a_spring_is_the_scalar_one() {
     for (axis, ratio) in [(0, 1.3), (1, 1.3), (1, 0.6)] {
         for (start, way, bounds) in ALONG_THE_SPRING {
             let on_axis = |value: f64| if axis == 0 { [value, 0.0] } else { [0.0, value] };
-            let moved = move_spring(on_axis(start), on_axis(way), bounds, ratio, 0.0);
+            let moved = move_spring(on_axis(start), on_axis(way), bounds, ratio);
             let trial: f64 = start + way;
             let expected = trial.clamp(-bounds.1, bounds.1);
             // the slip of a spring in its own units
@@ -187,8 +187,8 @@ fn along_an_axis_a_spring_is_the_scalar_one() {
 #[test]
 fn nearly_equal_stiffnesses_are_equal_ones() {
     for (start, motion, bounds, _) in lines(&[1.0, 1.05, 0.95]) {
-        let equal = move_spring(start, motion, bounds, 1.0, 0.0);
-        let nearly = move_spring(start, motion, bounds, 1.0 + 1e-12, 0.0);
+        let equal = move_spring(start, motion, bounds, 1.0);
+        let nearly = move_spring(start, motion, bounds, 1.0 + 1e-12);
         let off = norm(difference(equal.deflection, nearly.deflection));
         let work = equal.slip * equal.mean_bound - nearly.slip * nearly.mean_bound;
         // the isotropic closed form has an error of 2e-5 where the bound changes
@@ -209,7 +209,7 @@ fn the_ends_of_the_range_stay_numbers() {
         ([-0.6, -0.8], [30.0, 40.0], (1.0, 0.3)),
         ([1e-200, 1e-200], [1e-200, 0.0], (1.5e-200, 1e-200)),
     ] {
-        let moved = move_spring(start, motion, bounds, 1.2, 0.0);
+        let moved = move_spring(start, motion, bounds, 1.2);
         let numbers = [moved.deflection[0], moved.deflection[1], moved.slip, moved.mean_bound];
         assert!(numbers.iter().all(|value| value.is_finite()), "{start:?} {motion:?} {bounds:?}: {moved:?}");
         assert!(norm(moved.deflection) <= bounds.1 * (1.0 + 1e-14) && moved.slip >= 0.0, "{moved:?}");
