@@ -119,7 +119,8 @@ impl FrettingContact {
         let touch = self.touch_control();
         let (from, to) = ((line.from.0 - touch).max(0.0), (line.to.0 - touch).max(0.0));
         let rising_in_place = line.from.1 == line.to.1 && to >= from;
-        if from == to || rising_in_place {
+        // of the two measures the load itself changes by the larger share
+        if (to - from).abs() <= share * to.max(from) || rising_in_place {
             return 1;
         }
         let (from, to) = (measure(from), measure(to));

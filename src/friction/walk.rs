@@ -86,7 +86,7 @@ impl Path<'_> {
 
     /// Mean of the bound over what a spring slips, ∫ b |de| / ∫ |de|, m: exact for a bound that
     /// is a parabola along the path, as [`Self::bulge`] has it.
-    #[inline]
+    #[inline(always)]
     fn mean_bound(&self, trial: &Trial, leaves: bool, bulge: f64) -> f64 {
         let (place, side) = (&trial.knot.place, trial.side());
         let touches = place.image > self.from.depth || self.from.is_open();
