@@ -24,6 +24,7 @@ mod snapshot;
 mod state;
 mod steady;
 mod stroke;
+mod view;
 
 pub use crate::counters::Counters;
 pub use derivatives::Gradient;
@@ -37,10 +38,9 @@ use crate::error::Error;
 use crate::friction::Springs;
 use crate::parameters::{NormalControl, Parameters};
 use crate::range;
-use crate::surface::{Contact, Nodes, Surface};
+use crate::surface::{Contact, Surface};
 use serde::{Deserialize, Serialize};
 use state::State;
-use std::cell::OnceCell;
 
 /// What the contact does at the moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -77,8 +77,7 @@ pub struct FrettingContact {
     model: Model,
     surface: Surface,
     state: State,
-    /// The worn profile up to this instant, made when read.
-    view: OnceCell<Box<Nodes>>,
+    view: view::View,
     memory: Memory,
 }
 
@@ -95,7 +94,7 @@ impl FrettingContact {
 
     fn on_surface(model: Model, surface: Surface) -> Self {
         let state = State::apart(&surface, &model);
-        Self { model, surface, state, view: OnceCell::new(), memory: Memory::default() }
+        Self { model, surface, state, view: view::View::default(), memory: Memory::default() }
     }
 
     /// What the contact was built from.
@@ -118,7 +117,6 @@ impl FrettingContact {
         let (value, _) = self.checked(normal, displacement)?;
         let contact =
             self.surface.contact(self.model.parameters.normal_control, value, self.force_scale())?;
-        self.view.take();
         self.transaction(|this| {
             this.close_backlog()?;
             this.state.displacement = displacement;

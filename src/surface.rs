@@ -79,6 +79,14 @@ impl Surface {
         self.worn.as_deref()
     }
 
+    /// Whether another surface of this profile has worn as this one has.
+    pub(crate) fn is_worn_as(&self, other: &Self) -> bool {
+        match (&self.worn, &other.worn) {
+            (Some(own), Some(others)) => Arc::ptr_eq(own, others) || own == others,
+            (own, others) => own.is_none() && others.is_none(),
+        }
+    }
+
     pub(crate) fn set_worn(&mut self, nodes: Option<Nodes>) {
         self.worn = nodes.map(Arc::new);
     }

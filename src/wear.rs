@@ -18,6 +18,7 @@
 mod backlog;
 mod edge;
 mod fields;
+mod first_order;
 mod krylov;
 mod life;
 mod mesh;
@@ -29,6 +30,7 @@ mod update;
 
 pub(crate) use backlog::{RepeatedMotion, SlipAtDepth, WearBacklog};
 pub(crate) use fields::SlipFields;
+pub(crate) use first_order::FirstOrderWear;
 pub(crate) use life::{Amount, IntegrationSettings, THINNING, integrate};
 pub(crate) use mesh::UnitMesh;
 pub(crate) use patch::{Motion, Rig, Sliding};

@@ -16,10 +16,10 @@ pub(super) const WIDE: f64 = 0.9;
 
 /// Largest share of the work of an update by which deferred work may add to it: much of it at one
 /// place would dig a groove there.
-const PLACED_WITH: f64 = 0.25;
+pub(super) const PLACED_WITH: f64 = 0.25;
 
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
-const MOST_SCALE: f64 = 1.5;
+pub(super) const MOST_SCALE: f64 = 1.5;
 
 /// How near two amplitudes are that are taken for one, relative.
 const SAME_AMPLITUDE: f64 = 1e-3;
@@ -123,6 +123,7 @@ impl FrettingContact {
             return Ok(());
         }
         let backlog = std::mem::take(&mut wear.backlog);
+        self.view.forget();
         let law = backlog.law();
         let old = self.surface.clone();
         let zone = self.state.springs.slip_zone(
@@ -175,11 +176,10 @@ impl FrettingContact {
         }
     }
 
-    /// As much of the deferred work as may add to an update of some work, J.
+    /// Takes `WearState::deferred_share` off.
     fn take_deferred(&mut self, work: f64) -> f64 {
-        let most = PLACED_WITH * work.abs();
         let Some(wear) = &mut self.state.wear else { return 0.0 };
-        let taken = wear.deferred_work.max(-most).min(most);
+        let taken = wear.deferred_share(work);
         wear.deferred_work -= taken;
         taken
     }
@@ -287,18 +287,24 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// Nodes at rest for a slip law whose largest contact has a radius (m): fine at its innermost
-    /// front.
-    fn nodes_at_rest(&mut self, law: &[SlipAtDepth], radius: f64) -> Nodes {
-        let profile = self.surface.profile();
-        let front = law.iter().map(SlipAtDepth::front).fold(f64::INFINITY, f64::min);
-        let inner = if front <= self.surface.tip() {
+    /// Radius up to which springs stuck (m) while others slipped in contacts up to a radius (m),
+    /// from the image (m) of the innermost that slipped.
+    pub(super) fn radius_of_front(&self, front: f64, radius: f64) -> f64 {
+        if front <= self.surface.tip() {
             0.0
         } else if front < self.surface.image(radius) {
             self.surface.radius_of_image(front, 0.0, radius)
         } else {
             radius
-        };
+        }
+    }
+
+    /// Nodes at rest for a slip law whose largest contact has a radius (m): fine at its innermost
+    /// front.
+    fn nodes_at_rest(&mut self, law: &[SlipAtDepth], radius: f64) -> Nodes {
+        let profile = self.surface.profile();
+        let front = law.iter().map(SlipAtDepth::front).fold(f64::INFINITY, f64::min);
+        let inner = self.radius_of_front(front, radius);
         let Some(nodes) = self.surface.worn() else {
             return Nodes::around(
                 profile,

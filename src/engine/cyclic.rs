@@ -48,7 +48,6 @@ impl FrettingContact {
                 return Err(Error::Input { name, value, requirement });
             }
         }
-        self.view.take();
         let run =
             self.transaction(|this| this.placed(|this| this.run_cycles_on_coating(value, amplitude, cycles)));
         run.map_err(|error| self.error_of_step(error, amplitude))?;

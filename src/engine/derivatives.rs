@@ -258,9 +258,10 @@ impl FrettingContact {
 
     /// Radius of the deepest worn point, m, once something has worn.
     pub(super) fn deepest(&self) -> Option<f64> {
-        let nodes = self.view()?;
-        let deepest = nodes.depth().iter().enumerate().max_by(|a, b| a.1.total_cmp(b.1))?;
-        (*deepest.1 > 0.0).then(|| nodes.x()[deepest.0])
+        self.view(|nodes, more| {
+            let deepest = nodes.depths_with(more).zip(nodes.x()).max_by(|a, b| a.0.total_cmp(&b.0))?;
+            (deepest.0 > 0.0).then_some(*deepest.1)
+        })?
     }
 
     /// Of [`Self::max_pressure`], by central differences in the depth: it is one of many places

@@ -242,10 +242,6 @@ impl FrettingContact {
 
     /// Takes over the state at the end of a path.
     pub(super) fn arrive(&mut self, to: Contact, displacement: f64, springs: Springs, work: f64) {
-        // asked first, since taking moves the whole of it
-        if self.view.get().is_some() {
-            self.view.take();
-        }
         let direction = self.direction_to(displacement);
         if self.state.contact.is_open() || (direction != 0.0 && direction != self.state.direction) {
             self.begin_stroke();

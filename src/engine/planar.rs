@@ -297,9 +297,6 @@ impl FrettingContact {
                 planar.direction = [moved[0] / length, moved[1] / length];
             }
         }
-        if self.view.get().is_some() {
-            self.view.take();
-        }
         if moved[0] != 0.0 {
             self.state.direction = moved[0].signum();
         }

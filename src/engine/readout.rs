@@ -164,19 +164,20 @@ impl FrettingContact {
 
     /// Worn depth w at radius r, the sum of both bodies, m.
     pub fn worn_depth_at(&self, r: f64) -> f64 {
-        self.view().map_or(0.0, |nodes| nodes.depth_at(r))
+        self.view(|nodes, more| nodes.depth_at(r) + nodes.line(more, r)).unwrap_or(0.0)
     }
 
-    /// Deepest worn point, the sum of both bodies, m. Where updates of the profile have moved it,
-    /// it may be a few parts in 10⁶ less than before.
+    /// Deepest worn point, the sum of both bodies, m. An update of the profile may lower it by up
+    /// to 1 %: the wear since the last one is read without the relief of pressure that it brings.
     pub fn wear_depth(&self) -> f64 {
-        self.view().map_or(0.0, |nodes| nodes.depth().iter().fold(0.0, |most, w| most.max(*w)))
+        self.view(|nodes, more| nodes.depths_with(more).fold(0.0, f64::max)).unwrap_or(0.0)
     }
 
     /// Volume ∫ 2πr w dr of the worn profile, m³: the same as [`Self::wear_volume`] by another
     /// route, the transforms.
     pub fn profile_volume(&self) -> f64 {
-        self.view().map_or(0.0, Nodes::worn_volume)
+        let updated = self.surface.worn().map_or(0.0, Nodes::worn_volume);
+        updated + self.view(Nodes::volume).unwrap_or(0.0)
     }
 
     /// Σ |∫A dA − W| over all profile updates of a transient history, J: what the transforms of
@@ -188,22 +189,6 @@ impl FrettingContact {
     /// Work that was left out since its sign would heal the profile, J.
     pub fn clipped_work(&self) -> f64 {
         self.state.wear.as_ref().map_or(0.0, |wear| wear.clipped)
-    }
-
-    /// The profile with the backlog taken off, made when first read; where it cannot be, that of
-    /// the last update.
-    pub(super) fn view(&self) -> Option<&Nodes> {
-        self.state.wear.as_ref()?;
-        if self.view.get().is_none() {
-            let mut copy = self.clone();
-            if copy.close_backlog().is_ok()
-                && let Some(nodes) = copy.surface.worn()
-            {
-                // a race is impossible: the cell belongs to this thread
-                let _ = self.view.set(Box::new(nodes.clone()));
-            }
-        }
-        self.view.get().map(|nodes| &**nodes).or(self.surface.worn())
     }
 
     /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn

@@ -62,7 +62,6 @@ impl FrettingContact {
         constants.friction_coefficient = new.friction_coefficient_after(self.state.work);
         constants.wear_per_work = new.wear_per_work();
         let bound_slope = constants.bound_slope();
-        self.view.take();
         self.transaction(|this| {
             this.close_backlog()?;
             let former_wear_per_work = this.model.constants.wear_per_work;

@@ -43,10 +43,6 @@ impl FrettingContact {
         if wears {
             let to = self.state.contact;
             self.gather(work, &to);
-            // asked first, since taking moves the whole of it
-            if self.view.get().is_some() {
-                self.view.take();
-            }
         }
         self.state.direction = direction;
         self.state.displacement = displacement;

@@ -6,6 +6,7 @@
 //! over, so that it needs none.
 
 use super::FrettingContact;
+use super::backlog::PLACED_WITH;
 use super::coating::Coating;
 use super::model::Model;
 use super::planar::Planar;
@@ -96,6 +97,12 @@ impl State {
 }
 
 impl WearState {
+    /// As much of the deferred work as may add to an update of some work, J.
+    pub(super) fn deferred_share(&self, work: f64) -> f64 {
+        let most = PLACED_WITH * work.abs();
+        self.deferred_work.max(-most).min(most)
+    }
+
     fn copy_from(&mut self, other: &Self) {
         let mut backlog = take(&mut self.backlog);
         backlog.copy_from(&other.backlog);
@@ -138,7 +145,7 @@ impl FrettingContact {
     /// Takes over a state. The memory stays: tables know the nodes that they were made for.
     pub(super) fn take_state(&mut self, state: &State) {
         self.state.copy_from(state);
-        self.view.take();
+        self.view.forget();
     }
 
     /// Runs a change; where it fails, the state is as before.

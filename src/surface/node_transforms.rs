@@ -24,9 +24,15 @@ impl NodeTransforms {
     /// Depth (m) of the profile that belongs to an image (m), or slip to that of the springs. Zero
     /// up to the first value that is not.
     pub(crate) fn inverse_abel(&self, image: &[f64]) -> Vec<f64> {
-        let mut depth = vec![0.0; self.nodes];
-        self.abel.inverse_abel(image, &mut depth, &mut Scratch::default());
+        let mut depth = Vec::new();
+        self.inverse_abel_into(image, &mut depth, &mut Scratch::default());
         depth
+    }
+
+    /// [`Self::inverse_abel`] in memory that is there.
+    pub(crate) fn inverse_abel_into(&self, image: &[f64], depth: &mut Vec<f64>, scratch: &mut Scratch) {
+        depth.resize(self.nodes, 0.0);
+        self.abel.inverse_abel(image, depth, scratch);
     }
 
     /// The inverse of [`Self::inverse_abel`].
@@ -38,12 +44,17 @@ impl NodeTransforms {
 
     /// Pressure (Pa) of a line load (N/m) that goes on beyond the given nodes as it ends there.
     pub(crate) fn pressure(&self, load: &[f64]) -> Vec<f64> {
-        let mut load = load.to_vec();
-        load.resize(self.nodes, load.last().copied().unwrap_or(0.0));
-        let mut pressure = vec![0.0; self.nodes];
-        self.abel.pressure(&load, &mut pressure, &mut Scratch::default());
-        pressure.iter_mut().for_each(|p| *p *= self.per_metre);
+        let mut pressure = Vec::new();
+        self.pressure_into(&mut load.to_vec(), &mut pressure, &mut Scratch::default());
         pressure
+    }
+
+    /// [`Self::pressure`] in memory that is there; the load then goes on to the last node.
+    pub(crate) fn pressure_into(&self, load: &mut Vec<f64>, pressure: &mut Vec<f64>, scratch: &mut Scratch) {
+        load.resize(self.nodes, load.last().copied().unwrap_or(0.0));
+        pressure.resize(self.nodes, 0.0);
+        self.abel.pressure(load, pressure, scratch);
+        pressure.iter_mut().for_each(|p| *p *= self.per_metre);
     }
 }
 

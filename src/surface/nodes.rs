@@ -70,6 +70,12 @@ impl Nodes {
         &self.depth
     }
 
+    /// Worn depth at the nodes with more on top, m; what is empty adds nothing.
+    pub(crate) fn depths_with<'a>(&'a self, more: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        let more = more.iter().copied().chain(std::iter::repeat(0.0));
+        self.depth.iter().zip(more).map(|(depth, more)| depth + more)
+    }
+
     pub(crate) fn last(&self) -> usize {
         self.x.len() - 1
     }

@@ -40,10 +40,10 @@ struct Hinge {
 
 /// Slip under one indentation depth.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-struct Level {
-    bin: i64,
+pub(super) struct Level {
+    pub(super) bin: i64,
     /// Σ ∫ e dx, m².
-    slip: f64,
+    pub(super) slip: f64,
     /// Σ d ∫ e dx, m³.
     moment: f64,
     /// Slip of a spring at the reference depth, m, as the innermost springs go on.
@@ -227,7 +227,18 @@ impl WearBacklog {
 
     /// The slip path under each depth, m, as functions of g.
     pub(crate) fn law(&self) -> Vec<SlipAtDepth> {
-        self.levels.iter().map(|level| level.law(self.reference)).collect()
+        let mut law = vec![SlipAtDepth::default(); self.levels.len()];
+        law.iter_mut().zip(&self.levels).for_each(|(law, level)| self.law_into(level, law));
+        law
+    }
+
+    pub(super) fn levels(&self) -> impl Iterator<Item = &Level> {
+        self.levels.iter().map(|level| &**level)
+    }
+
+    /// The slip path under one depth, in memory that is there.
+    pub(super) fn law_into(&self, level: &Level, law: &mut SlipAtDepth) {
+        level.law_into(self.reference, law);
     }
 }
 
@@ -256,8 +267,9 @@ impl Level {
         }
     }
 
-    fn law(&self, reference: f64) -> SlipAtDepth {
-        let mut hinges: Vec<(f64, f64)> = Vec::with_capacity(self.hinges.len() + 2);
+    fn law_into(&self, reference: f64, law: &mut SlipAtDepth) {
+        let knots = &mut law.knots;
+        knots.clear();
         // what strokes that cancel leave in their bins is rounding
         let largest = self.hinges.iter().map(|hinge| hinge.sum.abs()).fold(self.slope.abs(), f64::max);
         let rounding = CANCELLED * largest;
@@ -266,33 +278,33 @@ impl Level {
             let mean = hinge.moment / hinge.sum;
             let slack = SAME * low.abs().max(high.abs());
             if hinge.sum.abs() > rounding && mean >= low - slack && mean <= high + slack {
-                hinges.push((reference - mean.clamp(low, high), hinge.sum));
+                knots.push((reference - mean.clamp(low, high), hinge.sum, 0.0));
             } else if high - low > slack {
                 // slopes that nearly cancel have no place of their own: the ends of their range
                 // carry sum and moment
                 let outer = (hinge.moment - hinge.sum * low) / (high - low);
                 for (place, slope) in [(low, hinge.sum - outer), (high, outer)] {
                     if slope.abs() > rounding {
-                        hinges.push((reference - place, slope));
+                        knots.push((reference - place, slope, 0.0));
                     }
                 }
             }
         }
-        hinges.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let mut knots = Vec::with_capacity(hinges.len());
+        knots.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
         let (mut slope, mut offset) = (self.slope, self.constant - self.slope * reference);
-        let first = (slope, offset);
-        for (place, change) in hinges {
-            slope += change;
-            offset -= change * place;
-            knots.push((place, slope, offset));
+        law.first = (slope, offset);
+        for knot in knots {
+            slope += knot.1;
+            offset -= knot.1 * knot.0;
+            (knot.1, knot.2) = (slope, offset);
         }
-        SlipAtDepth::new(self.moment / self.slip, first, knots)
+        law.depth = self.moment / self.slip;
+        law.find_rounding();
     }
 }
 
 /// The slip path of springs under one indentation depth, piecewise linear in g.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct SlipAtDepth {
     /// m.
     pub(crate) depth: f64,
@@ -318,8 +330,14 @@ impl SlipAtDepth {
     }
 
     fn new(depth: f64, first: (f64, f64), knots: Vec<(f64, f64, f64)>) -> Self {
-        let largest = knots.iter().map(|knot| knot.2.abs()).fold(first.1.abs(), f64::max);
-        Self { depth, least: ROUNDING * largest, first, knots }
+        let mut law = Self { depth, least: 0.0, first, knots };
+        law.find_rounding();
+        law
+    }
+
+    fn find_rounding(&mut self) {
+        let largest = self.knots.iter().map(|knot| knot.2.abs()).fold(self.first.1.abs(), f64::max);
+        self.least = ROUNDING * largest;
     }
 
     /// Cycles of an amplitude U₀, E = 4N (U₀ − m (d − g))₊, or sliding onward, E = s, under a depth

@@ -1,7 +1,7 @@
 //! The contact edge among nodes at rest, and its part in the pressure.
 
 use crate::surface::{Contact, NodeTransforms, Nodes};
-use crate::transform::leg;
+use crate::transform::{Scratch, leg};
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
 /// What lies between the last node inside the contact and the contact edge.
@@ -57,11 +57,22 @@ impl Edge {
 
 /// Transform of a load line given at the nodes up to the edge: p or τ at the nodes 0..=last.
 pub(crate) fn pressure_nodes(transforms: &NodeTransforms, x: &[f64], load: &[f64], edge: &Edge) -> Vec<f64> {
-    let k = edge.last;
-    let mut pressure = transforms.pressure(&load[..=k]);
-    pressure.truncate(k + 1);
-    for (i, p) in pressure.iter_mut().enumerate() {
-        *p += load[k] * edge.weight(x, i);
-    }
+    let mut pressure = Vec::new();
+    let load = &mut load[..=edge.last].to_vec();
+    pressure_nodes_into(transforms, x, (load, edge), (&mut pressure, &mut Scratch::default()));
     pressure
+}
+
+/// [`pressure_nodes`] in memory that is there.
+pub(super) fn pressure_nodes_into(
+    transforms: &NodeTransforms,
+    x: &[f64],
+    (load, edge): (&mut Vec<f64>, &Edge),
+    (pressure, scratch): (&mut Vec<f64>, &mut Scratch),
+) {
+    transforms.pressure_into(load, pressure, scratch);
+    pressure.truncate(edge.last + 1);
+    for (i, p) in pressure.iter_mut().enumerate() {
+        *p += load[edge.last] * edge.weight(x, i);
+    }
 }

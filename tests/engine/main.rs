@@ -30,3 +30,4 @@ mod snapshot;
 mod two_bodies;
 mod varying_load;
 mod wear;
+mod wear_depth;

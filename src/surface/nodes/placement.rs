@@ -132,7 +132,7 @@ impl Nodes {
             // image exactly
             let inside = x[..outside].partition_point(|x| *x < nodes.x[nodes.last()]);
             depth[..inside].iter_mut().for_each(|w| *w = w.max(0.0));
-            depth[inside..].iter_mut().zip(&x[inside..]).for_each(|(w, x)| *w = nodes.line_of_depth(*x));
+            depth[inside..].iter_mut().zip(&x[inside..]).for_each(|(w, x)| *w = nodes.line(&nodes.depth, *x));
             depth
         };
         let (base, top) = (image_of(self), image_of(others));
@@ -168,6 +168,26 @@ impl Nodes {
         }
         let start = if front < a { front } else { 0.0 };
         self.refine_between(start, a, 1.5 * a / self.resolution as f64);
+        if self.x.len() != before {
+            self.update_integrals(profile);
+        }
+    }
+
+    /// The last node (m) neither beyond a radius nor beyond the first worn node.
+    pub(crate) fn node_within_wear(&self, radius: f64) -> f64 {
+        let worn = self.depth.iter().position(|depth| *depth > 0.0).unwrap_or(self.last());
+        let inside = self.x.partition_point(|x| *x <= radius);
+        self.x[worn.min(inside.saturating_sub(1))]
+    }
+
+    /// Extends the nodes to an outer radius and halves cells between an inner one and that which
+    /// are too wide. h does not change by that.
+    pub(crate) fn cover(&mut self, profile: &Profile, (inner, outer): (f64, f64)) {
+        let before = self.x.len();
+        if outer > self.x[self.last()] {
+            self.extend_beyond(outer, profile.outer_radius());
+        }
+        self.refine_between(inner, outer, 1.5 * outer / self.resolution as f64);
         if self.x.len() != before {
             self.update_integrals(profile);
         }

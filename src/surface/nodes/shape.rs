@@ -24,14 +24,15 @@ impl Nodes {
         }
     }
 
-    /// Worn depth at radius r by the line in r² between the nodes, m.
-    pub(super) fn line_of_depth(&self, r: f64) -> f64 {
-        let Some(j) = self.cell(r) else {
-            return if r == self.x[self.last()] { self.depth[self.last()] } else { 0.0 };
-        };
+    /// A field at radius r by the line in r² between the nodes; 0 behind them and where it is
+    /// empty.
+    pub(crate) fn line(&self, field: &[f64], r: f64) -> f64 {
+        let j = self.cell(r).unwrap_or(self.last());
+        let Some(inner) = field.get(j) else { return 0.0 };
+        let Some(outer) = field.get(j + 1) else { return if r == self.x[j] { *inner } else { 0.0 } };
         let (x0, x1) = (self.x[j], self.x[j + 1]);
         let share = (r - x0) * (r + x0) / ((x1 - x0) * (x1 + x0));
-        (1.0 - share) * self.depth[j] + share * self.depth[j + 1]
+        (1.0 - share) * inner + share * outer
     }
 
     /// Image and depth (m) of the node at a radius, within a share of that; `None` where there is

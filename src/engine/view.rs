@@ -1,0 +1,137 @@
+//! The worn profile as it is read between two updates: that of the last update, and on top of it
+//! the wear of the backlog to first order.
+
+use super::FrettingContact;
+use super::backlog::MOST_SCALE;
+use crate::surface::{Contact, NodeTransforms, Nodes, Surface};
+use crate::wear::FirstOrderWear;
+use std::cell::RefCell;
+use std::sync::Arc;
+
+/// Narrowest slip zone for which nodes are laid, as a share of the contact radius.
+const NARROWEST: f64 = 1e-4;
+
+/// What the last reading computed. All of it follows from the state of the contact, so a copy of a
+/// contact begins without it.
+#[derive(Debug, Default)]
+pub(super) struct View(RefCell<Option<Box<Reading>>>);
+
+impl Clone for View {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl View {
+    /// Drops the slip read so far. To be called where the backlog does not just grow.
+    pub(super) fn forget(&mut self) {
+        if let Some(reading) = self.0.get_mut() {
+            reading.forget();
+        }
+    }
+}
+
+#[derive(Debug, Default)]
+struct Reading {
+    /// The surface of the last update.
+    base: Option<Surface>,
+    /// The same with nodes for the slip since then, and their transforms.
+    surface: Option<(Surface, Arc<NodeTransforms>)>,
+    /// Radii from which and up to which these nodes serve, m.
+    span: (f64, f64),
+    wear: FirstOrderWear,
+    /// Depth by which the backlog has worn the nodes, m.
+    depth: Vec<f64>,
+    /// Work of the backlog and deferred work, J, and the contact, for which that is.
+    computed_for: Option<(f64, f64, Contact)>,
+}
+
+impl Reading {
+    fn forget(&mut self) {
+        self.wear.clear();
+        self.computed_for = None;
+    }
+}
+
+impl FrettingContact {
+    /// Reads the nodes of the profile and the depth (m) that the backlog adds at them, which is
+    /// empty where there is no backlog. `None` where nothing has worn.
+    pub(super) fn view<T>(&self, read: impl FnOnce(&Nodes, &[f64]) -> T) -> Option<T> {
+        let wear = self.state.wear.as_ref()?;
+        if wear.backlog.is_empty() {
+            return self.surface.worn().map(|nodes| read(nodes, &[]));
+        }
+        let mut reading = self.view.0.borrow_mut();
+        let reading = reading.get_or_insert_default();
+        let now = (wear.backlog.work, wear.deferred_work, self.state.contact);
+        let same_base = reading.base.as_ref().is_some_and(|base| base.is_worn_as(&self.surface));
+        if !same_base || reading.computed_for != Some(now) {
+            if !same_base {
+                reading.forget();
+                (reading.base, reading.surface) = (Some(self.surface.clone()), None);
+            }
+            self.compute(reading);
+            reading.computed_for = Some(now);
+        }
+        let (surface, _) = reading.surface.as_ref()?;
+        surface.worn().map(|nodes| read(nodes, &reading.depth))
+    }
+
+    fn compute(&self, reading: &mut Reading) {
+        let Some(wear) = &self.state.wear else { return };
+        let front = reading.wear.read(&wear.backlog);
+        let span = self.span_of_slip(front, wear.backlog.radius);
+        if reading.surface.is_none() || reading.span != span {
+            let surface = self.with_nodes_over(span);
+            let transforms = surface.worn().map(|nodes| self.memory.transforms.clone().get(nodes).0);
+            reading.wear.set_surface(&surface);
+            reading.surface = transforms.map(|transforms| (surface, transforms));
+            reading.span = span;
+        }
+        let Some((surface, transforms)) = &reading.surface else { return };
+        let at_present = !self.state.contact.is_open() && wear.backlog.is_at(self.state.contact.depth);
+        let present = at_present.then_some(&self.state.contact);
+        reading.wear.sum((surface, transforms), present, &mut reading.depth);
+        // as an update does: the shape of the wear, and the volume of the work
+        let per_sum = self.model.constants.wear_per_work
+            * self.model.constants.friction_coefficient
+            * self.model.constants.normal_modulus;
+        let volume = per_sum * surface.worn().map_or(0.0, |nodes| nodes.volume(&reading.depth));
+        let work = wear.backlog.work + wear.deferred_share(wear.backlog.work);
+        let scale = (self.model.constants.wear_per_work * work / volume).min(MOST_SCALE);
+        let factor = if volume > 0.0 { per_sum * scale } else { 0.0 };
+        reading.depth.iter_mut().for_each(|depth| *depth *= factor);
+    }
+
+    /// Radii (m) from and up to which nodes serve slip that has reached inward to an image (m) in
+    /// contacts up to a radius (m). The first is a node or, on an unworn body, the end of a zone
+    /// whose width is a power of two, so that nodes serve many steps.
+    fn span_of_slip(&self, front: f64, radius: f64) -> (f64, f64) {
+        let outer = radius.max(self.state.reach);
+        let inner = self.radius_of_front(front, radius);
+        let start = match self.surface.worn() {
+            Some(nodes) => nodes.node_within_wear(inner),
+            None => {
+                let share = (1.0 - inner / outer).clamp(NARROWEST, 1.0);
+                outer * (1.0 - share.log2().ceil().exp2())
+            }
+        };
+        (start, outer)
+    }
+
+    /// The present surface with nodes over a span of radii.
+    fn with_nodes_over(&self, (inner, outer): (f64, f64)) -> Surface {
+        let mut surface = self.surface.clone();
+        let profile = surface.profile();
+        let nodes = match surface.worn() {
+            None => Nodes::around(profile, self.model.parameters.resolution, outer, inner),
+            Some(nodes) => {
+                let mut nodes = nodes.clone();
+                nodes.cover(profile, (inner, outer));
+                nodes
+            }
+        };
+        surface.set_worn(Some(nodes));
+        surface
+    }
+}

@@ -1,0 +1,119 @@
+//! The wear of a backlog to first order: under the pressure of the profile as it is, without the
+//! relief that the wear itself brings.
+
+use super::backlog::{SlipAtDepth, WearBacklog};
+use super::edge::{Edge, pressure_nodes_into};
+use crate::parameters::NormalControl;
+use crate::surface::{Contact, NodeTransforms, Surface};
+use crate::transform::Scratch;
+
+/// The wear of the slip under one depth.
+#[derive(Debug)]
+struct LevelWear {
+    bin: i64,
+    /// Σ ∫ e dx of the slip in the law, m².
+    slip: f64,
+    law: SlipAtDepth,
+    contact: Option<Contact>,
+    /// Pressure at the nodes inside the contact, over E*, and slip path (m).
+    pressure: Vec<f64>,
+    path: Vec<f64>,
+    is_stale: bool,
+}
+
+/// Σ p s over the depths of a backlog. What has not changed between two readings is kept.
+#[derive(Debug, Default)]
+pub(crate) struct FirstOrderWear {
+    levels: Vec<LevelWear>,
+    /// Image at the nodes, m.
+    images: Vec<f64>,
+    values: Vec<f64>,
+    scratch: Scratch,
+}
+
+impl FirstOrderWear {
+    /// Forgets the slip.
+    pub(crate) fn clear(&mut self) {
+        self.levels.clear();
+    }
+
+    /// Takes the slip of a backlog, which has only grown since the last call. Returns the image
+    /// (m) of the innermost spring that has slipped.
+    pub(crate) fn read(&mut self, backlog: &WearBacklog) -> f64 {
+        let mut front = f64::INFINITY;
+        for (k, level) in backlog.levels().enumerate() {
+            if self.levels.get(k).is_none_or(|known| known.bin != level.bin) {
+                self.levels.insert(k, LevelWear::new(level.bin));
+            }
+            let known = &mut self.levels[k];
+            if known.slip != level.slip {
+                (known.slip, known.is_stale) = (level.slip, true);
+                backlog.law_into(level, &mut known.law);
+            }
+            front = front.min(known.law.front());
+        }
+        front
+    }
+
+    /// Counts the images of another surface from now on.
+    pub(crate) fn set_surface(&mut self, surface: &Surface) {
+        self.images.clear();
+        let x = surface.worn().map_or(&[][..], |nodes| nodes.x());
+        self.images.extend(x.iter().map(|x| surface.image(*x)));
+        self.levels.iter_mut().for_each(|level| (level.contact, level.is_stale) = (None, true));
+    }
+
+    /// Writes Σ p s / E* (m) at the nodes of the surface. `present` is the contact of a backlog
+    /// under one depth. Depths at which the profile carries no contact are left out.
+    pub(crate) fn sum(
+        &mut self,
+        (surface, transforms): (&Surface, &NodeTransforms),
+        present: Option<&Contact>,
+        sum: &mut Vec<f64>,
+    ) {
+        sum.clear();
+        sum.resize(self.images.len(), 0.0);
+        let Some(nodes) = surface.worn() else { return };
+        for level in &mut self.levels {
+            let depth = level.law.depth;
+            let contact = match (present, level.contact) {
+                (Some(present), _) => Some(*present),
+                (None, Some(known)) if known.control == depth => Some(known),
+                _ => surface.contact(NormalControl::Indentation, depth, 1.0).ok(),
+            };
+            let Some(contact) = contact.filter(|contact| !contact.is_open()) else { continue };
+            if level.contact != Some(contact) {
+                let edge = Edge::new(nodes, &contact, surface.profile().outer_radius());
+                self.values.clear();
+                self.values.extend(self.images[..=edge.last].iter().map(|g| (contact.depth - g).max(0.0)));
+                let memory = (&mut level.pressure, &mut self.scratch);
+                pressure_nodes_into(transforms, nodes.x(), (&mut self.values, &edge), memory);
+                (level.contact, level.is_stale) = (Some(contact), true);
+            }
+            if level.is_stale {
+                self.values.clear();
+                // springs out of contact have gone along with the body, as those at the edge have
+                self.values.extend(self.images.iter().map(|g| level.law.at(g.min(contact.depth)).0));
+                transforms.inverse_abel_into(&self.values, &mut level.path, &mut self.scratch);
+                level.is_stale = false;
+            }
+            for ((sum, pressure), path) in sum.iter_mut().zip(&level.pressure).zip(&level.path) {
+                *sum += pressure * path.max(0.0);
+            }
+        }
+    }
+}
+
+impl LevelWear {
+    fn new(bin: i64) -> Self {
+        Self {
+            bin,
+            slip: 0.0,
+            law: SlipAtDepth::default(),
+            contact: None,
+            pressure: Vec::new(),
+            path: Vec::new(),
+            is_stale: true,
+        }
+    }
+}

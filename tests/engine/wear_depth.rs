@@ -1,0 +1,127 @@
+//! The worn profile as it is read between two updates.
+
+use crate::common::*;
+use fretting_contact::{FrettingContact, Parameters};
+use std::f64::consts::{PI, TAU};
+
+/// Volume worn per work, m³/J, of some hundred updates in a hundred cycles of [`histories`].
+const WEAR_PER_WORK: f64 = 4e-12;
+
+fn wearing(wear_per_work: f64, parameters: Parameters) -> FrettingContact {
+    let wear_coefficient = wear_per_work * parameters.hardness;
+    let mut contact = contact(Parameters { wear_coefficient, ..parameters });
+    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    contact
+}
+
+/// Load (N) and place (m) at the ends of steps.
+type History = Vec<(f64, [f64; 2])>;
+
+fn histories() -> [(&'static str, History); 5] {
+    let sine = |amplitude: f64, k: u32| amplitude * (TAU * f64::from(k) / 40.0).sin();
+    let mut random = seeded(5);
+    let mut stroke = |k: u32| {
+        let side = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+        (uniform(&mut random, 50.0, 150.0), [side * uniform(&mut random, 2e-7, 2.2e-6), 0.0])
+    };
+    [
+        ("cycles", (1..2000).map(|k| (FORCE, [sine(1.5e-6, k), 0.0])).collect()),
+        ("gross slip", (1..400).map(|k| (FORCE, [sine(5e-6, k), 0.0])).collect()),
+        ("varying load", (1..2000).map(|k| (FORCE + sine(30.0, k + 5), [sine(1.5e-6, k), 0.0])).collect()),
+        ("random", (1..400).map(&mut stroke).collect()),
+        ("orbit", (1..400).map(|k| (FORCE, [sine(1.5e-6, k), sine(1.5e-6, k + 10)])).collect()),
+    ]
+}
+
+fn advance(contact: &mut FrettingContact, (load, place): (f64, [f64; 2])) {
+    contact.advance_to_planar(load, place).expect("the step is taken");
+}
+
+/// The same state after an update of the profile, which a new coefficient brings about.
+fn updated(contact: &FrettingContact) -> FrettingContact {
+    let mut updated = contact.clone();
+    let Parameters { friction_coefficient, wear_coefficient, .. } = *contact.parameters();
+    updated.retune(friction_coefficient, wear_coefficient * (1.0 + 1e-12)).expect("nearly the same");
+    updated
+}
+
+/// Sliding in one direction wears κ p (U − u₃), with u₃ = u_max (1 − t²/2), t = r/a, on the unworn
+/// ball: the depth that is read before any update, at all radii but next to the edge.
+#[test]
+fn the_first_slip_wears_by_the_closed_form() {
+    let exact = exact(&BALL, FORCE);
+    let (a, full) = (exact.normal.radius(), exact.full_slip());
+    let pressure = 1.5 * FORCE / (PI * a * a);
+    let error = |resolution: usize| {
+        let mut contact = wearing(1e-18, Parameters { resolution, ..Parameters::default() });
+        (1..=8).for_each(|k| to(&mut contact, FORCE, 0.25 * f64::from(k) * full));
+        assert_eq!(contact.counters().profile_updates, 0);
+        let depth = |t: f64| 1e-18 * MU * pressure * (1.0 - t * t).sqrt() * full * (1.0 + 0.5 * t * t);
+        let off = |t: f64| (contact.worn_depth_at(t * a) / depth(t) - 1.0).abs();
+        (0..=90).map(|k| off(0.01 * f64::from(k))).fold(0.0, f64::max)
+    };
+    let [coarse, middle, fine] = [32, 64, 128].map(error);
+    println!("off by {coarse:.1e}, {middle:.1e}, {fine:.1e}");
+    assert!(coarse < 1e-2 && middle < coarse / 2.5 && fine < middle / 2.5);
+}
+
+/// What is read before an update is what is read after it but for the relief of pressure by the wear
+/// of one backlog, inside the contact edge, which the wear moves. Looked at where strokes end: amid
+/// them an update that is asked for takes them for a part of cycles.
+#[test]
+fn an_update_hardly_changes_what_is_read() {
+    for (name, history) in histories() {
+        let mut contact = wearing(WEAR_PER_WORK, Parameters::default());
+        // over the depth of the time; over that of the end
+        let (mut of_depth, mut of_end) = (0.0_f64, 0.0_f64);
+        let end = {
+            let mut contact = contact.clone();
+            history.iter().for_each(|step| advance(&mut contact, *step));
+            contact.wear_depth()
+        };
+        for (k, step) in (1..).zip(&history) {
+            advance(&mut contact, *step);
+            if k % 20 != 10 {
+                continue;
+            }
+            let updated = updated(&contact);
+            of_depth = of_depth.max((contact.wear_depth() / updated.wear_depth() - 1.0).abs());
+            let radii = contact.probe_radii().into_iter().filter(|r| *r < 0.95 * contact.contact_radius());
+            for r in radii {
+                of_end = of_end.max((contact.worn_depth_at(r) - updated.worn_depth_at(r)).abs() / end);
+            }
+        }
+        println!("{name}: deepest {of_depth:.1e} of it, fields {of_end:.1e} of the depth at the end");
+        assert!(of_depth < 1e-2 && of_end < 5e-3, "{name}: {of_depth:e}, {of_end:e}");
+    }
+}
+
+/// What is read follows from the state alone: reading at each step leaves no trace, and a restored
+/// state reads the same.
+#[test]
+fn a_reading_does_not_depend_on_those_before() {
+    for (name, history) in histories() {
+        let mut read = wearing(WEAR_PER_WORK, Parameters::default());
+        let mut unread = read.clone();
+        let mut restored = read.clone();
+        for (k, step) in history[..200].iter().enumerate() {
+            advance(&mut read, *step);
+            advance(&mut unread, *step);
+            let depth = read.wear_depth();
+            if k % 9 == 0 {
+                restored.restore(&read.snapshot()).expect("a state of equal parameters");
+                assert_eq!(
+                    (unread.clone().wear_depth(), restored.wear_depth()),
+                    (depth, depth),
+                    "{name}, {k}"
+                );
+                let fields = |contact: &FrettingContact| {
+                    contact.probe_radii().map(|r| contact.worn_depth_at(r)).to_vec()
+                };
+                assert_eq!(fields(&unread), fields(&read), "{name}, {k}");
+                assert_eq!(unread.profile_volume(), read.profile_volume(), "{name}, {k}");
+            }
+        }
+        assert!(read.wear_depth() > 0.0);
+    }
+}
