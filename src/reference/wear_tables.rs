@@ -34,22 +34,25 @@ const fn row(cycles: f64, depth: f64, stick_radius: f64, volume: f64, deepest: f
 
 /// Parabola at constant force.
 pub const PARABOLA_CONSTANT_FORCE: [ConstantForceRow; 5] = [
-    row(0.04, 1.0190, 0.4204, 0.0625, 0.0333),
-    row(0.16, 1.0723, 0.4515, 0.2674, 0.1190),
-    row(0.36, 1.1558, 0.4627, 0.6500, 0.2377),
-    row(0.64, 1.2585, 0.463, 1.196, 0.3681),
-    row(1.0, 1.3530, 0.463, 1.748, 0.4717),
+    row(0.04, 1.01901, 0.42037, 0.06256, 0.0333),
+    row(0.16, 1.07225, 0.45126, 0.26740, 0.1190),
+    row(0.36, 1.15562, 0.4624, 0.64986, 0.2377),
+    row(0.64, 1.25818, 0.4626, 1.19591, 0.3681),
+    row(1.0, 1.35234, 0.4627, 1.7487, 0.4717),
 ];
 /// Cone at constant force.
 pub const CONE_CONSTANT_FORCE: [ConstantForceRow; 5] = [
-    row(0.1, 1.0416, 0.4255, 0.1653, 0.0713),
-    row(0.4, 1.1480, 0.432, 0.7585, 0.2254),
-    row(0.9, 1.2550, 0.432, 1.545, 0.3400),
-    row(1.6, 1.3212, 0.432, 2.131, 0.4005),
-    row(2.5, 1.3540, 0.432, 2.456, 0.4295),
+    row(0.1, 1.04151, 0.42537, 0.16528, 0.0713),
+    row(0.4, 1.14765, 0.4317, 0.75813, 0.2254),
+    row(0.9, 1.25466, 0.4317, 1.54435, 0.3400),
+    row(1.6, 1.3209, 0.4317, 2.1335, 0.4005),
+    row(2.5, 1.3542, 0.4317, 2.4619, 0.4295),
 ];
-/// Relative uncertainty of the constant-force rows; the later rows are the less certain.
+/// Relative uncertainty of the deepest wear in the constant-force rows; the later ones are the less
+/// certain.
 pub const CONSTANT_FORCE_UNCERTAINTY: f64 = 3e-3;
+/// Relative uncertainty of their depths and volumes.
+pub const CONSTANT_FORCE_VOLUME_UNCERTAINTY: f64 = 1e-4;
 
 /// Flat punch of radius b in gross slip over a path s: (S, p(0)/p_mean), S = κE*s/b, κ = kμ/σ₀.
 /// Given to its last digit.

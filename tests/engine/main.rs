@@ -28,6 +28,7 @@ mod rig;
 mod running_in;
 mod snapshot;
 mod two_bodies;
+mod update_jumps;
 mod varying_load;
 mod wear;
 mod wear_depth;

@@ -75,11 +75,27 @@ fn random(lines: usize, loads: (f64, f64), amplitudes: (f64, f64)) -> History {
     (0..lines).map(|n| (share(loads), side(n) * share(amplitudes))).collect()
 }
 
+/// V of the engine over that of a row extrapolated to no spacing, less 1: rows of 480 springs agree
+/// with that to 1e-3, where one of 240 is 0.3 to 0.7 % low.
+fn against_no_spacing(outcome: &Outcome, history: &History) -> f64 {
+    let row = |cells: usize, steps: usize| {
+        let (_, mut row) = begin(&usual(), cells);
+        let full = exact(&BALL, FORCE).full_slip();
+        history.iter().for_each(|(load, place)| row.walk(load * FORCE, place * full, steps));
+        row.worn_volume()
+    };
+    let (coarse, fine) = (row(120, 12), row(240, 24));
+    let volume = (1.0 + outcome.volume) * fine / (2.0 * fine - coarse) - 1.0;
+    println!("against no spacing {volume:+.2e}");
+    volume
+}
+
 #[test]
 fn random_amplitudes_at_constant_load() {
     let history = random(300, (1.0, 1.0), (0.1, 0.9));
     let outcome = compare(&usual(), (240, 24), &history);
     outcome.assert_within_a_percent();
+    assert!(against_no_spacing(&outcome, &history).abs() < 1e-2);
 }
 
 #[test]
@@ -87,6 +103,7 @@ fn random_amplitudes_under_random_loads() {
     let history = random(300, (0.5, 1.5), (0.1, 0.9));
     let outcome = compare(&usual(), (240, 24), &history);
     outcome.assert_within_a_percent();
+    assert!(against_no_spacing(&outcome, &history).abs() < 2e-3);
 }
 
 #[test]

@@ -50,11 +50,11 @@ fn assert_stick_unworn(contact: &FrettingContact, what: &str) {
     assert!(contact.worn_depth_at(1.05 * c) > 0.0, "{what}: not worn outside c");
 }
 
-/// Compares the worn volume with that of a table, within 2 %.
-fn assert_volume(contact: &FrettingContact, scene: &Problem, volume: f64, what: &str) {
+/// Compares the worn volume with that of a table, within a relative error `most`.
+fn assert_volume(contact: &FrettingContact, scene: &Problem, volume: f64, most: f64, what: &str) {
     let measured = contact.wear_volume() / scene.volume_unit();
     println!("{what}: V = {measured:.5} against {volume}, {:+.2e}", measured / volume - 1.0);
-    close_to(measured, volume, 0.02, &format!("{what}: V"));
+    close_to(measured, volume, most, &format!("{what}: V"));
 }
 
 /// The volume, step by step; the stick radius does not move.
@@ -68,7 +68,7 @@ fn steps_at_constant_depth_follow_the_table() {
         let target = (cycles * LIFE as f64).round() as usize;
         cycle(&scene, &mut contact, target - done, STEPS);
         done = target;
-        assert_volume(&contact, &scene, volume, &format!("stepping, parabola at {cycles}"));
+        assert_volume(&contact, &scene, volume, 0.02, &format!("stepping, parabola at {cycles}"));
         let mut top = contact.clone();
         to(&mut top, scene.normal, scene.amplitude);
         close_to(top.stick_radius(), c, 1e-9, &format!("c at {cycles}"));
@@ -106,7 +106,7 @@ fn whole_cycles_at_constant_depth_follow_the_table() {
             .advance_cycles(scene.normal, scene.amplitude, (cycles - done) * scene.seed_cycles())
             .expect("cycles");
         done = cycles;
-        assert_volume(&contact, &scene, volume, &format!("cycles, parabola at {cycles}"));
+        assert_volume(&contact, &scene, volume, 1e-3, &format!("cycles, parabola at {cycles}"));
         close_to(contact.stick_radius(), c, 1e-9, "c");
         assert_stick_unworn(&contact, "parabola, cycles");
     }
@@ -155,19 +155,26 @@ fn the_final_state_at_constant_depth_is_the_closed_one() {
     }
 }
 
-/// Compares a contact at +U₀ with a row of the table, all within 2 %.
-fn assert_row(contact: &FrettingContact, scene: &Problem, row: &ConstantForceRow, what: &str) {
+/// Compares a contact at +U₀ with a row of the table: depth and volume within the given errors, all
+/// within 2 %.
+fn assert_row(
+    contact: &FrettingContact,
+    scene: &Problem,
+    row: &ConstantForceRow,
+    (depth, volume): (f64, f64),
+    what: &str,
+) {
     let (a, d) = (scene.start.normal.radius(), scene.start.normal.depth());
     let pairs = [
-        (contact.indentation_depth() / d, row.depth, "d"),
-        (contact.stick_radius() / a, row.stick_radius, "c"),
-        (contact.wear_volume() / scene.volume_unit(), row.volume, "V"),
-        (contact.wear_depth() / d, row.deepest, "deepest"),
+        (contact.indentation_depth() / d, row.depth, depth, "d"),
+        (contact.stick_radius() / a, row.stick_radius, 0.02, "c"),
+        (contact.wear_volume() / scene.volume_unit(), row.volume, volume, "V"),
+        (contact.wear_depth() / d, row.deepest, 0.02, "deepest"),
     ];
-    let offs: Vec<String> = pairs.iter().map(|(m, t, n)| format!("{n} {:+.1e}", m / t - 1.0)).collect();
+    let offs: Vec<String> = pairs.iter().map(|(m, t, _, n)| format!("{n} {:+.1e}", m / t - 1.0)).collect();
     println!("{what} at {}: {}", row.cycles, offs.join(", "));
-    for (measured, tabulated, name) in pairs {
-        close_to(measured, tabulated, 0.02, &format!("{what} at {}: {name}", row.cycles));
+    for (measured, tabulated, most, name) in pairs {
+        close_to(measured, tabulated, most, &format!("{what} at {}: {name}", row.cycles));
     }
 }
 
@@ -185,7 +192,7 @@ fn steps_at_constant_force_follow_the_tables() {
             done = target;
             let mut top = contact.clone();
             to(&mut top, scene.normal, scene.amplitude);
-            assert_row(&top, &scene, row, &format!("stepping, {profile:?}"));
+            assert_row(&top, &scene, row, (1e-3, 1e-2), &format!("stepping, {profile:?}"));
         }
         assert_volumes_agree(&contact, 2e-2, &format!("stepping, {profile:?} at constant force"));
         println!("{}", contact.counters());
@@ -201,11 +208,66 @@ fn whole_cycles_at_constant_force_follow_the_tables() {
         for row in &table {
             contact.advance_cycles(scene.normal, scene.amplitude, (row.cycles - done) * 1e4).expect("cycles");
             done = row.cycles;
-            assert_row(&contact, &scene, row, &format!("cycles, {profile:?}"));
+            assert_row(&contact, &scene, row, (6e-4, 2e-3), &format!("cycles, {profile:?}"));
         }
         assert_volumes_agree(&contact, 1e-2, &format!("cycles, {profile:?} at constant force"));
         println!("{}", contact.counters());
     }
+}
+
+/// On the way to the end the cells limit the error: twice as many take more than a third of it off.
+#[test]
+fn the_volume_on_the_way_converges_with_the_cells() {
+    for (control, table) in [
+        (Indentation, PARABOLA_CONSTANT_DEPTH.to_vec()),
+        (Force, PARABOLA_CONSTANT_FORCE.iter().map(|row| (row.cycles, row.volume)).collect()),
+    ] {
+        let scene = wear_scene(&BALL, control, 1e4);
+        let off = |resolution: usize| {
+            let mut contact = contact(Parameters { resolution, ..scene.parameters.clone() });
+            contact.start_at(scene.normal, 0.0).expect("the load is carried");
+            let mut done = 0.0;
+            let off = |(cycles, volume): &(f64, f64)| {
+                contact.advance_cycles(scene.normal, scene.amplitude, (cycles - done) * 1e4).expect("cycles");
+                done = *cycles;
+                (contact.wear_volume() / scene.volume_unit() / volume - 1.0).abs()
+            };
+            table.iter().map(off).fold(0.0, f64::max)
+        };
+        let (usual, fine) = (off(64), off(128));
+        println!("{control:?}: V on the way {usual:.1e}, with twice the cells {fine:.1e}");
+        assert!(usual < 1.3e-3 && fine < 6e-4 && fine < 0.6 * usual, "{control:?}: {usual:e}, {fine:e}");
+    }
+}
+
+/// Few cycles that wear as much as thousands: each stroke is gathered on the profile of its start,
+/// so the error is of first order in what one wears. Both begin at a first quarter.
+#[test]
+fn cycles_that_wear_fast_follow_whole_ones_in_first_order() {
+    let scene = wear_scene(&BALL, Force, 1.0);
+    let off = |cycles: u32| {
+        let life = 0.2;
+        let wear_coefficient = scene.parameters.wear_coefficient * life / f64::from(cycles);
+        let parameters = Parameters { wear_coefficient, ..scene.parameters.clone() };
+        let pressed = || {
+            let mut contact = contact(parameters.clone());
+            contact.start_at(scene.normal, 0.0).expect("the load is carried");
+            contact
+        };
+        let (mut whole, mut stepped) = (pressed(), pressed());
+        whole.advance_cycles(scene.normal, scene.amplitude, 0.25).expect("a quarter");
+        to(&mut stepped, scene.normal, scene.amplitude);
+        let before = [whole.wear_volume(), stepped.wear_volume()];
+        whole.advance_cycles(scene.normal, scene.amplitude, f64::from(cycles)).expect("cycles");
+        for k in 1..=STEPS as u32 * cycles {
+            let phase = std::f64::consts::TAU * f64::from(k) / STEPS as f64;
+            to(&mut stepped, scene.normal, scene.amplitude * phase.cos());
+        }
+        (stepped.wear_volume() - before[1]) / (whole.wear_volume() - before[0]) - 1.0
+    };
+    let (few, more, many) = (off(10), off(40), off(160));
+    println!("stepping against cycles: {few:+.1e} in 10, {more:+.1e} in 40, {many:+.1e} in 160");
+    assert!(few.abs() < 5e-3 && more.abs() < 1.5e-3 && many.abs() < 1e-3, "{few:e} {more:e} {many:e}");
 }
 
 /// A contact in gross slip over a path s with κ = kμ/σ₀ such that κE* s/length = S at s = `path`.

@@ -65,9 +65,9 @@ fn the_first_slip_wears_by_the_closed_form() {
     assert!(coarse < 1e-2 && middle < coarse / 2.5 && fine < middle / 2.5);
 }
 
-/// What is read before an update is what is read after it but for the relief of pressure by the wear
-/// of one backlog, inside the contact edge, which the wear moves. Looked at where strokes end: amid
-/// them an update that is asked for takes them for a part of cycles.
+/// What is read before an update is what is read after it except for the relief of pressure by the
+/// wear of one backlog, inside the contact edge, which the wear moves. Compared where strokes end:
+/// during them an update that is asked for takes them for a part of cycles.
 #[test]
 fn an_update_hardly_changes_what_is_read() {
     for (name, history) in histories() {

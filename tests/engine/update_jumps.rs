@@ -1,0 +1,85 @@
+//! The tangential force at an update of the profile, as a master sees it that repeats a step.
+
+use crate::common::*;
+use fretting_contact::{FrettingContact, Parameters};
+use std::f64::consts::TAU;
+
+/// Force (N) and displacement (m) at the end of a step.
+type End = (f64, f64);
+
+/// Jump of T at the first update on the line from one end to another, in μF_N; where that update
+/// comes is found by halving.
+fn jump(before: &FrettingContact, from: End, to: End) -> f64 {
+    let updates = before.counters().profile_updates;
+    let at = |share: f64| {
+        let mut contact = before.clone();
+        let place = from.1 + share * (to.1 - from.1);
+        contact.advance_to(from.0 + share * (to.0 - from.0), place).expect("a part of a step");
+        contact
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if at(middle).counters().profile_updates == updates { low = middle } else { high = middle }
+    }
+    let [below, above] = [low, high].map(|share| at(share).tangential_force());
+    (above - below) / (before.parameters().friction_coefficient * from.0.min(to.0))
+}
+
+/// Largest jump of T on a way, and the number of updates.
+fn largest_jump(parameters: Parameters, ends: impl Iterator<Item = End>) -> (f64, u32) {
+    let mut contact = contact(parameters);
+    let mut ends = ends.peekable();
+    let mut last = (ends.peek().expect("a way").0, 0.0);
+    contact.start_at(last.0, 0.0).expect("the load is carried");
+    let (mut most, mut updates) = (0.0_f64, 0);
+    for end in ends {
+        let known = contact.counters().profile_updates;
+        let before = contact.clone();
+        to(&mut contact, end.0, end.1);
+        if contact.counters().profile_updates > known {
+            most = most.max(jump(&before, last, end).abs());
+            updates += 1;
+        }
+        last = end;
+    }
+    (most, updates)
+}
+
+/// Between updates T belongs to the profile of the last one. What it drifts meanwhile comes at once
+/// at the update: it goes with the volume that wears between two updates, so with the tolerance.
+#[test]
+fn the_tangential_force_jumps_by_less_than_the_tolerance() {
+    let sine = |k: u32| (TAU * f64::from(k) / 40.0).sin();
+    for friction_coefficient in [0.3, 0.6] {
+        let amplitude = 2.5e-6 * friction_coefficient;
+        for (name, wear_per_work, steps, swing) in [
+            ("constant load", 4e-14, 20_000, 0.0),
+            ("varying load", 4e-13, 4_000, 30.0),
+            ("fast wear", 4e-12, 2_000, 0.0),
+            ("random", 4e-13, 600, 50.0),
+        ] {
+            let measure = |tolerance: f64| {
+                let base = Parameters { tolerance, friction_coefficient, ..Parameters::default() };
+                let wear_coefficient = wear_per_work * base.hardness;
+                let mut random = seeded(5);
+                let end = |k: u32| {
+                    if name != "random" {
+                        return (FORCE + swing * sine(k + 5), amplitude * sine(k));
+                    }
+                    let side = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+                    let load = FORCE + uniform(&mut random, -swing, swing);
+                    (load, side * amplitude * uniform(&mut random, 0.2, 1.5))
+                };
+                largest_jump(Parameters { wear_coefficient, ..base }, (1..=steps).map(end))
+            };
+            let ((usual, updates), (fine, more)) = (measure(1e-3), measure(1e-4));
+            println!(
+                "{name}, μ {friction_coefficient}: T jumps by {usual:.1e} μF_N in {updates} updates; \
+                 by {fine:.1e} in {more} at a tolerance of 1e-4"
+            );
+            assert!(updates > 0 && usual < 1e-3, "{name}: {usual:e}");
+            assert!(more > updates && fine < 2e-4, "{name}: {fine:e}");
+        }
+    }
+}
