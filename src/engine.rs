@@ -3,27 +3,43 @@
 //! Data flows one way: load → normal contact (`surface`) → springs (`friction`) → work → wear
 //! (`wear`) → surface. Fields are made only when something reads them.
 
+// The documentation shows the methods of a contact in this order.
+mod construction;
+
+mod history;
+
+mod cyclic;
+
+mod retune;
+
+mod snapshot;
+
+mod readout;
+
+mod stroke;
+
 mod axes;
+
+mod rig;
+
+mod planar;
+
+mod running_in;
+
+mod coating;
+
+mod derivatives;
+
+// Without public methods.
 mod backlog;
 mod bounds;
-mod coating;
-mod cyclic;
-mod derivatives;
-mod history;
 mod line;
 mod member;
 mod memory;
 mod model;
-mod planar;
-mod readout;
-mod retune;
-mod rig;
-mod running_in;
 mod slide;
-mod snapshot;
 mod state;
 mod steady;
-mod stroke;
 mod view;
 
 pub use crate::counters::Counters;
@@ -35,10 +51,9 @@ pub use snapshot::Snapshot;
 pub(crate) use state::Mark;
 
 use crate::error::Error;
-use crate::friction::Springs;
-use crate::parameters::{NormalControl, Parameters};
+use crate::parameters::NormalControl;
 use crate::range;
-use crate::surface::{Contact, Surface};
+use crate::surface::Surface;
 use serde::{Deserialize, Serialize};
 use state::State;
 
@@ -58,7 +73,7 @@ pub enum SlipState {
 
 /// A fretting contact of a body of revolution on a half-space, or an elliptic one.
 ///
-/// Built from [`Parameters`], apart at first; then driven by [`Self::advance_to`] (transient) or
+/// Built from [`Parameters`](crate::Parameters), apart at first; then driven by [`Self::advance_to`] (transient) or
 /// [`Self::advance_cycles`] (cyclic) and read through accessors. SI units throughout. A call that
 /// returns an error has changed nothing.
 ///
@@ -82,54 +97,9 @@ pub struct FrettingContact {
 }
 
 impl FrettingContact {
-    /// A contact whose bodies are apart, at displacement 0.
-    ///
-    /// # Errors
-    /// [`Error::Parameter`] or [`Error::ProfileTable`] for parameters outside their range.
-    pub fn new(parameters: Parameters) -> Result<Self, Error> {
-        parameters.validate()?;
-        let (model, body) = Model::new(parameters)?;
-        Ok(Self::on_surface(model, Surface::new(body)))
-    }
-
     fn on_surface(model: Model, surface: Surface) -> Self {
         let state = State::apart(&surface, &model);
         Self { model, surface, state, view: view::View::default(), memory: Memory::default() }
-    }
-
-    /// What the contact was built from.
-    pub fn parameters(&self) -> &Parameters {
-        &self.model.parameters
-    }
-
-    /// Work counted so far.
-    pub fn counters(&self) -> &Counters {
-        &self.state.counters
-    }
-
-    /// Lifts the body off, moves it to `displacement` (m, along x; its place along y stays) and
-    /// presses it down there, so that T = 0. `normal` is the force (N) or the indentation depth
-    /// (m), by `normal_control`. Wear and work so far stay.
-    ///
-    /// # Errors
-    /// As [`Self::advance_to`].
-    pub fn start_at(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
-        let (value, _) = self.checked(normal, displacement)?;
-        let contact =
-            self.surface.contact(self.model.parameters.normal_control, value, self.force_scale())?;
-        self.transaction(|this| {
-            this.close_backlog()?;
-            this.state.displacement = displacement;
-            this.state.direction = 0.0;
-            if this.state.work == 0.0 {
-                this.state.reach = 0.0;
-            }
-            this.state.springs = Springs::default();
-            this.state.planar = None;
-            this.state.contact =
-                Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
-            this.walk(contact.control, displacement, 1)
-        })
     }
 
     /// 2E*, the ratio of force to load integral, Pa.

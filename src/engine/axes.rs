@@ -56,6 +56,7 @@ impl Axes {
     }
 }
 
+/// Elliptic contacts.
 impl FrettingContact {
     /// Semi-axes of the contact along x and y, m: both are [`Self::contact_radius`] for a body of
     /// revolution.

@@ -33,6 +33,7 @@ impl Coating {
     }
 }
 
+/// A coating.
 impl FrettingContact {
     /// Whether the wear depth has reached the thickness of the coating; never without a coating.
     ///

@@ -15,6 +15,7 @@ use crate::wear::{Amount, IntegrationSettings, Motion, Rig, Sliding, UnitMesh, i
 /// Most cells of the moving mesh.
 const MOST_CELLS: usize = 8192;
 
+/// Many cycles in one call.
 impl FrettingContact {
     /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) along x
     /// at a constant force (N) or indentation depth (m). The amplitude is the drive's where there

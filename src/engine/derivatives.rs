@@ -75,6 +75,7 @@ const STEP: f64 = 1e-6;
 /// the slope of the image jumps.
 const INSIDE: f64 = 1e-9;
 
+/// Derivatives by the inputs, and rates per cycle.
 impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
     fn gradient(&self, by_depth: f64, by_displacement: f64) -> Gradient {

@@ -19,6 +19,7 @@ const LOAD_SHARE: f64 = 0.05;
 /// Most pieces into which wear may split a line.
 const MOST_PIECES: f64 = 512.0;
 
+/// Transient motion.
 impl FrettingContact {
     /// Walks the straight line from the present state to (`normal`, `displacement`): force in N or
     /// indentation depth in m, by `normal_control`, and displacement in m, that of the drive where
@@ -36,6 +37,19 @@ impl FrettingContact {
             return self.run_in_to(normal, [displacement, self.drive_displacement_y()]);
         }
         self.advance_on_line(normal, displacement)
+    }
+
+    /// Walks the straight line from the present state to (`normal`, `displacement`), displacement
+    /// along x and y in m, those of the drive where there is a rig stiffness. [`Self::advance_to`]
+    /// is the same with y as it is.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to`].
+    pub fn advance_to_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
+        if self.runs_in() {
+            return self.run_in_to(normal, displacement);
+        }
+        self.advance_in_plane(normal, displacement)
     }
 
     /// [`Self::advance_to`] at the present coefficient of friction.

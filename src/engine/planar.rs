@@ -7,8 +7,9 @@
 //! at each radius. Where steady cycles are asked for, they are along x, from rest, whatever was
 //! before.
 
-mod derivatives;
 mod reading;
+
+mod derivatives;
 mod rig;
 
 use super::FrettingContact;
@@ -32,7 +33,7 @@ const MOST_HALVINGS: u32 = 9;
 const MOST_WEAR: f64 = 1e4;
 
 /// Name of the displacement along y in messages.
-const Y: &str = "tangential_displacement_y";
+pub(super) const Y: &str = "tangential_displacement_y";
 
 /// What a contact has besides once it has moved along y.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,19 +52,6 @@ impl Planar {
 }
 
 impl FrettingContact {
-    /// Walks the straight line from the present state to (`normal`, `displacement`), displacement
-    /// along x and y in m, those of the drive where there is a rig stiffness. [`Self::advance_to`]
-    /// is the same with y as it is.
-    ///
-    /// # Errors
-    /// As [`Self::advance_to`].
-    pub fn advance_to_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
-        if self.runs_in() {
-            return self.run_in_to(normal, displacement);
-        }
-        self.advance_in_plane(normal, displacement)
-    }
-
     /// [`Self::advance_to_planar`] at the present coefficient of friction.
     pub(super) fn advance_in_plane(&mut self, normal: f64, displacement: Vector) -> Result<(), Error> {
         let [x, y] = displacement;
@@ -105,17 +93,6 @@ impl FrettingContact {
                 }
             }
         }
-        Ok(())
-    }
-
-    /// [`Self::start_at`] with a place along x and y, m.
-    ///
-    /// # Errors
-    /// As [`Self::advance_to_planar`].
-    pub fn start_at_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
-        range::input(Y, displacement[1])?;
-        self.start_at(normal, displacement[0])?;
-        self.state.displacement_y = displacement[1];
         Ok(())
     }
 

@@ -10,6 +10,7 @@ use std::f64::consts::PI;
 /// Number of probe radii.
 const PROBES: usize = 64;
 
+/// Forces, lengths, work and wear as they are now.
 impl FrettingContact {
     /// Tangential displacement U of the body in the contact, m; in cyclic loading its amplitude.
     /// Where there is a rig stiffness, [`Self::drive_displacement`] is that of the drive.
@@ -84,6 +85,23 @@ impl FrettingContact {
         [0, 1].map(|body| self.state.former.volumes[body] + per_work[body] * work)
     }
 
+    /// Stick, partial slip, gross slip or separated.
+    pub fn slip_state(&self) -> SlipState {
+        let stick = self.stick_edge();
+        if self.state.contact.is_open() {
+            SlipState::Separated
+        } else if stick <= 0.0 {
+            SlipState::GrossSlip
+        } else if stick < self.state.contact.radius {
+            SlipState::PartialSlip
+        } else {
+            SlipState::Stick
+        }
+    }
+}
+
+/// Stiffness.
+impl FrettingContact {
     /// ∂F_N/∂d = 2E*a, N/m.
     pub fn normal_stiffness(&self) -> f64 {
         self.force_scale() * self.state.contact.radius
@@ -103,21 +121,10 @@ impl FrettingContact {
         let sticking = if side * self.state.direction < 0.0 { self.state.contact.radius } else { stick };
         2.0 * self.model.constants.tangential_modulus * sticking
     }
+}
 
-    /// Stick, partial slip, gross slip or separated.
-    pub fn slip_state(&self) -> SlipState {
-        let stick = self.stick_edge();
-        if self.state.contact.is_open() {
-            SlipState::Separated
-        } else if stick <= 0.0 {
-            SlipState::GrossSlip
-        } else if stick < self.state.contact.radius {
-            SlipState::PartialSlip
-        } else {
-            SlipState::Stick
-        }
-    }
-
+/// Fields over the radius, and what is found from them.
+impl FrettingContact {
     /// 64 radii from the axis to [`crate::Parameters::probe_radius_max`], m; where that is 0, to
     /// the outermost radius that has ever been in contact. None lies beyond the end of the body.
     ///

@@ -18,6 +18,7 @@ pub(super) struct FormerWear {
     pub(super) mixed: bool,
 }
 
+/// Other coefficients during a life.
 impl FrettingContact {
     /// Goes on with other coefficients of friction and wear. What has passed is worn off by the old
     /// ones. Springs beyond their new bound slip back to it where the body stands, and friction

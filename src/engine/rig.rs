@@ -33,6 +33,7 @@ const MOST_WALKS: u32 = 100;
 /// How far from equilibrium counts as none, relative to the lengths that are compared.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
+/// Behind a rig.
 impl FrettingContact {
     /// Displacement of the drive: U + T/k_rig, m. It is [`Self::displacement`] where the rig is
     /// rigid.

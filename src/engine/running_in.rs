@@ -41,6 +41,7 @@ const MOST_ITERATIONS: u32 = 8;
 /// Relative change of μ that ends these iterations.
 const CONVERGED: f64 = 1e-13;
 
+/// Friction that runs in.
 impl FrettingContact {
     /// Coefficient of friction at the present, that of [`Self::dissipated_energy`].
     pub fn friction_coefficient_now(&self) -> f64 {

@@ -16,6 +16,7 @@ pub struct Snapshot {
     nodes: Option<Nodes>,
 }
 
+/// Saved states.
 impl FrettingContact {
     /// The present state.
     pub fn snapshot(&self) -> Snapshot {

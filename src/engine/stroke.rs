@@ -50,6 +50,7 @@ impl StrokeStart {
     }
 }
 
+/// Slip of the present stroke.
 impl FrettingContact {
     /// A stroke begins where the body stands.
     pub(super) fn begin_stroke(&mut self) {

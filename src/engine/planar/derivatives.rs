@@ -10,6 +10,7 @@ use crate::friction::{Standing, Vector};
 /// Share of full slip, and of the load, over which the stiffness is differenced.
 const STEP: f64 = 1e-4;
 
+/// Derivatives where there is motion along y.
 impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
     fn gradient_in_plane(&self, by_depth: f64, by_place: Vector) -> Gradient {

@@ -6,6 +6,7 @@ use crate::range::LEAST_RISE;
 use crate::transform;
 use std::f64::consts::PI;
 
+/// Motion in both tangential directions.
 impl FrettingContact {
     /// Tangential displacement of the body along y, m.
     pub fn displacement_y(&self) -> f64 {

@@ -1,0 +1,69 @@
+//! How a contact comes into being, and where it starts.
+
+use super::model::Model;
+use super::planar::Y;
+use super::{Counters, FrettingContact};
+use crate::error::Error;
+use crate::friction::Springs;
+use crate::parameters::Parameters;
+use crate::range;
+use crate::surface::{Contact, Surface};
+
+/// Construction and start.
+impl FrettingContact {
+    /// A contact whose bodies are apart, at displacement 0.
+    ///
+    /// # Errors
+    /// [`Error::Parameter`] or [`Error::ProfileTable`] for parameters outside their range.
+    pub fn new(parameters: Parameters) -> Result<Self, Error> {
+        parameters.validate()?;
+        let (model, body) = Model::new(parameters)?;
+        Ok(Self::on_surface(model, Surface::new(body)))
+    }
+
+    /// What the contact was built from.
+    pub fn parameters(&self) -> &Parameters {
+        &self.model.parameters
+    }
+
+    /// Work counted so far.
+    pub fn counters(&self) -> &Counters {
+        &self.state.counters
+    }
+
+    /// Lifts the body off, moves it to `displacement` (m, along x; its place along y stays) and
+    /// presses it down there, so that T = 0. `normal` is the force (N) or the indentation depth
+    /// (m), by `normal_control`. Wear and work so far stay.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to`].
+    pub fn start_at(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
+        let (value, _) = self.checked(normal, displacement)?;
+        let contact =
+            self.surface.contact(self.model.parameters.normal_control, value, self.force_scale())?;
+        self.transaction(|this| {
+            this.close_backlog()?;
+            this.state.displacement = displacement;
+            this.state.direction = 0.0;
+            if this.state.work == 0.0 {
+                this.state.reach = 0.0;
+            }
+            this.state.springs = Springs::default();
+            this.state.planar = None;
+            this.state.contact =
+                Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
+            this.walk(contact.control, displacement, 1)
+        })
+    }
+
+    /// [`Self::start_at`] with a place along x and y, m.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to_planar`].
+    pub fn start_at_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
+        range::input(Y, displacement[1])?;
+        self.start_at(normal, displacement[0])?;
+        self.state.displacement_y = displacement[1];
+        Ok(())
+    }
+}
