@@ -73,9 +73,9 @@ pub enum SlipState {
 
 /// A fretting contact of a body of revolution on a half-space, or an elliptic one.
 ///
-/// Built from [`Parameters`](crate::Parameters), apart at first; then driven by [`Self::advance_to`] (transient) or
-/// [`Self::advance_cycles`] (cyclic) and read through accessors. SI units throughout. A call that
-/// returns an error has changed nothing.
+/// Built from [`crate::Parameters`], apart at first; then driven by [`Self::advance_to`]
+/// (transient) or [`Self::advance_cycles`] (cyclic) and read through accessors. SI units
+/// throughout. A call that returns an error has changed nothing.
 ///
 /// ```
 /// use fretting_contact::{FrettingContact, Parameters};
