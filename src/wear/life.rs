@@ -39,9 +39,6 @@ const CORRECTIONS: usize = 2;
 /// correction makes the nodes again, a third of the time of a short update.
 const MET: f64 = 1e-3;
 
-/// Least error of a step, over the tolerance, that tells a trend: less may be rounding.
-const LEAST_ERROR: f64 = 1e-2;
-
 /// How finely to integrate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct IntegrationSettings {
@@ -102,8 +99,6 @@ pub(crate) fn integrate(
     let cycles = amount.cycles;
     let mut left = cycles;
     let mut steps = 0;
-    // length and error of the last step that was taken
-    let mut last = None;
     let tighter = (1e-3 / settings.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
     let most_of_an_update = (MOST_STEPS_OF_AN_UPDATE * tighter) as u32;
     let most = if motion.rig.is_some() { (MOST_STEPS_BEHIND_A_RIG * tighter) as u32 } else { MOST_STEPS };
@@ -133,14 +128,12 @@ pub(crate) fn integrate(
             let trial = rosenbrock::step(&patch, &state, &rate, length, counters);
             let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error);
             let ratio = error / (settings.tolerance * rate.indentation.abs());
-            let factor = factor_of_next_step(length, ratio, last);
+            let factor = if ratio.is_finite() { (0.8 * ratio.cbrt().recip()).clamp(0.2, 4.0) } else { 0.2 };
             match trial {
                 Some(trial) if ratio <= 1.0 => {
                     (state, rate) = (trial.state, trial.rate);
                     volume += trial.volume;
                     fresh = false;
-                    // behind a rig a front may hover: its errors follow no trend
-                    last = motion.rig.is_none().then_some((length, ratio));
                     let edge = state.radius_squared.sqrt();
                     if life.surface.reaches_falling_image(edge) {
                         let mut worn = life.surface.clone();
@@ -197,23 +190,6 @@ pub(crate) fn integrate(
 fn first_step(patch: &Patch, rate: &Rate, settings: &IntegrationSettings) -> f64 {
     let change = patch.largest_image(0, &rate.growth, rate);
     0.1 * settings.tolerance.cbrt() * rate.indentation.abs() / change
-}
-
-/// Length of the next step over that of a trial of some `length`, from its error and from that of
-/// the last step that was taken, both over the tolerance. Where the errors rise, they will go on to
-/// rise: a shorter step then is cheaper than one that is refused (Gustafsson, ACM Trans. Math.
-/// Softw. 20 (1994), 496). Whole lives take a fifth fewer factorisations so.
-fn factor_of_next_step(length: f64, error: f64, last: Option<(f64, f64)>) -> f64 {
-    if !error.is_finite() {
-        return 0.2;
-    }
-    let trend = match last {
-        Some((before, error_before)) if error <= 1.0 => {
-            length / before * (error_before.max(LEAST_ERROR) / error).cbrt()
-        }
-        _ => 1.0,
-    };
-    (0.8 * error.cbrt().recip() * trend.min(1.0)).clamp(0.2, 4.0)
 }
 
 /// Nodes that a patch leaves where the worn volume is known to be `target` (m³), and by how much

@@ -513,7 +513,7 @@ fn the_counted_work_stays_bounded() {
     // nothing on other nodes
     let updates = counters.profile_updates;
     assert!(updates <= 2 * LIFE as u64 + 20, "{counters}");
-    assert!(counters.rejected_steps <= 5, "{counters}");
+    assert!(counters.rejected_steps <= 10, "{counters}");
     assert_eq!(counters.factorisations, updates + counters.rejected_steps, "{counters}");
     assert_eq!(counters.pressure_transforms, 4 * counters.factorisations, "{counters}");
     assert!(counters.spring_walks <= counters.steps + 3 * updates, "{counters}");
@@ -523,8 +523,8 @@ fn the_counted_work_stays_bounded() {
     let counters = averaged.counters();
     println!("cycles: {counters}");
     assert!(counters.profile_updates <= 60, "{counters}");
-    assert!(counters.rejected_steps <= 5, "{counters}");
-    assert!(counters.factorisations <= 60, "{counters}");
+    assert!(counters.rejected_steps <= 25, "{counters}");
+    assert!(counters.factorisations <= 80, "{counters}");
     assert!(counters.pressure_transforms <= 4 * counters.factorisations, "{counters}");
     assert_eq!(counters.transform_tables, 0, "{counters}");
 }
