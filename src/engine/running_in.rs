@@ -112,15 +112,23 @@ impl FrettingContact {
 
     /// [`Self::advance_to_planar`] with friction that runs in.
     pub(super) fn run_in_to(&mut self, normal: f64, target: [f64; 2]) -> Result<(), Error> {
+        let mut now = self.clone();
+        now.placed(|now| now.run_in_parts(normal, target))?;
+        now.state.counters.steps = self.state.counters.steps + 1;
+        *self = now;
+        Ok(())
+    }
+
+    /// Walks a line in parts in each of which the coefficient changes little.
+    fn run_in_parts(&mut self, normal: f64, target: [f64; 2]) -> Result<(), Error> {
         let scale = if self.model.constants.force_control { self.force_scale() } else { 1.0 };
         let start = (self.state.contact.control * scale, self.drive_place());
-        let mut now = self.clone();
         let mut done = 0.0;
         while done < 1.0 {
-            let mut rest = now.without_wear();
+            let mut rest = self.without_wear();
             rest.advance_in_plane(normal, target)?;
-            let work = rest.state.work - now.state.work;
-            let most = now.energy_of_part(ACCURACY);
+            let work = rest.state.work - self.state.work;
+            let most = self.energy_of_part(ACCURACY);
             // from rest the work rises at most with the third power of the path
             let mut part = if work > most { (1.0 - done) * (most / work).cbrt() } else { 1.0 };
             loop {
@@ -130,18 +138,16 @@ impl FrettingContact {
                 let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
                 let place = [at(start.1[0], target[0]), at(start.1[1], target[1])];
                 let control = at(start.0, normal);
-                let end = now.run_in_part(|this| this.advance_in_plane(control, place))?;
-                let gained = end.state.work - now.state.work;
+                let end = self.run_in_part(|this| this.advance_in_plane(control, place))?;
+                let gained = end.state.work - self.state.work;
                 if gained <= 2.0 * most || part == LEAST_PART {
-                    (now, done) = (end, next);
+                    (*self, done) = (end, next);
                     break;
                 }
                 part *= most / gained;
             }
-            now.absorb_after_drift()?;
+            self.absorb_after_drift()?;
         }
-        now.state.counters.steps = self.state.counters.steps + 1;
-        *self = now;
         Ok(())
     }
 
