@@ -244,7 +244,9 @@ impl Scene {
         let held = live_bytes();
         let mut contact = self.problem.begin()?;
         self.run(&mut contact, 0, WARM * CYCLE)?;
-        let warm = contact.clone();
+        // no copy: that would share memory with the contact until its next slip
+        let mut warm = self.problem.begin()?;
+        self.run(&mut warm, 0, WARM * CYCLE)?;
         let (counters, requests) = (*contact.counters(), allocations());
         self.run(&mut contact, WARM * CYCLE, STEPS)?;
         let requests = allocations() - requests;
