@@ -72,13 +72,8 @@ impl FrettingContact {
     /// To be called after each update of the profile.
     pub(super) fn look_at_coating(&mut self) {
         if self.has_coating() && !self.state.coating.worn_through {
-            self.state.coating.worn_through = self.depth_on_profile() >= self.thickness();
+            self.state.coating.worn_through = self.updated_wear_depth() >= self.thickness();
         }
-    }
-
-    /// Deepest point of the profile without the backlog, m.
-    fn depth_on_profile(&self) -> f64 {
-        self.surface.worn().map_or(0.0, |nodes| nodes.depth().iter().fold(0.0, |most, w| most.max(*w)))
     }
 
     /// Runs cycles, and finds the one at which the coating wears through.
@@ -112,14 +107,14 @@ impl FrettingContact {
         (value, amplitude): (f64, f64),
         cycles: f64,
     ) -> Result<f64, Error> {
-        let at_end = self.depth_on_profile() - self.thickness();
+        let at_end = self.updated_wear_depth() - self.thickness();
         let mut excess = |part: f64| {
             let mut trial = before.clone();
             trial.state.counters = self.state.counters;
             trial.run_cycles(value, amplitude, part)?;
             self.state.counters = trial.state.counters;
             self.state.counters.coating_trials += 1;
-            Ok::<_, Error>(trial.depth_on_profile() - trial.thickness())
+            Ok::<_, Error>(trial.updated_wear_depth() - trial.thickness())
         };
         let at_start = excess(0.0)?;
         if at_start >= 0.0 {

@@ -3,7 +3,6 @@
 use super::model::Model;
 use super::{FrettingContact, Memory};
 use crate::error::Error;
-use crate::parameters::Parameters;
 use crate::profile::Profile;
 use crate::surface::{Contact, Surface, TransformCache};
 use std::mem::swap;
@@ -14,12 +13,12 @@ use std::sync::Arc;
 /// # Errors
 /// As [`FrettingContact::advance_to`].
 pub(crate) fn unworn_load(model: &Model, profile: &Arc<Profile>, depth: f64) -> Result<(f64, f64), Error> {
-    load_of(&Surface::shared(profile.clone()), &model.parameters, depth)
+    load_of(&Surface::shared(profile.clone()), model, depth)
 }
 
-fn load_of(surface: &Surface, parameters: &Parameters, depth: f64) -> Result<(f64, f64), Error> {
-    let scale = 2.0 * parameters.materials.normal_modulus();
-    let contact = surface.contact(parameters.normal_control, depth, scale)?;
+fn load_of(surface: &Surface, model: &Model, depth: f64) -> Result<(f64, f64), Error> {
+    let scale = model.force_scale();
+    let contact = surface.contact(model.parameters.normal_control, depth, scale)?;
     Ok((scale * contact.load, contact.radius))
 }
 
@@ -55,7 +54,7 @@ impl FrettingContact {
         }
         match self.surface.load_in_cell(depth) {
             Some((load, radius)) => Ok((self.force_scale() * load, radius)),
-            None => load_of(&self.surface, &self.model.parameters, depth),
+            None => load_of(&self.surface, &self.model, depth),
         }
     }
 

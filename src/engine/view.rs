@@ -8,7 +8,7 @@ use crate::wear::FirstOrderWear;
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// Narrowest slip zone for which nodes are laid, as a share of the contact radius.
+/// Narrowest slip zone for which nodes are made, as a share of the contact radius.
 const NARROWEST: f64 = 1e-4;
 
 /// What the last reading computed. All of it follows from the state of the contact, so a copy of a
