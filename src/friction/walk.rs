@@ -142,7 +142,7 @@ const EVEN: f64 = 0.05;
 const FAR: f64 = 1e-6;
 
 /// How much more than the rounding of its bound a front may be off.
-const FAR_OFF: f64 = 1e4;
+pub(super) const FAR_OFF: f64 = 1e4;
 
 /// State of a spring at the end of a path, before it slips.
 #[derive(Clone, Copy)]
@@ -332,7 +332,7 @@ impl Walk<'_> {
         let (mut work, mut left, mut share) = (0.0, inner, 0.0);
         if inner.slips() {
             share = share_at_bound(&inner, &outer, inner.side());
-            end = between(self.path.surface, &inner, &outer, share);
+            end = between(self.path.surface, inner.knot, outer.knot, share);
             let at_bound = self.trial(&end);
             work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
@@ -341,7 +341,7 @@ impl Walk<'_> {
         if outer.slips() {
             // rounding must not turn the two ends of the sticking part round
             share = share_at_bound(&inner, &outer, outer.side()).max(share);
-            start = between(self.path.surface, &inner, &outer, share);
+            start = between(self.path.surface, inner.knot, outer.knot, share);
             let at_bound = self.trial(&start);
             work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
@@ -438,8 +438,7 @@ fn middle(p: &Knot, q: &Knot) -> Knot {
 
 /// The spring at the given share (in g) of the way between two others.
 #[inline(always)]
-pub(super) fn between(surface: &Surface, inner: &Trial, outer: &Trial, share: f64) -> Knot {
-    let (p, q) = (inner.knot, outer.knot);
+pub(super) fn between(surface: &Surface, p: &Knot, q: &Knot, share: f64) -> Knot {
     let rise = q.place.image - p.place.image;
     let origin = p.origin + share * (q.origin - p.origin);
     if rise > 0.0 {
