@@ -22,18 +22,24 @@ impl FrettingContact {
         if turns {
             self.begin_stroke();
         }
-        let mut slips = self.take_slips();
+        let work_scale = 2.0 * self.model.constants.tangential_modulus;
         let most_work = self.work_to_update();
-        let work_scale = (2.0 * self.model.constants.tangential_modulus, most_work);
-        let work = self.state.springs.slide(
-            &self.surface,
-            &self.state.contact,
-            self.model.bound_slope,
-            displacement,
-            work_scale,
-            slips.as_mut(),
-        );
-        self.keep_slips(slips);
+        let (springs, contact, slips) =
+            (&mut self.state.springs, &self.state.contact, &mut self.memory.slips);
+        slips.clear();
+        let bound_slope = self.model.bound_slope;
+        let work = if wears {
+            springs.slide(
+                &self.surface,
+                contact,
+                bound_slope,
+                displacement,
+                (work_scale, most_work),
+                |piece| slips.push(piece),
+            )
+        } else {
+            springs.slide(&self.surface, contact, bound_slope, displacement, (work_scale, most_work), |_| ())
+        };
         let Some(work) = work else {
             if turns {
                 self.undo_stroke();

@@ -185,7 +185,7 @@ impl Model {
     pub(super) fn step(&mut self, end: Clock, length: f64) -> Checked {
         let Self { staged, contact } = self;
         let (settings, from) = (&staged.settings, &staged.inputs);
-        let moved = staged.slopes.map(|slopes| from.after(&slopes, length));
+        let moved = staged.slopes.as_ref().map(|slopes| from.after(slopes, length));
         let to = moved.as_ref().unwrap_or(from);
         let contact =
             contact.as_mut().expect("initialization builds the contact, and nothing discards it later");
@@ -205,7 +205,9 @@ impl Model {
                 contact.advance_cycles(normal, to.displacement_amplitude, cycles)
             }
         });
-        if let (Err(_), Some(before)) = (&advanced, before) {
+        if advanced.is_err()
+            && let Some(before) = before
+        {
             *contact = before;
         }
         advanced.map_err(|problem| {
@@ -228,7 +230,8 @@ impl Model {
             staged.worn_through_at = Some(time);
         }
         staged.retune = false;
-        staged.last_step = LastStep { from: staged.last_step.to, to: *to, length };
+        let last = &mut staged.last_step;
+        (last.from, last.to, last.length) = (last.to, *to, length);
         staged.clock = end;
         if let Some(inputs) = moved {
             (staged.inputs, staged.slopes) = (inputs, None);

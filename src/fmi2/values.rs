@@ -57,8 +57,8 @@ impl Table {
 
     /// Access to a variable that [`Self::find`] has found before.
     #[inline]
-    pub(super) fn access(self, reference: u32) -> Access {
-        self.0[reference as usize].access
+    pub(super) fn access(self, reference: u32) -> &'static Access {
+        &self.0[reference as usize].access
     }
 }
 
@@ -176,11 +176,11 @@ impl Component {
                 (Access::Input(field), _) => *field(&mut staged.inputs),
                 (Access::Parameter(field) | Access::Tunable(field), _) => *field(&mut staged.settings),
                 (Access::Output(output), Some(contact)) if output.never_falls => {
-                    staged.deepest_read = staged.deepest_read.max(contact.output(&output));
+                    staged.deepest_read = staged.deepest_read.max(contact.output(output));
                     staged.deepest_read
                 }
-                (Access::Output(output), Some(contact)) => contact.output(&output),
-                (Access::SlipNumber(read), Some(contact)) => contact.slip_state(read).number().into(),
+                (Access::Output(output), Some(contact)) => contact.output(output),
+                (Access::SlipNumber(read), Some(contact)) => contact.slip_state(*read).number().into(),
                 (Access::WearThrough(which), Some(contact)) => {
                     staged.look_at_coating(contact);
                     match which {
@@ -194,7 +194,7 @@ impl Component {
                     // the fields of an interface are those of one contact, which is found once
                     let mut field = |contact: &FrettingContact| {
                         let radii = radii.get_or_insert_with(|| contact.probe_radii());
-                        read(contact, radii[probe])
+                        read(contact, radii[*probe])
                     };
                     let value = match body {
                         Body::One(contact) => field(contact),
@@ -218,50 +218,24 @@ impl Component {
     }
 
     pub(super) fn set_real(&mut self, references: &[u32], values: &[f64]) -> Checked {
-        // inputs are set while the list is checked, and restored if it is refused
-        let before = self.model.staged().inputs;
-        let parameters =
-            self.set_inputs(references, values).inspect_err(|_| self.model.staged().inputs = before)?;
-        if !references.is_empty() {
-            self.model.change_inputs();
-        }
-        if parameters {
-            self.set_parameters(references, values);
-        }
-        Ok(())
-    }
-
-    /// Checks a list and sets the inputs in it. Returns whether there are parameters, too.
-    #[inline]
-    fn set_inputs(&mut self, references: &[u32], values: &[f64]) -> Checked<bool> {
         let table = Table::get();
-        let mut parameters = false;
         for (&reference, &value) in references.iter().zip(values) {
             let variable = table.find(reference, Asked::Real)?;
             check_writable(&self.model, variable, value)?;
             check_real(variable, value)?;
-            match variable.access {
-                Access::Input(field) => *field(&mut self.model.staged().inputs) = value,
-                Access::Tunable(field) => {
-                    parameters = true;
-                    self.check_switch(variable, field, value)?;
-                }
-                _ => parameters = true,
+            if let Access::Tunable(field) = variable.access {
+                self.check_switch(variable, field, value)?;
             }
         }
-        Ok(parameters)
-    }
-
-    /// Sets the parameters in a list that has been checked.
-    #[cold]
-    fn set_parameters(&mut self, references: &[u32], values: &[f64]) {
         for (&reference, &value) in references.iter().zip(values) {
-            match Table::get().access(reference) {
+            match table.access(reference) {
+                Access::Input(field) => *field(self.model.change_inputs()) = value,
                 Access::Parameter(field) => *field(self.model.change_settings()) = value,
                 Access::Tunable(field) => *field(self.model.tune()) = value,
-                _ => {}
+                other => unreachable!("checked above: {other:?}"),
             }
         }
+        Ok(())
     }
 
     /// Refuses to switch friction or wear on or off once the contact has been built for it.
@@ -297,7 +271,7 @@ impl Component {
         for (&reference, value) in references.iter().zip(values) {
             value.write(match (table.access(reference), contact) {
                 (Access::Number(field), _) => *field(&mut staged.settings),
-                (Access::Slip(read), Some(contact)) => contact.slip_state(read).number(),
+                (Access::Slip(read), Some(contact)) => contact.slip_state(*read).number(),
                 (Access::Count { one, .. }, Some(Body::One(contact))) => one(contact),
                 (Access::Count { many, .. }, Some(Body::Many(interface))) => many(interface),
                 other => unreachable!("not an integer variable, or not computed: {:?}", other.0),

@@ -12,7 +12,9 @@ pub(super) struct Interval {
 }
 
 impl Interval {
-    /// Width Δx, rise Δg, ∫(g − g₁) dx and ∫(g − g₁)² dx between two places.
+    /// Width Δx, rise Δg, ∫(g − g₁) dx and ∫(g − g₁)² dx between two places. Inlined so that a
+    /// caller pays only for those that it uses.
+    #[inline(always)]
     pub(super) fn between(p: &Place, q: &Place) -> Self {
         let width = q.x - p.x;
         let rise = q.image - p.image;
@@ -29,9 +31,8 @@ impl Interval {
             q.square - p.square - p.image * (p.image * width + 2.0 * first)
         };
         // Cauchy's inequality below, 0 ≤ g − g₁ ≤ Δg above
-        let second =
-            if second * width >= first * first { at_least(second, 0.0) } else { least(first, width) };
-        Self { width, rise, first, second: at_most(second, rise * first) }
+        let sound = first * first <= second * width && second <= rise * first;
+        Self { width, rise, first, second: if sound { second } else { rounded(width, rise, first, second) } }
     }
 
     /// ∫ f dx for f linear in g with the given end values.
@@ -76,10 +77,11 @@ impl Interval {
     }
 }
 
-/// The least that ∫(g − g₁)² dx can be. Rarely needed, and a division.
+/// ∫(g − g₁)² dx within its bounds, where rounding has taken it out of them. Rarely needed.
 #[cold]
-fn least(first: f64, width: f64) -> f64 {
-    first * first / at_least(width, f64::MIN_POSITIVE)
+fn rounded(width: f64, rise: f64, first: f64, second: f64) -> f64 {
+    let least = first * first / at_least(width, f64::MIN_POSITIVE);
+    at_most(at_least(second, least), rise * first)
 }
 
 /// `value`, but not below `bound`: `f64::max` without its care for a bound that is no number, which

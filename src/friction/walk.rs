@@ -73,7 +73,7 @@ impl Path<'_> {
 
     /// State of a spring at the end, or where it leaves contact, before it slips.
     #[inline(always)]
-    fn trial<'k>(&self, knot: &'k Knot, rounding: f64, bulge: f64) -> Trial<'k> {
+    fn trial(&self, knot: Knot, rounding: f64, bulge: f64) -> Trial {
         let leaves = knot.place.image > self.to.depth || self.to.is_open();
         let end = if leaves { self.displacement_at_touch(&knot.place) } else { self.end };
         let trial = Trial::new(knot, end, bound(self.bound_slope, &self.to, knot.place.image), rounding);
@@ -142,12 +142,12 @@ const EVEN: f64 = 0.05;
 const FAR: f64 = 1e-6;
 
 /// How much more than the rounding of its bound a front may be off.
-const FAR_OFF: f64 = 1e4;
+pub(super) const FAR_OFF: f64 = 1e4;
 
 /// State of a spring at the end of a path, before it slips.
 #[derive(Clone, Copy)]
-pub(super) struct Trial<'k> {
-    pub(super) knot: &'k Knot,
+pub(super) struct Trial {
+    pub(super) knot: Knot,
     displacement: f64,
     deflection: f64,
     pub(super) bound: f64,
@@ -157,11 +157,11 @@ pub(super) struct Trial<'k> {
     pub(super) excess: f64,
 }
 
-impl<'k> Trial<'k> {
+impl Trial {
     /// A spring whose excess is within the `rounding` of the bound sticks: else a motion too small
     /// to differ from 0 beside the bound would move the whole row's origins.
     #[inline]
-    pub(super) fn new(knot: &'k Knot, displacement: f64, bound: f64, rounding: f64) -> Self {
+    pub(super) fn new(knot: Knot, displacement: f64, bound: f64, rounding: f64) -> Self {
         let deflection = displacement - knot.origin;
         let excess = deflection.abs() - bound;
         // written so that what is no number is taken to slip, and shows in the work
@@ -197,7 +197,7 @@ impl<'k> Trial<'k> {
     /// clipped nevertheless.
     #[inline]
     pub(super) fn at_front(&self, rounding: f64) -> Knot {
-        if self.excess > FAR_OFF * rounding { self.clipped() } else { *self.knot }
+        if self.excess > FAR_OFF * rounding { self.clipped() } else { self.knot }
     }
 
     /// The knot after it has slipped back to its bound.
@@ -209,7 +209,7 @@ impl<'k> Trial<'k> {
         } else {
             self.knot.origin + self.excess.copysign(self.deflection)
         };
-        Knot { origin, ..*self.knot }
+        Knot { origin, ..self.knot }
     }
 }
 
@@ -292,7 +292,7 @@ struct Walk<'p> {
     /// [`Path::bulge`].
     bulge: f64,
     /// The last knot taken.
-    last: Option<Knot>,
+    last: Option<Trial>,
     /// ∫ |u| |de| dx so far, m³.
     work: f64,
     slips: Option<&'p mut Vec<SlipPiece>>,
@@ -300,25 +300,24 @@ struct Walk<'p> {
 
 impl Walk<'_> {
     #[inline(always)]
-    fn trial<'k>(&self, knot: &'k Knot) -> Trial<'k> {
+    fn trial(&self, knot: Knot) -> Trial {
         self.path.trial(knot, self.rounding, self.bulge)
     }
 
     /// Takes the next knots to the end of the path.
     fn take(&mut self, knots: &[Knot]) {
-        let last = self.last;
-        let mut before = last.as_ref().map(|knot| self.trial(knot));
+        let mut last = self.last;
         for knot in knots {
-            let outer = self.trial(knot);
-            if let Some(inner) = before
+            let outer = self.trial(*knot);
+            if let Some(inner) = last
                 && (inner.slips() || outer.slips())
             {
                 self.work += self.cross(inner, outer);
             }
             self.push(outer.clipped());
-            before = Some(outer);
+            last = Some(outer);
         }
-        self.last = knots.last().copied().or(last);
+        self.last = last;
     }
 
     /// Work of an interval of which at least one end slips. Inserts the knots where its springs
@@ -328,12 +327,11 @@ impl Walk<'_> {
         if inner.slips_with(&outer) {
             return self.slip_work(&inner, &outer);
         }
-        let (end, start);
         let (mut work, mut left, mut share) = (0.0, inner, 0.0);
         if inner.slips() {
             share = share_at_bound(&inner, &outer, inner.side());
-            end = between(self.path.surface, &inner, &outer, share);
-            let at_bound = self.trial(&end);
+            let end = between(self.path.surface, &inner.knot, &outer.knot, share);
+            let at_bound = self.trial(end);
             work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
@@ -341,8 +339,8 @@ impl Walk<'_> {
         if outer.slips() {
             // rounding must not turn the two ends of the sticking part round
             share = share_at_bound(&inner, &outer, outer.side()).max(share);
-            start = between(self.path.surface, &inner, &outer, share);
-            let at_bound = self.trial(&start);
+            let start = between(self.path.surface, &inner.knot, &outer.knot, share);
+            let at_bound = self.trial(start);
             work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
@@ -364,9 +362,9 @@ impl Walk<'_> {
     #[inline(never)]
     fn uneven_slip_work(&mut self, inner: &Trial, outer: &Trial) -> f64 {
         let Some(interval) = slip_interval(inner, outer, self.slips.as_deref_mut()) else { return 0.0 };
-        let middle = middle(inner.knot, outer.knot);
+        let middle = middle(&inner.knot, &outer.knot);
         let density = |trial: &Trial| trial.mean_bound * trial.excess;
-        let densities = [inner, &self.trial(&middle), outer].map(density);
+        let densities = [inner, &self.trial(middle), outer].map(density);
         interval.parabola(densities).max(0.0)
     }
 
@@ -438,8 +436,7 @@ fn middle(p: &Knot, q: &Knot) -> Knot {
 
 /// The spring at the given share (in g) of the way between two others.
 #[inline(always)]
-pub(super) fn between(surface: &Surface, inner: &Trial, outer: &Trial, share: f64) -> Knot {
-    let (p, q) = (inner.knot, outer.knot);
+pub(super) fn between(surface: &Surface, p: &Knot, q: &Knot, share: f64) -> Knot {
     let rise = q.place.image - p.place.image;
     let origin = p.origin + share * (q.origin - p.origin);
     if rise > 0.0 {
