@@ -1,8 +1,12 @@
-//! What an interface of many contacts costs: a thousand summits that wear under a varying load,
-//! step by step, their memory, and the time of a call for many cycles.
+//! What an interface of many contacts costs: the time of a step of a thousand summits under a load
+//! that varies, without wear and with it, at two resolutions and at ten times the wear; the memory
+//! of each; and the time of 10⁵ cycles in one call, which takes blocks at constant approach. Time
+//! is in proportion to the numbers of contacts and of steps, so that the scene of tenfold wear has
+//! 1000 steps, and that of cycles 50 contacts.
 //!
-//! `cargo bench --bench interface --no-default-features`; with `--features threads` on all cores.
-//! Bytes are what the allocator was asked for; times are those of the processor on Linux.
+//! `cargo bench --bench interface --no-default-features`, about a minute beside other work; a word
+//! after `--` runs the scenes whose name has it. With `--features threads` on all cores. Bytes are
+//! what the allocator was asked for; times are those of the processor on Linux.
 
 #[path = "../tests/fmi/counting.rs"]
 mod counting;
@@ -36,8 +40,8 @@ fn parameters(wear_coefficient: f64, resolution: usize) -> Parameters {
     Parameters { profile, wear_coefficient, resolution, ..Parameters::default() }
 }
 
-/// `steps` steps of 1000 contacts; the load swings by 30 % in two thirds of the frequency.
-fn run(wear_coefficient: f64, resolution: usize, steps: u32) {
+/// Steps of 1000 contacts; the load swings by 30 % in two thirds of the frequency.
+fn run(name: &str, wear_coefficient: f64, resolution: usize, steps: u32) {
     let mut joint = Interface::new(parameters(wear_coefficient, resolution), &summits(1000, 1e-6)).unwrap();
     let before = live_bytes();
     joint.start_at(100.0, [0.0; 2], 0.0).unwrap();
@@ -50,23 +54,24 @@ fn run(wear_coefficient: f64, resolution: usize, steps: u32) {
     let time = spent(now).saturating_sub(began);
     // those that have never touched hold no state
     let touched = (0..1000).filter(|index| joint.contact(*index).is_some()).count();
-    let bytes = (live_bytes() - before) as f64;
+    let kibibytes = (live_bytes() - before) as f64 / 1024.0;
     println!(
-        "k = {wear_coefficient:.1e}, {resolution} cells: {steps} steps of 1000 contacts ({touched} have touched) {time:.2?}, {:.2} us a contact and step, {:.1} updates each, {:.2} KiB of each that has touched, deepest wear {:.3e} m",
+        "{name}: {steps} steps {time:.2?}, {:.2} us a contact and step, {:.1} updates each; {:.2} KiB of each of {touched} that have touched, {:.2} KiB over all; deepest wear {:.3e} m",
         1e6 * time.as_secs_f64() / f64::from(steps) / 1e3,
         joint.counters().profile_updates as f64 / 1e3,
-        bytes / 1024.0 / touched as f64,
+        kibibytes / touched as f64,
+        kibibytes / 1e3,
         joint.wear_depth()
     );
 }
 
 /// Cycles in one call.
-fn cycles(resolution: usize, count: u32) {
+fn cycles(name: &str, resolution: usize, count: u32) {
     let mut joint = Interface::new(parameters(3.2e-4, resolution), &summits(count, 1e-6)).unwrap();
     let (now, began) = (Instant::now(), spent(Instant::now()));
     joint.advance_cycles(0.1 * f64::from(count), 0.3e-6, 1e5).unwrap();
     println!(
-        "{count} contacts, {resolution} cells, 1e5 cycles in one call: {:.2?}, deepest wear {:.3e} m, {} touch",
+        "{name}: {count} contacts {:.2?}, deepest wear {:.3e} m, {} touch",
         spent(now).saturating_sub(began),
         joint.wear_depth(),
         joint.contacts_in_touch()
@@ -76,9 +81,20 @@ fn cycles(resolution: usize, count: u32) {
 fn main() {
     // cargo passes --bench when it benchmarks; anything else only wants to know that this runs
     let benchmark = std::env::args().any(|argument| argument == "--bench");
-    let steps = if benchmark { 10_000 } else { 20 };
-    for (wear_coefficient, resolution) in [(0.0, 64), (3.2e-4, 16), (3.2e-4, 64), (3.2e-3, 16)] {
-        run(wear_coefficient, resolution, steps);
+    let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
+    let asked = |name: &str| words.is_empty() || words.iter().any(|word| name.contains(word.as_str()));
+    for (name, wear_coefficient, resolution, steps) in [
+        ("no wear", 0.0, 64, 10_000),
+        ("steel, 16 cells", 3.2e-4, 16, 10_000),
+        ("steel, 64 cells", 3.2e-4, 64, 10_000),
+        ("tenfold wear, 16 cells", 3.2e-3, 16, 1000),
+    ] {
+        if asked(name) {
+            run(name, wear_coefficient, resolution, if benchmark { steps } else { 20 });
+        }
     }
-    cycles(16, if benchmark { 1000 } else { 10 });
+    let name = "cycles, 16 cells, 1e5 in one call";
+    if asked(name) {
+        cycles(name, 16, if benchmark { 50 } else { 10 });
+    }
 }

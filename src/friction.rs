@@ -55,9 +55,28 @@ impl Springs {
         &self.knots
     }
 
+    /// Takes the smaller of its own memory and a spare one: among many rows each then has what it
+    /// needs, and one large spare serves all.
+    pub(crate) fn take_smaller(&mut self, spare: &mut Self) {
+        if spare.knots.capacity() < self.knots.capacity() {
+            spare.knots.clear();
+            spare.knots.reserve_exact(self.knots.len());
+            spare.knots.extend_from_slice(&self.knots);
+            std::mem::swap(self, spare);
+        }
+        self.trim();
+    }
+
     /// Becomes a copy of another row in its own memory.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.knots.clone_from(&other.knots);
+    }
+
+    /// Gives back memory that it does not need.
+    pub(crate) fn trim(&mut self) {
+        if self.knots.capacity() > 2 * self.knots.len() + 4 {
+            self.knots.shrink_to_fit();
+        }
     }
 
     /// Springs from saved knots (radius and origin) on the present surface.

@@ -32,6 +32,7 @@
 //! each block is the one asked for.
 
 mod approach;
+mod coating;
 mod cyclic;
 mod history;
 mod members;
@@ -48,7 +49,7 @@ use crate::parameters::{NormalControl, Parameters};
 use members::Members;
 use serde::{Deserialize, Serialize};
 
-/// Where the body stands.
+/// Where the body stands, and how many cycles it has done.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Pose {
     /// Approach d, m.
@@ -57,6 +58,8 @@ pub(crate) struct Pose {
     displacement: [f64; 2],
     /// Angle about the normal, rad.
     rotation: f64,
+    /// Cycles of cyclic loading up to here.
+    cycles: f64,
 }
 
 /// Contacts of one rigid body with another, each with its own history of friction and wear.
@@ -90,27 +93,8 @@ pub struct Interface {
     /// The approach (m) under a force (N) that a step is about to ask for, on the profiles as they
     /// are.
     ahead: Option<(f64, f64)>,
-    /// The way back where a step fails.
-    undo: Undo,
-}
-
-/// Marks of all contacts at an earlier time, and the steps since: copying every contact in each
-/// step would cost as much as the step.
-#[derive(Debug, Clone, Default)]
-struct Undo {
-    /// Pose, control and block of the marks; none where there are no marks.
-    start: Option<(Pose, f64, f64)>,
-    /// Where the body was taken since.
-    steps: Vec<Step>,
-}
-
-/// What a transient step asks for.
-#[derive(Debug, Clone, Copy)]
-struct Step {
-    /// N or m.
-    normal: f64,
-    displacement: [f64; 2],
-    rotation: f64,
+    /// Pose, control and block before the present call, where the contacts have their marks.
+    before: (Pose, f64, f64),
 }
 
 impl Interface {
@@ -118,8 +102,8 @@ impl Interface {
     ///
     /// # Errors
     /// Those of [`FrettingContact::new`]; [`Error::ContactsTable`] for summits that are not valid;
-    /// [`Error::Parameter`] for what an interface does not have: a rig stiffness, a coating,
-    /// friction that runs in.
+    /// [`Error::Parameter`] for what an interface does not have: a rig stiffness and friction
+    /// that runs in.
     pub fn new(parameters: Parameters, summits: &[Summit]) -> Result<Self, Error> {
         parameters.validate()?;
         if parameters.rig_compliance() > 0.0 {
@@ -127,17 +111,10 @@ impl Interface {
             let value = parameters.rig_stiffness;
             return Err(Error::Parameter { name: "rig_stiffness", value, requirement });
         }
-        for (name, value, requirement) in [
-            ("coating_thickness", parameters.coating_thickness, "an interface has no coating: leave it at 0"),
-            (
-                "running_in_energy",
-                parameters.running_in_energy,
-                "friction of an interface is constant: leave it at 0",
-            ),
-        ] {
-            if value > 0.0 {
-                return Err(Error::Parameter { name, value, requirement });
-            }
+        if parameters.running_in_energy > 0.0 {
+            let requirement = "friction of an interface is constant: leave it at 0";
+            let value = parameters.running_in_energy;
+            return Err(Error::Parameter { name: "running_in_energy", value, requirement });
         }
         Summit::check_number(summits.len())?;
         for (index, summit) in summits.iter().enumerate() {
@@ -151,8 +128,9 @@ impl Interface {
             NormalControl::Force => 0.0,
             NormalControl::Indentation => approach,
         };
-        let pose = Pose { approach, displacement: [0.0; 2], rotation: 0.0 };
-        Ok(Self { parameters, members, pose, control, block: 0.0, ahead: None, undo: Undo::default() })
+        let pose = Pose { approach, displacement: [0.0; 2], rotation: 0.0, cycles: 0.0 };
+        let before = (pose, control, 0.0);
+        Ok(Self { parameters, members, pose, control, block: 0.0, ahead: None, before })
     }
 
     /// What the interface was built from: the parameters of every contact.
@@ -215,42 +193,21 @@ impl Interface {
         self.parameters.wear_per_work() > 0.0 && self.parameters.friction_coefficient > 0.0
     }
 
-    /// Marks the present state, to return to.
-    fn mark(&mut self) {
-        self.members.mark();
-        self.undo.start = Some((self.pose, self.control, self.block));
-        self.undo.steps.clear();
-    }
-
-    /// Returns to the last state before the present step: to the marks, and over the steps since,
-    /// which go to the same bits again.
-    ///
-    /// # Errors
-    /// None: the steps have been done before.
-    fn roll_back(&mut self) -> Result<(), Error> {
-        let steps = std::mem::take(&mut self.undo.steps);
+    /// Returns to the state before the present call.
+    fn roll_back(&mut self) {
         self.members.return_to_marks();
-        if let Some(start) = self.undo.start {
-            (self.pose, self.control, self.block) = start;
-        }
-        for step in &steps {
-            self.mark();
-            self.walk(step)?;
-        }
-        self.mark();
-        Ok(())
+        (self.pose, self.control, self.block) = self.before;
     }
 
     /// Runs a change of all contacts; where it fails, the state is as before.
     fn transaction(&mut self, change: impl FnOnce(&mut Self) -> Result<(), Error>) -> Result<(), Error> {
         self.ahead = None;
-        self.mark();
+        self.members.mark();
+        self.before = (self.pose, self.control, self.block);
         let result = change(self);
         if result.is_err() {
-            self.roll_back()?;
+            self.roll_back();
         }
-        // what has changed is no step that could be done again
-        self.undo.start = None;
         result
     }
 }

@@ -61,6 +61,13 @@ impl FrettingContact {
         self.state.coating.cycles
     }
 
+    /// Counts from a number of cycles on, of which the contact may have missed some.
+    pub(crate) fn set_cycles_on_coating(&mut self, cycles: f64) {
+        if self.has_coating() {
+            self.state.coating.cycles = cycles;
+        }
+    }
+
     fn thickness(&self) -> f64 {
         self.model.parameters.coating_thickness
     }

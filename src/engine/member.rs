@@ -65,6 +65,13 @@ impl FrettingContact {
         self.surface.worn().map_or(0.0, depth)
     }
 
+    /// Puts the memory of a step back where it is kept, and keeps no more of it than the state
+    /// needs.
+    pub(crate) fn return_memory(&mut self, memory: &mut Memory) {
+        self.state.springs.take_smaller(&mut self.memory.springs);
+        self.exchange_memory(memory);
+    }
+
     /// Takes the memory of a step from where it is kept, or puts it back there.
     pub(crate) fn exchange_memory(&mut self, memory: &mut Memory) {
         // tables are those of one profile; those of the mesh serve all, but live as long as they

@@ -157,8 +157,12 @@ impl FrettingContact {
 
     /// Work of friction per area at radius r so far, J/m²: worn depth over k₁/σ₁ + k₂/σ₂. `None`
     /// where that is not known: without wear it is not gathered, and after a change of a wear
-    /// coefficient the depths of before and after it are added up.
+    /// coefficient the depths of before and after it are added up. A wear coefficient of 1e-12
+    /// gathers it and leaves the profile as it is.
     pub fn energy_density_at(&self, r: f64) -> Option<f64> {
+        if self.model.constants.friction_coefficient == 0.0 {
+            return Some(0.0);
+        }
         let known = self.state.wear.is_some() && !self.state.former.mixed;
         known.then(|| self.worn_depth_at(r) / self.model.constants.wear_per_work)
     }

@@ -85,13 +85,17 @@ impl State {
         }
     }
 
-    /// Takes over another state, in memory that is there already.
-    fn copy_from(&mut self, other: &Self) {
+    /// Takes over another state, in memory that is there already, and its backlog by a given copy.
+    fn copy_from(&mut self, other: &Self, copy_backlog: impl Fn(&mut WearBacklog, &WearBacklog)) {
         let (mut springs, mut stroke) = (take(&mut self.springs), take(&mut self.stroke));
         springs.copy_from(&other.springs);
         stroke.copy_from(&other.stroke);
         let planar = copied(self.planar.take(), &other.planar, Planar::copy_from);
-        let wear = copied(self.wear.take(), &other.wear, WearState::copy_from);
+        let wear = copied(self.wear.take(), &other.wear, |to, from| {
+            let mut backlog = take(&mut to.backlog);
+            copy_backlog(&mut backlog, &from.backlog);
+            *to = WearState { backlog, ..*from };
+        });
         *self = Self { springs, stroke, planar, wear, ..*other };
     }
 }
@@ -101,12 +105,6 @@ impl WearState {
     pub(super) fn deferred_share(&self, work: f64) -> f64 {
         let most = PLACED_WITH * work.abs();
         self.deferred_work.max(-most).min(most)
-    }
-
-    fn copy_from(&mut self, other: &Self) {
-        let mut backlog = take(&mut self.backlog);
-        backlog.copy_from(&other.backlog);
-        *self = Self { backlog, ..*other };
     }
 }
 
@@ -136,6 +134,14 @@ impl FrettingContact {
         Mark { model: self.model.clone(), surface: self.surface.clone(), state: self.state.clone() }
     }
 
+    /// Marks the present state in the memory of an older mark.
+    pub(crate) fn renew(&self, mark: &mut Mark) {
+        mark.model.copy_from(&self.model);
+        mark.surface.share_from(&self.surface);
+        mark.state.copy_from(&self.state, WearBacklog::share_from);
+        mark.state.springs.trim();
+    }
+
     /// Goes back to a mark of this contact.
     pub(crate) fn return_to(&mut self, mark: &Mark) {
         (self.model, self.surface) = (mark.model.clone(), mark.surface.clone());
@@ -144,7 +150,7 @@ impl FrettingContact {
 
     /// Takes over a state. The memory stays: tables know the nodes that they were made for.
     pub(super) fn take_state(&mut self, state: &State) {
-        self.state.copy_from(state);
+        self.state.copy_from(state, WearBacklog::copy_from);
         self.view.forget();
     }
 
@@ -156,7 +162,7 @@ impl FrettingContact {
         let before = match self.memory.before.take() {
             Some(mut mark) => {
                 (mark.model, mark.surface) = (self.model.clone(), self.surface.clone());
-                mark.state.copy_from(&self.state);
+                mark.state.copy_from(&self.state, WearBacklog::copy_from);
                 mark
             }
             None => Box::new(self.mark()),

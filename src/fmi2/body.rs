@@ -83,11 +83,35 @@ impl Body {
         }
     }
 
-    /// The contact that may have a coating; an interface has none.
-    pub(super) fn coated(&self) -> Option<&FrettingContact> {
+    /// Whether the coating of a contact has worn through.
+    pub(super) fn worn_through(&self) -> bool {
         match self {
-            Self::One(contact) => Some(contact),
-            Self::Many(_) => None,
+            Self::One(contact) => contact.worn_through(),
+            Self::Many(interface) => interface.worn_through(),
+        }
+    }
+
+    /// The same by the last updates of the profiles.
+    pub(super) fn is_known_worn_through(&self) -> bool {
+        match self {
+            Self::One(contact) => contact.is_known_worn_through(),
+            Self::Many(interface) => interface.is_known_worn_through(),
+        }
+    }
+
+    /// Cycles up to the first wear-through, where that was in cyclic loading.
+    pub(super) fn cycles_to_wear_through(&self) -> Option<f64> {
+        match self {
+            Self::One(contact) => contact.cycles_to_wear_through(),
+            Self::Many(interface) => interface.cycles_to_wear_through(),
+        }
+    }
+
+    /// Cycles so far, counted where there is a coating.
+    pub(super) fn cycles_on_coating(&self) -> f64 {
+        match self {
+            Self::One(contact) => contact.cycles_on_coating(),
+            Self::Many(interface) => interface.cycles_on_coating(),
         }
     }
 

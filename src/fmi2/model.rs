@@ -8,7 +8,6 @@ use super::refusal::{Checked, Refusal};
 use super::resources::Resources;
 use super::settings::{Inputs, Settings};
 use super::values::{check_inputs, check_settings};
-use crate::engine::FrettingContact;
 use crate::error::Error;
 use serde::{Deserialize, Serialize};
 
@@ -37,7 +36,7 @@ pub(super) struct Staged {
 impl Staged {
     /// Whether the coating has worn through. The time is taken where it is seen for the first time.
     pub(super) fn look_at_coating(&mut self, contact: &Body) -> bool {
-        if self.worn_through_at.is_none() && contact.coated().is_some_and(FrettingContact::worn_through) {
+        if self.worn_through_at.is_none() && contact.worn_through() {
             self.worn_through_at = Some(self.clock.time());
         }
         self.worn_through_at.is_some()
@@ -197,7 +196,7 @@ impl Model {
         } else {
             Ok(())
         };
-        let cycles_before = contact.coated().map_or(0.0, FrettingContact::cycles_on_coating);
+        let cycles_before = contact.cycles_on_coating();
         let advanced = retuned.and_then(|()| match settings.loading() {
             Loading::Transient => contact.advance_to(normal, to.place(), to.rotation),
             Loading::Cyclic => {
@@ -216,10 +215,7 @@ impl Model {
             let context = format!("step from t = {start:?} s by {length:?} s to {inputs}");
             Refusal::Step { context, problem }
         })?;
-        if let Some(contact) = contact.coated()
-            && staged.worn_through_at.is_none()
-            && contact.is_known_worn_through()
-        {
+        if staged.worn_through_at.is_none() && contact.is_known_worn_through() {
             let time = match contact.cycles_to_wear_through() {
                 Some(life) => {
                     let frequencies = (from.frequency, to.frequency);

@@ -185,9 +185,7 @@ impl Component {
                     staged.look_at_coating(contact);
                     match which {
                         WearThrough::Time => staged.worn_through_at.unwrap_or(0.0),
-                        WearThrough::Cycles => {
-                            contact.coated().and_then(FrettingContact::cycles_to_wear_through).unwrap_or(0.0)
-                        }
+                        WearThrough::Cycles => contact.cycles_to_wear_through().unwrap_or(0.0),
                     }
                 }
                 (Access::Field { probe, read }, Some(body)) => {

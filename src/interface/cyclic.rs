@@ -57,15 +57,15 @@ impl Interface {
         self.transaction(|this| {
             let at_force = this.parameters.normal_control == NormalControl::Force;
             let approach = if at_force { this.approach_or_touch(normal)? } else { normal };
-            let pose = Pose { approach, displacement: [amplitude, y], rotation: 0.0 };
+            let pose = Pose { approach, displacement: [amplitude, y], rotation: 0.0, ..this.pose };
             if at_force && normal <= 0.0 {
                 this.members.start(&pose, true)?;
-                this.pose = pose;
+                this.pose = Pose { cycles: pose.cycles + cycles, ..pose };
             } else if at_force && this.wears() && cycles > 0.0 {
                 this.run_blocks(normal, pose, cycles)?;
             } else {
                 this.members.cycle(&pose, amplitude, cycles)?;
-                this.pose = pose;
+                this.pose = Pose { cycles: pose.cycles + cycles, ..pose };
             }
             this.control = normal;
             Ok(())
@@ -121,6 +121,7 @@ impl Interface {
             let next = self.approach_under(force, middle.approach)?.value;
             let rate = (next - pose.approach) / length;
             left -= length;
+            pose.cycles += length;
             pose.approach = next;
             trials = 0;
             if left <= 0.0 {

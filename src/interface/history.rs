@@ -1,6 +1,6 @@
 //! Transient histories: straight lines in (force or approach, displacement, rotation).
 
-use super::{Interface, Pose, Step};
+use super::{Interface, Pose};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::range;
@@ -19,10 +19,6 @@ const LOST_SHARE: f64 = 4.0;
 
 /// Most parts into which wear divides a part of a step.
 const MOST_DIVISION: f64 = 4096.0;
-
-/// Steps after which all contacts are marked again. Marking each time takes 75 % more time with
-/// wear and 60 % more without.
-const STEPS_PER_MARK: usize = 32;
 
 /// Share of the force that counts as rounding: a force that is held keeps its approach to the bit.
 const ROUNDING: f64 = 1e-12;
@@ -69,33 +65,15 @@ impl Interface {
         if same {
             return Ok(());
         }
-        let step = Step { normal, displacement, rotation };
-        if self.undo.start.is_none() || self.undo.steps.len() >= STEPS_PER_MARK {
-            self.mark();
-        }
-        match self.walk(&step) {
-            Ok(()) => {
-                self.undo.steps.push(step);
-                Ok(())
+        self.transaction(|this| {
+            let to = Pose { approach: normal, displacement, rotation, ..this.pose };
+            match this.parameters.normal_control {
+                NormalControl::Indentation => this.go_to(to, false)?,
+                NormalControl::Force => this.walk_line(to)?,
             }
-            Err(problem) => {
-                self.roll_back()?;
-                Err(problem)
-            }
-        }
-    }
-
-    /// Walks a step.
-    pub(super) fn walk(&mut self, step: &Step) -> Result<(), Error> {
-        let Step { normal, displacement, rotation } = *step;
-        let to = Pose { approach: normal, displacement, rotation };
-        self.ahead = None;
-        match self.parameters.normal_control {
-            NormalControl::Indentation => self.go_to(to, false)?,
-            NormalControl::Force => self.walk_line(to)?,
-        }
-        self.control = normal;
-        Ok(())
+            this.control = normal;
+            Ok(())
+        })
     }
 
     /// Lifts the body off, takes it to a displacement (m) and a rotation (rad), and presses it down
@@ -105,7 +83,7 @@ impl Interface {
     /// As [`Self::advance_to`].
     pub fn start_at(&mut self, normal: f64, displacement: [f64; 2], rotation: f64) -> Result<(), Error> {
         self.check(normal, displacement, rotation)?;
-        let mut pose = Pose { approach: normal, displacement, rotation };
+        let mut pose = Pose { approach: normal, displacement, rotation, ..self.pose };
         self.transaction(|this| {
             let mut apart = false;
             if this.parameters.normal_control == NormalControl::Force {
@@ -188,7 +166,7 @@ impl Interface {
             if let Outcome::Done { .. } = self.try_part(force, end, &updates)? {
                 return Ok(());
             }
-            self.roll_back()?;
+            self.roll_back();
             length = 0.5;
         }
         let (mut done, shortest) = (0.0, 1.0 / MOST_DIVISION);

@@ -153,7 +153,13 @@ impl Members {
 
     /// Marks the present state of every contact, to return to.
     pub(super) fn mark(&mut self) {
-        self.marks = self.marks();
+        self.marks.resize_with(self.slots.len(), || None);
+        for (mark, slot) in self.marks.iter_mut().zip(&self.slots) {
+            match (&mut *mark, slot) {
+                (Some(mark), Some(contact)) => contact.renew(mark),
+                (_, slot) => *mark = slot.as_ref().map(|contact| Box::new(contact.mark())),
+            }
+        }
     }
 
     /// Marks of the present state of every contact.
@@ -205,6 +211,8 @@ impl Members {
     /// Displacement cycles of all contacts at the depths of a pose.
     pub(super) fn cycle(&mut self, pose: &Pose, amplitude: f64, cycles: f64) -> Result<(), Error> {
         self.turn(pose, pose, |contact, summit| {
+            // one that has just touched, or was apart, has missed some
+            contact.set_cycles_on_coating(pose.cycles);
             contact.advance_cycles(pose.approach - summit.offset, amplitude, cycles)
         })
     }
@@ -238,7 +246,7 @@ impl Members {
                 slot.get_or_insert_with(|| Box::new(untouched(&model, &profiles[index], summit, from)));
             contact.exchange_memory(memory);
             let result = change(contact, summit);
-            contact.exchange_memory(memory);
+            contact.return_memory(memory);
             result.map_err(|problem| Error::InContact { contact: index + 1, problem: Box::new(problem) })
         })
     }

@@ -1,6 +1,6 @@
 //! Saved states of an interface.
 
-use super::{Interface, Pose, Undo};
+use super::{Interface, Pose};
 use crate::engine::Snapshot;
 use crate::error::Error;
 use crate::parameters::NormalControl;
@@ -40,10 +40,10 @@ impl Interface {
     /// [`Error::Snapshot`] if the state does not fit.
     pub fn restore(&mut self, snapshot: &InterfaceSnapshot) -> Result<(), Error> {
         let refuse = |problem: &str| Err(Error::Snapshot(problem.into()));
-        let Pose { approach, displacement: [x, y], rotation } = snapshot.pose;
+        let Pose { approach, displacement: [x, y], rotation, cycles } = snapshot.pose;
         let InterfaceSnapshot { control, block, .. } = *snapshot;
-        let numbers = [approach, x, y, rotation, control, block];
-        if !numbers.iter().all(|number| number.is_finite()) || block < 0.0 {
+        let numbers = [approach, x, y, rotation, control, block, cycles];
+        if !numbers.iter().all(|number| number.is_finite()) || block < 0.0 || cycles < 0.0 {
             return refuse("the pose of the interface is no set of numbers");
         }
         let held = self.parameters.normal_control == NormalControl::Indentation;
@@ -101,7 +101,6 @@ impl Interface {
             self.members.put(index, Some(contact));
         }
         (self.pose, self.control, self.block) = (pose, snapshot.control, snapshot.block);
-        self.undo = Undo::default();
         Ok(())
     }
 }

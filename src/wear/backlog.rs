@@ -14,18 +14,23 @@ use crate::surface::Contact;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// Bits of a double below its three leading ones of the mantissa: eight bins in an octave.
-const BIN_SHIFT: u32 = 49;
+/// Bins of lengths whose widths grow with the length.
+#[derive(Debug, Clone, Copy)]
+struct Bins {
+    /// Leading bits of the mantissa that tell two bins of one octave apart.
+    bits: u32,
+    /// Octaves below the depth at first slip in which lengths are distinguished.
+    octaves: i64,
+}
 
-/// Octaves below the depth at first slip in which places of hinges are distinguished.
-const OCTAVES: i64 = 14;
+/// Those of the places of hinges: eight in an octave. See `docs/decisions/wear_backlog.md`.
+const OF_PLACES: Bins = Bins { bits: 3, octaves: 14 };
 
-/// The same for depths. Slip under an eighth of the depth wears little: see
-/// `docs/decisions/wear_backlog.md`.
-const OCTAVES_OF_DEPTH: i64 = 3;
+/// Those of depths: eight in an octave. Slip under an eighth of the depth wears little.
+const OF_DEPTHS: Bins = Bins { bits: 3, octaves: 3 };
 
-/// Bins in the range of a double.
-const MOST_BINS: i64 = 8 * 2048;
+/// Most bins in the range of a double.
+const MOST_BINS: i64 = 2048 << 3;
 
 /// Hinges of one bin, which is that of their places.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -87,15 +92,27 @@ const CANCELLED: f64 = 1e-10;
 /// Share of a slip that is rounding.
 const ROUNDING: f64 = 1e-11;
 
-/// Bin of a value that may be of either sign; those below the least are one.
-fn bin(value: f64, least: i64) -> i64 {
-    let index = (value.abs().to_bits() >> BIN_SHIFT) as i64 - least;
-    if index <= 0 {
-        0
-    } else if value > 0.0 {
-        index
-    } else {
-        -index
+impl Bins {
+    /// Number of the bin in the range of a double.
+    fn number(self, length: f64) -> i64 {
+        (length.abs().to_bits() >> (f64::MANTISSA_DIGITS - 1 - self.bits)) as i64
+    }
+
+    /// Number of the lowest bin for a contact of a given depth over the tip, m.
+    fn least(self, overlap: f64) -> i64 {
+        (self.number(overlap) - (self.octaves << self.bits)).max(0)
+    }
+
+    /// Bin of a value that may be of either sign; those below the least are one.
+    fn index(self, value: f64, least: i64) -> i64 {
+        let index = self.number(value) - least;
+        if index <= 0 {
+            0
+        } else if value > 0.0 {
+            index
+        } else {
+            -index
+        }
     }
 }
 
@@ -119,6 +136,22 @@ impl WearBacklog {
             }
         }
         let kept = levels.len();
+        levels.extend_from_slice(&other.levels[kept..]);
+        *self = Self { levels, ..*other };
+    }
+
+    /// Becomes another backlog, and shares all of its levels.
+    pub(crate) fn share_from(&mut self, other: &Self) {
+        let mut levels = std::mem::take(&mut self.levels);
+        levels.truncate(other.levels.len());
+        levels.iter_mut().zip(&other.levels).for_each(|(level, from)| {
+            // counting one that is shared already would take longer than all else
+            if !Arc::ptr_eq(level, from) {
+                *level = from.clone();
+            }
+        });
+        let kept = levels.len();
+        levels.reserve_exact(other.levels.len() - kept);
         levels.extend_from_slice(&other.levels[kept..]);
         *self = Self { levels, ..*other };
     }
@@ -161,11 +194,6 @@ impl WearBacklog {
             && self.levels.iter().map(|level| &**level).all(level)
     }
 
-    /// Lowest bin of lengths for a contact of a given depth over the tip, m.
-    fn least(overlap: f64, octaves: i64) -> i64 {
-        ((overlap.abs().to_bits() >> BIN_SHIFT) as i64 - 8 * octaves).max(0)
-    }
-
     /// Adds the slip of a straight line between two contacts and its friction work, J; says whether
     /// there was slip. `overlap_moment` is ∫ (d − g) e dx with d at the instant at which a spring
     /// slips, m³, which is the work over 2μE*; `tip` is the image at the axis, m.
@@ -192,11 +220,13 @@ impl WearBacklog {
             self.reference = to.depth.max(from.depth);
         }
         let reference = self.reference;
-        let least = Self::least(reference - tip, OCTAVES);
-        let index = bin(depth - tip, Self::least(reference - tip, OCTAVES_OF_DEPTH));
+        let least = OF_PLACES.least(reference - tip);
+        let index = OF_DEPTHS.index(depth - tip, OF_DEPTHS.least(reference - tip));
         let place = match self.levels.binary_search_by_key(&index, |level| level.bin) {
             Ok(place) => place,
             Err(place) => {
+                // there are many backlogs with few levels and hinges: no room that may stay empty
+                self.levels.reserve_exact(1);
                 self.levels.insert(place, Arc::new(Level::new(index)));
                 place
             }
@@ -251,8 +281,8 @@ impl Level {
         if slope == 0.0 {
             return;
         }
-        let index = bin(place, least);
-        match self.hinges.binary_search_by_key(&index, |hinge| bin(hinge.range.0, least)) {
+        let index = OF_PLACES.index(place, least);
+        match self.hinges.binary_search_by_key(&index, |hinge| OF_PLACES.index(hinge.range.0, least)) {
             Ok(k) => {
                 self.hinges[k].sum += slope;
                 self.hinges[k].moment += slope * place;
@@ -260,7 +290,6 @@ impl Level {
                 self.hinges[k].range = (low.min(place), high.max(place));
             }
             Err(k) => {
-                // there are many backlogs with few hinges: no room that may stay empty
                 self.hinges.reserve_exact(1);
                 self.hinges.insert(k, Hinge { sum: slope, moment: slope * place, range: (place, place) });
             }

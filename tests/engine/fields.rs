@@ -139,6 +139,36 @@ fn the_work_per_area_adds_up_to_the_work() {
     close_to(work, contact.dissipated_energy(), 5e-3, "work");
 }
 
+/// A wear coefficient so small that nothing wears gathers the work per area, and changes no force.
+#[test]
+fn next_to_no_wear_gives_the_work_per_area() {
+    let (mut free, mut contact) =
+        (pressed(BALL, FORCE), started(Parameters { wear_coefficient: 1e-12, ..without_wear(BALL) }));
+    for k in 0..400 {
+        let (force, u) =
+            (FORCE * (1.0 + 0.02 * (0.21 * f64::from(k)).cos()), 3e-6 * (0.3 * f64::from(k)).sin());
+        to(&mut free, force, u);
+        to(&mut contact, force, u);
+        close_to(contact.tangential_force(), free.tangential_force(), 1e-3, "T");
+    }
+    close_to(contact.dissipated_energy(), free.dissipated_energy(), 1e-3, "work");
+    assert_eq!(contact.counters().profile_updates, 0);
+    let (count, outer) = (4000, contact.contact_radius() * 1.2);
+    let cell = outer / f64::from(count);
+    let ring = |k: u32| {
+        let r = (f64::from(k) + 0.5) * cell;
+        2.0 * std::f64::consts::PI * r * cell * contact.energy_density_at(r).unwrap()
+    };
+    close_to((0..count).map(ring).sum::<f64>(), contact.dissipated_energy(), 5e-3, "sum");
+    let smooth = contact_of(0.0);
+    assert_eq!(smooth.energy_density_at(1e-4), Some(0.0), "without friction there is no work");
+}
+
+/// The ball with wear and a coefficient of friction.
+fn contact_of(friction_coefficient: f64) -> FrettingContact {
+    started(Parameters { friction_coefficient, wear_coefficient: 0.02, ..without_wear(BALL) })
+}
+
 #[test]
 fn work_per_area_is_given_only_where_it_is_known() {
     let mut free = pressed(BALL, FORCE);

@@ -399,7 +399,6 @@ fn what_an_interface_does_not_have_is_refused_by_name() {
     let plain = without_wear(BALL);
     for (parameters, expected) in [
         (Parameters { rig_stiffness: 1e7, ..plain.clone() }, "rig_stiffness"),
-        (Parameters { coating_thickness: 1e-6, ..plain.clone() }, "coating_thickness"),
         (Parameters { running_in_energy: 1.0, ..plain.clone() }, "running_in_energy"),
     ] {
         match Interface::new(parameters, &[Summit::at_offset(0.0)]) {

@@ -7,6 +7,7 @@ mod derivatives;
 mod ellipse;
 mod end_of_the_table;
 mod fields;
+mod interface_coating;
 mod interface_elastic;
 mod interface_wear;
 mod invariants;

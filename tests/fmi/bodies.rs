@@ -18,7 +18,7 @@ fn cyclic(fmu: &Fmu) {
     assert_eq!(fmu.set_real("coating_thickness", 0.4e-6), OK);
 }
 
-fn boolean(fmu: &Fmu, name: &str) -> bool {
+pub(crate) fn boolean(fmu: &Fmu, name: &str) -> bool {
     let mut value = [7];
     // SAFETY: the component is alive, the arrays have one element.
     let status = unsafe { fmi2GetBoolean(fmu.component, [reference(name)].as_ptr(), 1, value.as_mut_ptr()) };

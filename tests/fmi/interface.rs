@@ -1,8 +1,10 @@
 //! Several contacts in one instance: `contacts_file`.
 #![cfg(feature = "fmi2")]
 
+use crate::bodies::boolean;
+use crate::counting::live_bytes;
 use crate::host::{DISCARD, ERROR, Fmu, OK, reference};
-use fretting_contact::{Interface, LengthUnit, Parameters, Summit};
+use fretting_contact::{Interface, LengthUnit, Parameters, Profile, Summit};
 use std::ffi::CString;
 
 const TABLE: &str = "offset x y factor\n0 1000 0 1\n0.5 -1000 500 2\n40 0 -1000 1\n";
@@ -70,6 +72,68 @@ fn outputs_are_those_of_the_interface() {
     }
     assert_eq!(fmu.integer("contact_count_in_touch"), 2);
     assert_eq!(fmu.integer("deepest_contact"), joint.deepest_contact() as i32 + 1);
+}
+
+/// What the contacts hold between two steps that wear, with their marks: counted, not estimated.
+#[test]
+fn worn_contacts_hold_little_memory() {
+    let summits: Vec<_> = (0..20).map(|k| Summit::at_offset(5e-8 * f64::from(k))).collect();
+    let parameters = Parameters {
+        profile: Profile::Parabola { radius: 1e-4 },
+        wear_coefficient: 3.2e-4,
+        resolution: 16,
+        ..Parameters::default()
+    };
+    let mut joint = Interface::new(parameters, &summits).unwrap();
+    let before = live_bytes();
+    for k in 0..3000 {
+        let phase = 0.0628 * f64::from(k);
+        joint.advance_to(2.0 + 0.6 * (0.7 * phase).cos(), [0.6e-6 * phase.sin(), 0.0], 0.0).unwrap();
+    }
+    let touched = (0..20).filter(|index| joint.contact(*index).is_some()).count() as i64;
+    assert!(touched > 10 && joint.counters().profile_updates > 50, "{}", joint.counters());
+    let bytes = (live_bytes() - before) / touched;
+    assert!(bytes < 9000, "{bytes} bytes of each of {touched} contacts");
+}
+
+/// The first coating to wear through, at its cycle and time.
+#[test]
+fn a_coating_of_several_contacts_wears_through() {
+    let file = File::with(TABLE);
+    let parameters =
+        Parameters { wear_coefficient: 0.01, coating_thickness: 0.3e-6, ..Parameters::default() };
+    let mut joint = Interface::new(parameters, &Summit::parse(TABLE, LengthUnit::Um).unwrap()).unwrap();
+    joint.start_at(100.0, [0.0; 2], 0.0).unwrap();
+    joint.advance_cycles(100.0, 1.5e-6, 10.0).unwrap();
+    joint.advance_cycles(100.0, 1.5e-6, 5e4).unwrap();
+    let fmu = with_contacts(&file, |fmu| {
+        assert_eq!(fmu.set_real("wear_coefficient", 0.01), OK);
+        assert_eq!(fmu.set_real("coating_thickness", 0.3e-6), OK);
+        assert_eq!(fmu.set_integer("loading", 2), OK);
+    });
+    fmu.step_with(&[("displacement_amplitude", 1.5e-6), ("frequency", 10.0)], 0.0, 1.0);
+    assert_eq!((fmu.real("worn_through_time"), fmu.real("cycles_to_wear_through")), (0.0, 0.0));
+    fmu.step_with(&[], 1.0, 5000.0);
+    let life = joint.cycles_to_wear_through().unwrap();
+    assert_eq!(fmu.real("cycles_to_wear_through"), life);
+    assert!((fmu.real("worn_through_time") - life / 10.0).abs() < 1e-9 * life);
+    assert!(boolean(&fmu, "worn_through"));
+}
+
+/// Of several contacts as of one: not known without wear, and the message says how it is.
+#[test]
+fn work_per_area_is_read_with_next_to_no_wear() {
+    let file = File::with(TABLE);
+    for coefficient in [0.0, 1e-12] {
+        let fmu = with_contacts(&file, |fmu| assert_eq!(fmu.set_real("wear_coefficient", coefficient), OK));
+        fmu.step_with(&[("normal_force", 100.0), ("tangential_displacement", 2e-6)], 0.0, 1.0);
+        assert_eq!(fmu.real("energy_density[60]") > 0.0, coefficient > 0.0);
+        if coefficient == 0.0 {
+            let message = fmu.message();
+            assert!(message.contains("wear_coefficient = 1e-12"), "{message}");
+        }
+        assert!(fmu.messages().is_empty());
+    }
 }
 
 #[test]
