@@ -38,7 +38,8 @@ impl FrettingContact {
     /// Whether the wear depth has reached the thickness of the coating; never without a coating.
     ///
     /// Once an update of the profile has found it, it stays so. Between two updates the depth is
-    /// read, which costs the same as [`Self::wear_depth`].
+    /// read, at the cost and to the order of [`Self::wear_depth`]: within a percent of the
+    /// thickness it may be true early, and false again after the next update.
     pub fn worn_through(&self) -> bool {
         self.has_coating() && (self.state.coating.worn_through || self.wear_depth() >= self.thickness())
     }

@@ -10,13 +10,12 @@ impl Interface {
     /// Between two updates of the profiles the depth of [`Self::deepest_contact`] alone is read.
     /// [`FrettingContact::worn_through`] is that of one contact.
     pub fn worn_through(&self) -> bool {
-        self.has_coating()
-            && (self.is_known_worn_through() || self.read_deepest(FrettingContact::worn_through))
+        self.is_known_worn_through() || self.has_coating() && self.read_deepest(FrettingContact::worn_through)
     }
 
     /// Whether an update of a profile has found a coating worn through, at next to no cost.
     pub fn is_known_worn_through(&self) -> bool {
-        self.members.touched().any(|(_, contact)| contact.is_known_worn_through())
+        self.has_coating() && self.members.touched().any(|(_, contact)| contact.is_known_worn_through())
     }
 
     /// Cycles of [`Self::advance_cycles`] since the start after which the first coating wore
