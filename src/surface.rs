@@ -87,17 +87,6 @@ impl Surface {
         }
     }
 
-    /// Becomes another surface of this profile.
-    pub(crate) fn share_from(&mut self, other: &Self) {
-        let same = match (&self.worn, &other.worn) {
-            (Some(own), Some(others)) => Arc::ptr_eq(own, others),
-            (own, others) => own.is_none() && others.is_none(),
-        };
-        if !same {
-            self.worn.clone_from(&other.worn);
-        }
-    }
-
     pub(crate) fn set_worn(&mut self, nodes: Option<Nodes>) {
         self.worn = nodes.map(Arc::new);
     }

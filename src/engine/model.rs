@@ -59,16 +59,6 @@ impl Model {
         }
     }
 
-    /// Takes over the model of another time of the same contact.
-    pub(super) fn copy_from(&mut self, other: &Self) {
-        if !Arc::ptr_eq(&self.parameters, &other.parameters) {
-            self.parameters = other.parameters.clone();
-        }
-        let Self { constants, bound_slope, start_slope, compliance, axes, .. } = *other;
-        (self.constants, self.bound_slope, self.start_slope) = (constants, bound_slope, start_slope);
-        (self.compliance, self.axes) = (compliance, axes);
-    }
-
     /// Whether wear is computed.
     pub(super) fn wears(&self) -> bool {
         self.constants.wear_per_work > 0.0 && self.constants.friction_coefficient > 0.0

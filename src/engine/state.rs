@@ -136,8 +136,7 @@ impl FrettingContact {
 
     /// Marks the present state in the memory of an older mark.
     pub(crate) fn renew(&self, mark: &mut Mark) {
-        mark.model.copy_from(&self.model);
-        mark.surface.share_from(&self.surface);
+        (mark.model, mark.surface) = (self.model.clone(), self.surface.clone());
         mark.state.copy_from(&self.state, WearBacklog::share_from);
         mark.state.springs.trim();
     }
