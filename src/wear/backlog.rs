@@ -17,20 +17,22 @@ use std::sync::Arc;
 /// Bins of lengths whose widths grow with the length.
 #[derive(Debug, Clone, Copy)]
 struct Bins {
-    /// Leading bits of the mantissa that tell two bins of one octave apart.
-    bits: u32,
     /// Octaves below the depth at first slip in which lengths are distinguished.
     octaves: i64,
 }
 
-/// Those of the places of hinges: eight in an octave. See `docs/decisions/wear_backlog.md`.
-const OF_PLACES: Bins = Bins { bits: 3, octaves: 14 };
+/// Leading bits of the mantissa that tell two bins of one octave apart: there are eight. See
+/// `docs/decisions/wear_backlog.md`.
+const BITS: u32 = 3;
 
-/// Those of depths: eight in an octave. Slip under an eighth of the depth wears little.
-const OF_DEPTHS: Bins = Bins { bits: 3, octaves: 3 };
+/// Those of the places of hinges.
+const OF_PLACES: Bins = Bins { octaves: 14 };
+
+/// Those of depths. Slip under an eighth of the depth wears little.
+const OF_DEPTHS: Bins = Bins { octaves: 3 };
 
 /// Most bins in the range of a double.
-const MOST_BINS: i64 = 2048 << 3;
+const MOST_BINS: i64 = 2048 << BITS;
 
 /// Hinges of one bin, which is that of their places.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -94,18 +96,18 @@ const ROUNDING: f64 = 1e-11;
 
 impl Bins {
     /// Number of the bin in the range of a double.
-    fn number(self, length: f64) -> i64 {
-        (length.abs().to_bits() >> (f64::MANTISSA_DIGITS - 1 - self.bits)) as i64
+    fn number(length: f64) -> i64 {
+        (length.abs().to_bits() >> (f64::MANTISSA_DIGITS - 1 - BITS)) as i64
     }
 
     /// Number of the lowest bin for a contact of a given depth over the tip, m.
     fn least(self, overlap: f64) -> i64 {
-        (self.number(overlap) - (self.octaves << self.bits)).max(0)
+        (Self::number(overlap) - (self.octaves << BITS)).max(0)
     }
 
     /// Bin of a value that may be of either sign; those below the least are one.
     fn index(self, value: f64, least: i64) -> i64 {
-        let index = self.number(value) - least;
+        let index = Self::number(value) - least;
         if index <= 0 {
             0
         } else if value > 0.0 {

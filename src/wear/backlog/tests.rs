@@ -145,7 +145,7 @@ fn a_random_history_leaves_a_bounded_backlog() {
     let entries =
         |count: usize| strokes(&ends[..count], 3).levels.iter().map(|l| l.hinges.len()).sum::<usize>();
     let (short, long) = (entries(2000), entries(4000));
-    assert!(long <= (OF_PLACES.octaves << OF_PLACES.bits) as usize && long <= short + 16, "{short} {long}");
+    assert!(long <= (OF_PLACES.octaves << BITS) as usize && long <= short + 16, "{short} {long}");
 }
 
 /// Equal cycles are recognised by their law, and so is sliding onward; strokes of two amplitudes,
