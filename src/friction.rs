@@ -35,6 +35,13 @@ pub(crate) use slip::SlipPiece;
 /// Share of the largest bound by which a row may change where it is simplified.
 const SIMPLIFIED: f64 = 1e-9;
 
+/// Intervals that are looked at together where a row is coarsened.
+const GROUP: usize = 4;
+
+/// Widest over narrowest of them: the kinks of strokes that hardly differ, not a wide zone beside
+/// one, whose springs would slip too early or too late all together.
+const EVEN: f64 = 16.0;
+
 /// One knot of the spring row.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(crate) struct Knot {
@@ -154,6 +161,27 @@ impl Springs {
         self.knots = kept;
     }
 
+    /// Leaves out two of the three knots inside each four intervals where that changes the deflections by less
+    /// than `share` of the contact radius times the largest bound, in the integral; the integral
+    /// itself, and with it the force, stays. Small kinks become fewer and wider.
+    pub(crate) fn coarsen(&mut self, contact: &Contact, bound_slope: f64, share: f64) {
+        let most = share * contact.radius * bound_slope * contact.depth.abs();
+        let knots = &mut self.knots;
+        let (mut kept, mut next) = (0, 0);
+        while next + GROUP < knots.len() {
+            let replaced = replacement(&knots[next..=next + GROUP], most);
+            let taken = if replaced.is_some() { 1 } else { GROUP };
+            knots.copy_within(next..next + taken, kept);
+            kept += taken;
+            if let Some(knot) = replaced {
+                knots[kept] = knot;
+                kept += 1;
+            }
+            next += GROUP;
+        }
+        knots.drain(kept..next);
+    }
+
     /// Puts the springs outside radius `inner` (all, if that is 0) at their bound on one side.
     pub(crate) fn follow_bound(
         &mut self,
@@ -209,6 +237,35 @@ impl Springs {
         }
         zone
     }
+}
+
+/// The middle one of some knots with an origin that keeps ∫ e dx if the others inside are left out;
+/// `None` if ∫ |Δe| dx would exceed `most`, m², or if the intervals differ much.
+fn replacement(knots: &[Knot], most: f64) -> Option<Knot> {
+    let (first, middle, last) = (&knots[0], &knots[knots.len() / 2], &knots[knots.len() - 1]);
+    let integral = |p: &Knot, q: &Knot| Interval::between(&p.place, &q.place).linear(p.origin, q.origin);
+    let wanted: f64 = knots.windows(2).map(|pair| integral(&pair[0], &pair[1])).sum();
+    let at = |origin: f64| Knot { origin, ..*middle };
+    let given = |knot: &Knot| integral(first, knot) + integral(knot, last);
+    let (none, unit) = (given(&at(0.0)), given(&at(1.0)));
+    let knot = at((wanted - none) / (unit - none));
+    let line = |place: &Place| {
+        if place.x < knot.place.x {
+            interpolate(first, &knot, place.image)
+        } else {
+            interpolate(&knot, last, place.image)
+        }
+    };
+    let deviation = |knot: &Knot| (knot.origin - line(&knot.place)).abs();
+    let change: f64 = knots
+        .windows(2)
+        .map(|pair| (pair[1].place.x - pair[0].place.x) * deviation(&pair[0]).max(deviation(&pair[1])))
+        .sum();
+    let widths = knots.windows(2).map(|pair| pair[1].place.image - pair[0].place.image);
+    let (narrowest, widest) =
+        widths.fold((f64::INFINITY, 0f64), |(n, w), width| (n.min(width), w.max(width)));
+    // so that it also refuses what is no number
+    (change <= most && widest <= EVEN * narrowest).then_some(knot)
 }
 
 /// Origin at image g on the line between two knots.

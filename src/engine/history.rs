@@ -255,10 +255,11 @@ impl FrettingContact {
     }
 
     /// Takes over the state at the end of a path.
-    pub(super) fn arrive(&mut self, to: Contact, displacement: f64, springs: Springs, work: f64) {
+    pub(super) fn arrive(&mut self, to: Contact, displacement: f64, mut springs: Springs, work: f64) {
         let direction = self.direction_to(displacement);
         if self.state.contact.is_open() || (direction != 0.0 && direction != self.state.direction) {
             self.begin_stroke();
+            self.bound_knots(&mut springs);
         }
         self.memory.springs = std::mem::replace(&mut self.state.springs, springs);
         if direction != 0.0 {

@@ -370,3 +370,49 @@ fn the_error_of_the_work_of_a_line_of_force_is_small_and_of_second_order_in_its_
         assert!(errors[1] < 6e-5, "{profile:?}: {errors:?}");
     }
 }
+
+/// A vibration that dies down leaves a kink at each reversal. With fewer of them the force stays,
+/// and that of a motion which wipes them out one by one follows the share.
+#[test]
+fn a_coarser_row_has_the_force_and_nearly_the_future_of_a_fine_one() {
+    for profile in profiles() {
+        let surface = Surface::new(profile.clone());
+        let (mut fine, contact) = pressed(&surface, 2e-6);
+        let full = M * (contact.depth - surface.image(0.0));
+        let mut place = 0.0;
+        for k in 0..400 {
+            let end = 0.8 * full * (1.0 - f64::from(k) / 450.0) * if k % 2 == 0 { 1.0 } else { -1.0 };
+            fine = moved(&fine, &surface, contact, place, end).0;
+            place = end;
+        }
+        let fine = fine;
+        assert!(fine.knots().len() >= 390, "{profile:?}: {} knots", fine.knots().len());
+        let mut fewer = 0;
+        for share in [1e-3, 1e-4, 1e-5] {
+            let mut coarse = fine.clone();
+            let mut knots = fine.knots().len() + 1;
+            while coarse.knots().len() < knots {
+                knots = coarse.knots().len();
+                coarse.coarsen(&contact, M, share);
+            }
+            let unit = contact.radius * full;
+            let (kept, of) = (coarse.deflection_integral(place), fine.deflection_integral(place));
+            assert!((kept - of).abs() <= 1e-13 * unit, "{profile:?} {share}: {kept} for {of}");
+            let (mut worst, mut work) = (0f64, (0.0, 0.0));
+            let (mut coarse_now, mut fine_now, mut now) = (coarse, fine.clone(), place);
+            for k in 1..=60 {
+                let next = place + (0.9 * full - place) * f64::from(k) / 60.0;
+                let (row, w) = moved(&coarse_now, &surface, contact, now, next);
+                let (exact, exact_work) = moved(&fine_now, &surface, contact, now, next);
+                (coarse_now, fine_now, now) = (row, exact, next);
+                work = (work.0 + w, work.1 + exact_work);
+                let difference = coarse_now.deflection_integral(now) - fine_now.deflection_integral(now);
+                worst = worst.max(difference.abs() / unit);
+            }
+            assert!(worst <= 0.25 * share, "{profile:?} {share}: {worst} with {knots} knots");
+            assert!((work.0 / work.1 - 1.0).abs() <= share, "{profile:?} {share}: {work:?}");
+            assert!(knots > fewer, "{profile:?} {share}: {knots} knots, {fewer} at the share before");
+            fewer = knots;
+        }
+    }
+}

@@ -57,6 +57,12 @@ pub(crate) fn sampled_sphere(points: usize) -> ProfileTable {
     ProfileTable::new((0..points).map(at).collect()).expect("the points of a sphere are a profile")
 }
 
+/// Knots of the row of springs.
+pub(crate) fn knots(contact: &FrettingContact) -> usize {
+    let saved = serde_json::to_value(contact.snapshot()).expect("a state is plain data");
+    saved.pointer("/state/springs/knots").and_then(|knots| knots.as_array()).expect("a row").len()
+}
+
 /// A profile without wear under force control.
 pub(crate) fn without_wear(profile: Profile) -> Parameters {
     Parameters { profile, wear_coefficient: 0.0, ..Parameters::default() }
