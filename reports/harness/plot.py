@@ -109,6 +109,8 @@ def draw_points(axes, title, series, reference):
     axes.set_title(title, fontsize=9)
     axes.invert_xaxis()
     axes.grid(True, color="#dddddd", lw=0.6)
+    # room for the legend
+    axes.margins(y=0.25)
     axes.legend(fontsize=6.5, frameon=False)
 
 
