@@ -161,9 +161,10 @@ impl Springs {
         self.knots = kept;
     }
 
-    /// Leaves out two of the three knots inside each four intervals where that changes the deflections by less
-    /// than `share` of the contact radius times the largest bound, in the integral; the integral
-    /// itself, and with it the force, stays. Small kinks become fewer and wider.
+    /// Leaves out two of the three knots inside each four intervals where that changes the
+    /// deflections by less than `share` of the contact radius times the largest bound, in the
+    /// integral; the integral itself, and with it the force, stays. Small kinks become fewer and
+    /// wider.
     pub(crate) fn coarsen(&mut self, contact: &Contact, bound_slope: f64, share: f64) {
         let most = share * contact.radius * bound_slope * contact.depth.abs();
         let knots = &mut self.knots;
