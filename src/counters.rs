@@ -22,9 +22,6 @@ pub struct Counters {
     pub transform_tables: u64,
     /// Factorisations of the linearly implicit update.
     pub factorisations: u64,
-    /// Iterations of its solution on fine meshes; on others it is direct.
-    #[serde(default)]
-    pub solver_iterations: u64,
     /// Updates of the worn profile.
     pub profile_updates: u64,
     /// Cyclic steps that were rejected by the error control.
@@ -45,7 +42,6 @@ impl Counters {
             pressure_transforms: self.pressure_transforms + other.pressure_transforms,
             transform_tables: self.transform_tables + other.transform_tables,
             factorisations: self.factorisations + other.factorisations,
-            solver_iterations: self.solver_iterations + other.solver_iterations,
             profile_updates: self.profile_updates + other.profile_updates,
             rejected_steps: self.rejected_steps + other.rejected_steps,
             coating_trials: self.coating_trials + other.coating_trials,
@@ -58,7 +54,7 @@ impl fmt::Display for Counters {
         write!(
             f,
             "{} steps, {} spring walks, {} contact solutions, {} descent and {} pressure transforms, {} transform \
-             tables, {} factorisations, {} solver iterations, {} profile updates, {} rejected steps, {} coating trials",
+             tables, {} factorisations, {} profile updates, {} rejected steps, {} coating trials",
             self.steps,
             self.spring_walks,
             self.contact_solutions,
@@ -66,7 +62,6 @@ impl fmt::Display for Counters {
             self.pressure_transforms,
             self.transform_tables,
             self.factorisations,
-            self.solver_iterations,
             self.profile_updates,
             self.rejected_steps,
             self.coating_trials

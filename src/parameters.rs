@@ -62,7 +62,7 @@ pub struct Parameters {
     /// the drive behind it.
     #[serde(default = "rigid", with = "infinite_as_none")]
     pub rig_stiffness: f64,
-    /// Cells across the slipping annulus, 8 to 8192. Only wear and motion in the plane use them: on
+    /// Cells across the slipping annulus, 8 to 512. Only wear and motion in the plane use them: on
     /// a line forces are exact at any resolution.
     pub resolution: usize,
     /// Relative tolerance of the wear integration, in [1e-12, 0.1].
@@ -94,7 +94,7 @@ impl Default for Parameters {
 
 impl Parameters {
     /// Smallest and largest accepted [`Self::resolution`].
-    pub const RESOLUTION_RANGE: (usize, usize) = (8, 8192);
+    pub const RESOLUTION_RANGE: (usize, usize) = (8, 512);
 
     /// A [`Self::rig_stiffness`] from which on the contact is driven directly, N/m.
     pub const RIGID: f64 = 1e60;
@@ -179,7 +179,8 @@ impl Parameters {
         }
         let (least, most) = Self::RESOLUTION_RANGE;
         if !(least..=most).contains(&self.resolution) {
-            let requirement = "the number of cells across the contact lies in 8 to 8192";
+            let requirement = "the number of cells across the contact lies in 8 to 512; give 64, or 128 to 256 with tolerance = 1e-4 for \
+                               the profile next to the stick zone";
             return Err(Error::Parameter { name: "resolution", value: self.resolution as f64, requirement });
         }
         Ok(())

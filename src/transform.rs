@@ -24,7 +24,6 @@ mod tree;
 
 pub use abel::{Abel, CROSSOVER, Scratch};
 pub use cell::Density;
-pub(crate) use cell::add_inverse;
 pub use dense::DenseAbel;
 pub use fast::FastAbel;
 pub(crate) use fixed::FixedImage;

@@ -321,7 +321,7 @@ fn page(lines: &[Line], coupling: &coupling::Coupling) -> String {
          for the image in depths d, which over the disc is that volume, and for the volume itself); profile never below the \
          unworn one; a refusal changes nothing. Where a scene splits its way, T (in μF_N) and worn volume have to \
          agree to {} tolerances with wear and to {:.0e} without. *Worst* is the invariant nearest to its bound, or \
-         farthest beyond it. A scene is given up after {} s. Resolutions beyond 512 run cycles and, without wear, a varying load.\n",
+         farthest beyond it. A scene is given up after {} s.\n",
         judge::COULOMB,
         judge::SPLIT_IN_TOLERANCES,
         judge::SPLIT_WITHOUT_WEAR,

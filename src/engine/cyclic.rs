@@ -10,10 +10,7 @@ use crate::error::Error;
 use crate::friction::{Path, Springs};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Amount, IntegrationSettings, Motion, Rig, Sliding, UnitMesh, integrate};
-
-/// Most cells of the moving mesh.
-const MOST_CELLS: usize = 8192;
+use crate::wear::{Amount, IntegrationSettings, Motion, Rig, Sliding, integrate};
 
 /// Many cycles in one call.
 impl FrettingContact {
@@ -135,7 +132,7 @@ impl FrettingContact {
             _ => 0.0,
         };
         let settings = IntegrationSettings {
-            cells: UnitMesh::cells_from(self.model.parameters.resolution.min(MOST_CELLS)),
+            cells: self.model.parameters.resolution,
             tolerance: self.model.parameters.tolerance,
             last_step,
         };

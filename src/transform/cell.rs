@@ -27,7 +27,7 @@ impl Density {
 /// Adds the weights of k or v at the nodes `cells.start..=cells.end` in (1/π) ∫ k dX/√(Z − X), k =
 /// v/√X, over these cells, all of them below Z. `square` are the nodes X, `root` their square
 /// roots; one weight per node.
-pub(crate) fn add_inverse(
+pub(super) fn add_inverse(
     density: Density,
     square: &[f64],
     root: &[f64],

@@ -78,19 +78,6 @@ impl FastAbel {
         });
     }
 
-    /// Writes a functional Σ fⱼ vⱼ of the values as one of their inverse transforms, Σ fᵢ' sᵢ, in
-    /// place: the transpose of [`Self::abel`]. For [`Density::Quotient`] the first entry becomes
-    /// the weight of the value at the first node.
-    pub fn abel_transposed(&self, functional: &mut [f64], scratch: &mut Scratch) {
-        let total: f64 = functional.iter().sum();
-        let (_, expansions) = scratch.parts(self.nodes);
-        self.outward.solve_transposed(functional, expansions);
-        if self.density == Density::Image {
-            // the inverse transform of a constant is itself
-            functional[0] = total - functional[1..].iter().sum::<f64>();
-        }
-    }
-
     /// Pressure −(1/π) ∫ q' dX/√(X − Zᵢ) from Zᵢ = Xᵢ to Xₙ, for q linear in X between the values
     /// given at the nodes; 0 at the last node.
     pub fn pressure(&self, q: &[f64], out: &mut [f64], scratch: &mut Scratch) {

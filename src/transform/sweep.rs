@@ -6,8 +6,6 @@
 //! needs is known when it is reached, whether the values at the sources were given or are computed
 //! on the way. What is zero up to a target adds exactly nothing.
 
-mod adjoint;
-
 use super::cell::{self, Density};
 use super::dot;
 use super::interpolation::{ORDER, Row, add_scaled, product};

@@ -10,14 +10,12 @@
 //!
 //! φ = (p+1) ξᵖ − p ξᵖ⁺¹ at even ξ: cells shrink like ξᵖ⁻¹ towards the stick edge, where the image
 //! develops a jump and the depth a square-root cusp, and like 1 − ξ towards the contact edge, where
-//! the depth ends with the power 3/2. Every other node of a mesh makes one of half as many cells.
+//! the depth ends with the power 3/2.
 
-mod diagonal;
 mod weights;
 
 use crate::surface::Region;
-use crate::transform::{Density, FastAbel, Scratch, dot};
-use std::cell::RefCell;
+use crate::transform::dot;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use weights::{annulus_integrals, annulus_table, disc_integrals, disc_table};
 
@@ -31,11 +29,10 @@ pub(crate) struct UnitMesh {
     /// Weights of the node before, the node and the one after in φ d/dφ at a node: second order in
     /// ξ, for systems to be solved.
     pub(crate) drift: Vec<[f64; 3]>,
-    transforms: Transforms,
-    /// The mesh of every other node, where the transforms are fast.
-    pub(crate) coarser: Option<Arc<UnitMesh>>,
-    /// Of these, what [`Self::relief`] gives, without and with a rim.
-    relief: [Vec<f64>; 2],
+    /// Row i: D̂ᵢ₀ … D̂ᵢᵢ.
+    inverse: Vec<f64>,
+    /// Row i: K̂ᵢᵢ … K̂ᵢₙ; its last column is that of a line which falls to zero at the last node.
+    pressure: Vec<f64>,
     /// Last column of K̂ for a body that ends at the last node, where the line jumps to zero.
     pub(crate) rim: Vec<f64>,
     /// ∫ h dx = √L Σ width·z.
@@ -46,30 +43,6 @@ pub(crate) struct UnitMesh {
     pub(crate) volume: Functional,
     /// V = L Σ volume_of_image·z.
     pub(crate) volume_of_image: Vec<f64>,
-}
-
-#[derive(Debug)]
-enum Transforms {
-    Tables {
-        /// Row i: D̂ᵢ₀ … D̂ᵢᵢ.
-        inverse: Vec<f64>,
-        /// Row i: K̂ᵢᵢ … K̂ᵢₙ; its last column is that of a line which falls to zero at the last
-        /// node.
-        pressure: Vec<f64>,
-    },
-    Fast(FastAbel),
-}
-
-/// Most cells of a mesh whose steps are solved directly, with tables. Measured: both ways take 1 ms
-/// at 192 cells, at 256 cells the direct one is slower by a half to two, at 512 cells by six.
-const MOST_DIRECT: usize = 192;
-
-/// Most cells of the coarsest mesh under a finer one.
-const COARSEST: usize = 64;
-
-thread_local! {
-    /// Memory of the fast transforms.
-    static SCRATCH: RefCell<Scratch> = RefCell::default();
 }
 
 /// A linear functional Σ fⱼ zⱼ written in the depths: Σ wᵢ·depthᵢ + inner·z₀ (z₀ counts on an
@@ -132,39 +105,17 @@ impl UnitMesh {
     }
 
     fn new(region: Region, cells: usize) -> Self {
-        Self::graded(region, cells, grading(region, cells), cells > MOST_DIRECT)
+        Self::graded(region, cells, grading(region, cells))
     }
 
-    /// The least number of cells from the given one on that a mesh can have: a large one has to be
-    /// halved down to a small one.
-    pub(crate) fn cells_from(cells: usize) -> usize {
-        let mut step = 1;
-        if cells > MOST_DIRECT {
-            while cells.div_ceil(step) > COARSEST {
-                step *= 2;
-            }
-        }
-        cells.next_multiple_of(step)
-    }
-
-    /// The mesh with a given power of the grading; the transforms are tables or, with `halved`,
-    /// fast and followed by the meshes of half as many cells and so on.
-    pub(super) fn graded(region: Region, cells: usize, p: f64, halved: bool) -> Self {
+    /// The mesh with a given power of the grading.
+    pub(super) fn graded(region: Region, cells: usize, p: f64) -> Self {
         let xi = |i: usize| i as f64 / cells as f64;
         let share: Vec<f64> = (0..=cells).map(|i| xi(i).powf(p) * ((p + 1.0) - p * xi(i))).collect();
         let drift = (0..=cells).map(|i| weights::drift_at(p, i, cells)).collect();
-        let (width, volume) = match region {
-            Region::Annulus => annulus_integrals(&share),
-            Region::Disc => disc_integrals(&share),
-        };
-        let transforms = if halved && cells > COARSEST {
-            Transforms::Fast(FastAbel::new(&share, density(region)))
-        } else {
-            let inverse = match region {
-                Region::Annulus => annulus_table(&share),
-                Region::Disc => disc_table(&share),
-            };
-            Transforms::Tables { inverse, pressure: weights::pressure_table(&share) }
+        let ((width, volume), inverse) = match region {
+            Region::Annulus => (annulus_integrals(&share), annulus_table(&share)),
+            Region::Disc => (disc_integrals(&share), disc_table(&share)),
         };
         let mut edge = vec![0.0; cells + 1];
         edge[cells] = 1.0;
@@ -173,10 +124,8 @@ impl UnitMesh {
             region,
             cells,
             drift,
-            transforms,
-            relief: Default::default(),
-            coarser: (halved && cells > COARSEST)
-                .then(|| Arc::new(Self::graded(region, cells / 2, p, halved))),
+            inverse,
+            pressure: weights::pressure_table(&share),
             rim: weights::rim_column(&share),
             share,
             width,
@@ -185,9 +134,6 @@ impl UnitMesh {
             volume: empty(),
             volume_of_image: volume,
         };
-        if halved {
-            mesh.relief = [false, true].map(|rim| diagonal::relief(&mesh, rim));
-        }
         mesh.edge_image = mesh.in_depths(edge);
         mesh.mean_image = mesh.in_depths(mesh.width.clone());
         mesh.volume = mesh.in_depths(mesh.volume_of_image.clone());
@@ -217,43 +163,30 @@ impl UnitMesh {
         }
     }
 
-    /// (K̂ D̂⁻¹)ᵢᵢ to about a hundredth, with the last node's column as [`Self::pressure`] has it;
-    /// 0 at a first node that is given. For meshes with one of half as many cells and for the last
-    /// of these.
-    pub(crate) fn relief(&self, rim: bool) -> &[f64] {
-        &self.relief[usize::from(rim)]
+    /// D̂ᵢ₀ … D̂ᵢᵢ.
+    pub(crate) fn inverse_row(&self, i: usize) -> &[f64] {
+        let start = i * (i + 1) / 2;
+        &self.inverse[start..=start + i]
     }
 
-    /// Tables of both transforms, where there are any.
-    pub(crate) fn tables(&self) -> Option<Tables<'_>> {
-        match &self.transforms {
-            Transforms::Tables { inverse, pressure } => Some(Tables { cells: self.cells, inverse, pressure }),
-            Transforms::Fast(_) => None,
-        }
+    /// K̂ᵢᵢ … K̂ᵢₙ; the last column is that of a line which falls to zero at the last node.
+    pub(crate) fn pressure_row(&self, i: usize) -> &[f64] {
+        let start = i * (self.cells + 1) - i * i.saturating_sub(1) / 2;
+        &self.pressure[start..start + self.cells + 1 - i]
     }
 
     /// w = D̂ z.
     pub(crate) fn inverse_abel(&self, z: &[f64], w: &mut [f64]) {
-        match &self.transforms {
-            Transforms::Tables { inverse, .. } => {
-                for i in 0..=self.cells {
-                    w[i] = dot(row_of(inverse, i), &z[..=i]);
-                }
-            }
-            Transforms::Fast(fast) => with_scratch(|scratch| fast.inverse_abel(z, w, scratch)),
+        for i in 0..=self.cells {
+            w[i] = dot(self.inverse_row(i), &z[..=i]);
         }
     }
 
     /// z with D̂ z = w; z₀ has to be set before on an annulus.
     pub(crate) fn abel(&self, w: &[f64], z: &mut [f64]) {
-        match &self.transforms {
-            Transforms::Tables { inverse, .. } => {
-                for i in self.first()..=self.cells {
-                    let row = row_of(inverse, i);
-                    z[i] = (w[i] - dot(&row[..i], &z[..i])) / row[i];
-                }
-            }
-            Transforms::Fast(fast) => with_scratch(|scratch| fast.abel(w, z, scratch)),
+        for i in self.first()..=self.cells {
+            let row = self.inverse_row(i);
+            z[i] = (w[i] - dot(&row[..i], &z[..i])) / row[i];
         }
     }
 
@@ -261,22 +194,8 @@ impl UnitMesh {
     /// there.
     pub(crate) fn pressure(&self, q: &[f64], rim: bool, p: &mut [f64]) {
         let n = self.cells;
-        match &self.transforms {
-            Transforms::Tables { pressure, .. } => {
-                let tables = Tables { cells: n, inverse: &[], pressure };
-                for i in 0..=n {
-                    p[i] = dot(&tables.pressure_row(i)[..n - i], &q[i..n]);
-                }
-            }
-            Transforms::Fast(fast) => {
-                with_scratch(|scratch| fast.pressure(q, p, scratch));
-                if q[n] != 0.0 {
-                    // the last value counts through the rim only
-                    for (i, p) in p.iter_mut().enumerate().take(n) {
-                        *p += q[n] * weights::pressure_weight(&self.share, i, n - 1);
-                    }
-                }
-            }
+        for i in 0..=n {
+            p[i] = dot(&self.pressure_row(i)[..n - i], &q[i..n]);
         }
         if rim {
             p.iter_mut().zip(&self.rim).for_each(|(p, rim)| *p += rim * q[n]);
@@ -287,60 +206,14 @@ impl UnitMesh {
     fn in_depths(&self, f: Vec<f64>) -> Functional {
         let first = self.first();
         let mut y = f;
-        match &self.transforms {
-            Transforms::Tables { inverse, .. } => {
-                for i in (first..=self.cells).rev() {
-                    let row = row_of(inverse, i);
-                    y[i] /= row[i];
-                    let value = y[i];
-                    y.iter_mut().zip(&row[..i]).for_each(|(y, weight)| *y -= value * weight);
-                }
-            }
-            Transforms::Fast(fast) => with_scratch(|scratch| fast.abel_transposed(&mut y, scratch)),
+        for i in (first..=self.cells).rev() {
+            let row = self.inverse_row(i);
+            y[i] /= row[i];
+            let value = y[i];
+            y.iter_mut().zip(&row[..i]).for_each(|(y, weight)| *y -= value * weight);
         }
         let inner = if first == 1 { std::mem::take(&mut y[0]) } else { 0.0 };
         Functional { depth: y, inner }
-    }
-}
-
-/// Tables of both transforms.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Tables<'a> {
-    cells: usize,
-    inverse: &'a [f64],
-    pressure: &'a [f64],
-}
-
-impl<'a> Tables<'a> {
-    /// D̂ᵢ₀ … D̂ᵢᵢ.
-    pub(crate) fn inverse_row(self, i: usize) -> &'a [f64] {
-        row_of(self.inverse, i)
-    }
-
-    /// K̂ᵢᵢ … K̂ᵢₙ; the last column is that of a line which falls to zero at the last node.
-    pub(crate) fn pressure_row(self, i: usize) -> &'a [f64] {
-        let start = i * (self.cells + 1) - i * i.saturating_sub(1) / 2;
-        &self.pressure[start..start + self.cells + 1 - i]
-    }
-}
-
-/// Row i of a lower triangle.
-fn row_of(table: &[f64], i: usize) -> &[f64] {
-    let start = i * (i + 1) / 2;
-    &table[start..=start + i]
-}
-
-fn with_scratch(mut call: impl FnMut(&mut Scratch)) {
-    // a thread that ends has none any more
-    if SCRATCH.try_with(|scratch| call(&mut scratch.borrow_mut())).is_err() {
-        call(&mut Scratch::default());
-    }
-}
-
-fn density(region: Region) -> Density {
-    match region {
-        Region::Annulus => Density::Quotient,
-        Region::Disc => Density::Image,
     }
 }
 

@@ -10,13 +10,11 @@
 //! comes on top.) The nodes move with a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN
 //! with A = a². All fields stay smooth in the mesh coordinate, at the moving edge too.
 
-mod direct;
 mod edge;
 mod front;
 mod frozen;
 mod linear;
 mod motion;
-mod multigrid;
 mod rate;
 mod rig;
 mod volume;

@@ -76,7 +76,7 @@ pub(crate) fn step(
         if !patch.rim {
             right[nodes - 1] = 0.0;
         }
-        let (mut increment, mut change) = linear.solve(&right, counters)?;
+        let (mut increment, mut change) = linear.solve(&right)?;
         // the volume has no feedback on the rest, but its rate falls with the depths like theirs
         let volume_increment = volume_rate + cycles * GAMMA * change;
         for (coupling, (before, change_before)) in COUPLING[stage].iter().zip(increments.iter().zip(&changes))

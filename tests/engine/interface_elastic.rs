@@ -208,7 +208,7 @@ fn a_ring_that_turns_bears_the_moment_of_its_contacts() {
     };
     let summits: Vec<_> = (0..count).map(place).collect();
     // in the plane the springs are sampled
-    let mut joint = Interface::new(Parameters { resolution: 2048, ..without_wear(BALL) }, &summits).unwrap();
+    let mut joint = Interface::new(Parameters { resolution: 512, ..without_wear(BALL) }, &summits).unwrap();
     joint.start_at(force, [0.0; 2], 0.0).unwrap();
     let radius = (0.75 * FORCE * 0.01 / E_STAR).cbrt();
     let stiffness = f64::from(count) * 2.0 * G_STAR * radius;
@@ -269,7 +269,7 @@ fn gradients_are_those_of_differences() {
     let place = |k: usize, summit: Summit| Summit { x: 1e-3 * k as f64, y: 2e-3 - 5e-4 * k as f64, ..summit };
     let summits: Vec<_> = rough(8, 2e-6).into_iter().enumerate().map(|(k, s)| place(k, s)).collect();
     // in the plane the springs are sampled
-    let mut joint = Interface::new(Parameters { resolution: 2048, ..without_wear(BALL) }, &summits).unwrap();
+    let mut joint = Interface::new(Parameters { resolution: 512, ..without_wear(BALL) }, &summits).unwrap();
     joint.start_at(400.0, [0.0; 2], 0.0).unwrap();
     joint.advance_to(400.0, [0.7e-6, 0.4e-6], 1e-4).unwrap();
     type Read = (&'static str, fn(&Interface) -> f64, fn(&Interface) -> Gradient);

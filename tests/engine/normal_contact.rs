@@ -4,7 +4,7 @@ use crate::common::*;
 use fretting_contact::reference::{NormalContact, Shape};
 use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
 
-const RESOLUTIONS: [usize; 3] = [8, 64, 1024];
+const RESOLUTIONS: [usize; 3] = [8, 64, 512];
 
 /// Forces over twelve decades, N.
 fn forces() -> impl Iterator<Item = f64> {

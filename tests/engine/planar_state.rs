@@ -152,7 +152,7 @@ fn derivatives_agree_with_differences_along_the_path() {
     for control in [NormalControl::Force, NormalControl::Indentation] {
         for profile in [BALL, CONE, ROUNDED] {
             let parameters =
-                Parameters { normal_control: control, resolution: 1024, ..without_wear(profile.clone()) };
+                Parameters { normal_control: control, resolution: 512, ..without_wear(profile.clone()) };
             let mut contact = contact(parameters);
             let load = if control == NormalControl::Force { FORCE } else { 3e-6 };
             contact.start_at(load, 0.0).unwrap();

@@ -76,8 +76,8 @@ fn numbers_that_are_no_item_or_out_of_range() {
         ("profile", 9, "8 = ellipse"),
         ("normal_control", 3, "2 = indentation"),
         ("loading", -1, "2 = cyclic"),
-        ("resolution", 7, "give 8 to 8192"),
-        ("resolution", 8193, "give 8 to 8192"),
+        ("resolution", 7, "give 8 to 512"),
+        ("resolution", 513, "give 8 to 512"),
     ] {
         fmu.refused(
             fmu.set_integer(name, value),

@@ -73,25 +73,6 @@ pub(super) fn fineness(add: Add) {
         let parameters = Parameters { resolution, ..Parameters::default() };
         add("resolution", resolution.to_string(), Box::new(move |j| standard(j, &parameters, FORCE)));
     }
-    for resolution in [1024, 2048, 4096, 8192] {
-        for (kind, parameters) in [("loads vary, no wear", without_wear()), ("cycles", Parameters::default())]
-        {
-            let parameters = Parameters { resolution, ..parameters };
-            let run = move |j: &mut Judge| {
-                let (worn, amplitude) = wearing(&parameters, FORCE, SEED)?;
-                let mut contact = pressed(if kind.contains("no wear") { &parameters } else { &worn }, FORCE)?;
-                if kind.contains("no wear") {
-                    for k in 0..20 {
-                        let (load, place) = (1.0 + 0.9 * f64::from(k).sin(), (2.7 * f64::from(k)).sin());
-                        j.step(&mut contact, |c| c.advance_to(load * FORCE, place * amplitude))?;
-                    }
-                    return Ok(());
-                }
-                j.step(&mut contact, |c| c.advance_cycles(FORCE, amplitude, 0.2 * SEED))
-            };
-            add("resolution", format!("{resolution}, {kind}"), Box::new(run));
-        }
-    }
     for tolerance in [0.1, 1e-2, 1e-4, 1e-6] {
         let parameters = Parameters { tolerance, ..Parameters::default() };
         add("tolerance", format!("{tolerance:e}"), Box::new(move |j| standard(j, &parameters, FORCE)));

@@ -227,26 +227,3 @@ fn scratch_carries_nothing_from_one_call_to_the_next() {
     of_long.inverse_abel(&v, &mut out, &mut scratch);
     assert_eq!(out, apply(|v, o, t| of_long.inverse_abel(v, o, t), &v));
 }
-
-#[test]
-fn a_functional_of_the_values_is_one_of_their_transforms() {
-    let meshes = GRADINGS.iter().map(|&(name, grading)| (name, nodes(grading, 1500)));
-    for (name, x) in meshes.chain([("clusters", clusters(3000)), ("short", clusters(20))]) {
-        for density in [Density::Quotient, Density::Image] {
-            let fast = FastAbel::new(&x, density);
-            let width = x[x.len() - 1];
-            let s = values(&x, |x| (5.0 * x / width).sin() + 0.3 * x / width);
-            let v = abel(&fast, 0.4, &s);
-            // an integral over v
-            let mut functional = values(&x, |x| (x / width - 0.3).exp() / x.max(1e-3 * width));
-            functional[0] = 0.7;
-            let direct: f64 = functional.iter().zip(&v).map(|(f, v)| f * v).sum();
-            fast.abel_transposed(&mut functional, &mut Scratch::default());
-            let inner = if density == Density::Quotient { 0.4 } else { s[0] };
-            let other: f64 =
-                functional[0] * inner + functional[1..].iter().zip(&s[1..]).map(|(f, s)| f * s).sum::<f64>();
-            let size: f64 = functional.iter().zip(&s).map(|(f, s)| (f * s).abs()).sum();
-            assert!((direct - other).abs() < 1e-12 * size, "{name}, {density:?}: {direct} {other} {size:e}");
-        }
-    }
-}

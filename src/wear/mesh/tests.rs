@@ -48,7 +48,7 @@ fn the_drift_is_of_fourth_order() {
         // w = sin 2ξ − 2ξ + (4/3) ξ³, of fifth order at ξ = 0, where the last neighbours are
         // missing
         let error = |n: usize| {
-            let mesh = UnitMesh::graded(region, n, p, false);
+            let mesh = UnitMesh::graded(region, n, p);
             let xi = |i: usize| i as f64 / n as f64;
             let w = |x: f64| (2.0 * x).sin() - 2.0 * x + 4.0 / 3.0 * x.powi(3);
             let slope = |x: f64| 2.0 * (2.0 * x).cos() - 2.0 + 4.0 * x * x;
@@ -99,53 +99,4 @@ fn equal_meshes_are_shared() {
     let (a, b) = (UnitMesh::shared(Region::Disc, 24), UnitMesh::shared(Region::Disc, 24));
     assert!(Arc::ptr_eq(&a, &b));
     assert!(!Arc::ptr_eq(&a, &UnitMesh::shared(Region::Annulus, 24)));
-}
-
-#[test]
-fn a_mesh_that_is_halved_has_the_transforms_of_tables() {
-    for region in [Region::Annulus, Region::Disc] {
-        let [tables, halved] = [false, true].map(|halved| UnitMesh::graded(region, 320, 3.0, halved));
-        assert!(tables.tables().is_some() && halved.tables().is_none());
-        let z: Vec<f64> = tables.share.iter().map(|x| 0.3 + x - 2.0 * x * x).collect();
-        let both = |call: &dyn Fn(&UnitMesh, &mut [f64])| {
-            [&tables, &halved].map(|mesh| {
-                let mut out = vec![z[0]; 321];
-                call(mesh, &mut out);
-                out
-            })
-        };
-        let mut pairs = vec![
-            both(&|mesh, out| mesh.inverse_abel(&z, out)),
-            both(&|mesh, out| mesh.abel(&z, out)),
-            both(&|mesh, out| mesh.pressure(&z, false, out)),
-            both(&|mesh, out| mesh.pressure(&z, true, out)),
-        ];
-        let functionals = |mesh: &UnitMesh| {
-            let all = [&mesh.edge_image, &mesh.mean_image, &mesh.volume];
-            all.map(|functional| functional.of(&z, z[0])).to_vec()
-        };
-        pairs.push([functionals(&tables), functionals(&halved)]);
-        for (k, [a, b]) in pairs.iter().enumerate() {
-            let size = a.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
-            let error = a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-            assert!(error < 1e-10 * size, "{region:?}, {k}: {error:e} of {size:e}");
-        }
-    }
-}
-
-#[test]
-fn meshes_are_halved_down_to_one_with_tables() {
-    for asked in [64, 193, 300, 1000, 5000, 16384] {
-        let cells = UnitMesh::cells_from(asked);
-        assert!((asked..asked + asked / 20 + 1).contains(&cells), "{asked}: {cells}");
-        let mesh = UnitMesh::shared(Region::Annulus, cells);
-        let mut coarsest = &*mesh;
-        while let Some(coarser) = &coarsest.coarser {
-            assert_eq!(coarser.cells * 2, coarsest.cells);
-            let pairs = coarser.share.iter().zip(coarsest.share.iter().step_by(2));
-            assert!(pairs.into_iter().all(|(a, b)| (a - b).abs() <= 1e-15));
-            coarsest = coarser;
-        }
-        assert!(coarsest.tables().is_some() && coarsest.cells <= asked.min(MOST_DIRECT));
-    }
 }

@@ -33,7 +33,7 @@ const SHARES: [f64; 16] = [
 
 const LENGTHS: [f64; 8] = [0.1, 1.0, 0.0, 1e-3, 1e-12, 1e9, -1.0, f64::NAN];
 const INTEGERS: [i32; 8] = [1, 2, 3, 4, 5, 6, 7, 8];
-const ODD_INTEGERS: [i32; 8] = [0, -1, 9, 12, 16, 8192, 8193, i32::MAX];
+const ODD_INTEGERS: [i32; 8] = [0, -1, 9, 12, 16, 512, 513, i32::MAX];
 
 impl Record {
     pub(crate) fn kind(self) -> u8 {
