@@ -168,8 +168,8 @@ fn splitting_steps_at_constant_load_changes_nothing() {
     }
 }
 
-/// T at the ends of straight lines in load and drive, each walked in so many steps, on so many cells
-/// for the springs that touch.
+/// T at the ends of straight lines in load and drive, each walked in so many steps, on so many
+/// cells for the springs that touch.
 fn forces(ratio: f64, targets: &[(f64, f64)], steps: usize, resolution: usize) -> Vec<f64> {
     let compliance = 1.0 / (ratio * 2.0 * G_STAR * exact(&BALL, FORCE).normal.radius());
     let parameters = Parameters { rig_stiffness: 1.0 / compliance, resolution, ..without_wear(BALL) };

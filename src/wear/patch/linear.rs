@@ -1,5 +1,5 @@
-//! The linear system (1 − γτ J) x = y of a step, as D̂ − γτ J D̂ in the unknowns z at the nodes first
-//! ..= n, and its LU factors. At a moving edge its last row keeps the depth there.
+//! The linear system (1 − γτ J) x = y of a step, as D̂ − γτ J D̂ in the unknowns z at the nodes
+//! first ..= n, and its LU factors. At a moving edge its last row keeps the depth there.
 
 use super::{EdgeCondition, Patch, Rate};
 use crate::counters::Counters;
