@@ -41,8 +41,8 @@ fn parameters(wear_coefficient: f64, resolution: usize) -> Parameters {
 }
 
 /// Steps of 1000 contacts; the load swings by 30 % in two thirds of the frequency.
-fn run(name: &str, wear_coefficient: f64, resolution: usize, steps: u32) {
-    let mut joint = Interface::new(parameters(wear_coefficient, resolution), &summits(1000, 1e-6)).unwrap();
+fn run(name: &str, parameters: Parameters, steps: u32) {
+    let mut joint = Interface::new(parameters, &summits(1000, 1e-6)).unwrap();
     let before = live_bytes();
     joint.start_at(100.0, [0.0; 2], 0.0).unwrap();
     let (now, began) = (Instant::now(), spent(Instant::now()));
@@ -90,8 +90,15 @@ fn main() {
         ("tenfold wear, 16 cells", 3.2e-3, 16, 1000),
     ] {
         if asked(name) {
-            run(name, wear_coefficient, resolution, if benchmark { steps } else { 20 });
+            run(name, parameters(wear_coefficient, resolution), if benchmark { steps } else { 20 });
         }
+    }
+    let name = "running in";
+    if asked(name) {
+        // the energy of a contact in a few cycles
+        let parameters =
+            Parameters { friction_coefficient_final: 0.9, running_in_energy: 1e-6, ..parameters(0.0, 64) };
+        run(name, parameters, if benchmark { 300 } else { 20 });
     }
     let name = "cycles, 16 cells, 1e5 in one call";
     if asked(name) {

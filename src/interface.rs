@@ -18,6 +18,9 @@
 //! Without wear this is the model of Greenwood and Williamson (Proc. R. Soc. A 295, 1966) with the
 //! friction of Cattaneo and Mindlin in each contact.
 //!
+//! Friction that runs in does so in each contact by its own work: μᵢ(Wᵢ), with one
+//! `running_in_energy` for a contact of any size. In sliding T = Σ μᵢ Fᵢ.
+//!
 //! # Limits of validity
 //! Contacts do not feel each other through the half-space: the surface displacement
 //! u(r) = F(1 − ν²)/(πEr) of a neighbour, taken as E* of both, is neglected against the depth. In
@@ -102,19 +105,13 @@ impl Interface {
     ///
     /// # Errors
     /// Those of [`FrettingContact::new`]; [`Error::ContactsTable`] for summits that are not valid;
-    /// [`Error::Parameter`] for what an interface does not have: a rig stiffness and friction
-    /// that runs in.
+    /// [`Error::Parameter`] for what an interface does not have: a rig stiffness.
     pub fn new(parameters: Parameters, summits: &[Summit]) -> Result<Self, Error> {
         parameters.validate()?;
         if parameters.rig_compliance() > 0.0 {
             let requirement = "an interface of several contacts is driven directly: leave it infinite (1e60 N/m or more in the FMU)";
             let value = parameters.rig_stiffness;
             return Err(Error::Parameter { name: "rig_stiffness", value, requirement });
-        }
-        if parameters.running_in_energy > 0.0 {
-            let requirement = "friction of an interface is constant: leave it at 0";
-            let value = parameters.running_in_energy;
-            return Err(Error::Parameter { name: "running_in_energy", value, requirement });
         }
         Summit::check_number(summits.len())?;
         for (index, summit) in summits.iter().enumerate() {

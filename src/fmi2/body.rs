@@ -140,6 +140,7 @@ impl Body {
             Self::Many(interface) => match output.whole {
                 Whole::Sum => interface.sum(output.read),
                 Whole::Deepest => interface.read_deepest(output.read),
+                Whole::Friction => interface.friction_coefficient_now(),
                 Whole::Own { read, .. } => read(interface),
             },
         }
@@ -152,6 +153,7 @@ impl Body {
             Self::Many(interface) => match output.whole {
                 Whole::Sum => interface.total_gradient(output.gradient),
                 Whole::Deepest => interface.deepest_gradient(output.gradient),
+                Whole::Friction => interface.friction_coefficient_gradient(),
                 Whole::Own { gradient, .. } => gradient(interface),
             },
         }
@@ -166,6 +168,9 @@ impl Body {
     ) -> f64 {
         match (self, output.whole) {
             (Self::Many(interface), Whole::Sum) => interface.sum(|contact| per_cycle(contact, amplitude)),
+            (Self::Many(interface), Whole::Friction) => {
+                interface.mean_by_load(|contact| per_cycle(contact, amplitude))
+            }
             _ => self.read(|contact| per_cycle(contact, amplitude)),
         }
     }

@@ -251,6 +251,8 @@ pub(super) enum Whole {
     Sum,
     /// That of the contact which is worn deepest.
     Deepest,
+    /// The coefficient of friction: the mean over the contacts by their normal forces.
+    Friction,
     /// A quantity of the interface.
     Own { read: fn(&Interface) -> f64, gradient: fn(&Interface) -> Gradient },
 }

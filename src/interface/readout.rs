@@ -72,6 +72,27 @@ impl Interface {
         self.sum(FrettingContact::profile_volume)
     }
 
+    /// Mean of a quantity over the contacts by their normal forces; of separated bodies that of
+    /// [`Self::deepest_contact`].
+    pub fn mean_by_load(&self, of: impl Fn(&FrettingContact) -> f64) -> f64 {
+        let total = self.normal_reaction();
+        if total > 0.0 {
+            self.sum(|contact| of(contact) * contact.normal_reaction()) / total
+        } else {
+            self.read_deepest(of)
+        }
+    }
+
+    /// Coefficient of friction at the present: Σ μᵢ Fᵢ/Σ Fᵢ, the ratio of the tangential to the
+    /// normal force in sliding; of separated bodies that of [`Self::deepest_contact`].
+    /// [`FrettingContact::friction_coefficient_now`] of [`Self::contact`] is that of one contact.
+    pub fn friction_coefficient_now(&self) -> f64 {
+        if self.parameters.running_in_energy == 0.0 {
+            return self.parameters.friction_coefficient;
+        }
+        self.mean_by_load(FrettingContact::friction_coefficient_now)
+    }
+
     /// ∂F_N/∂d, N/m.
     pub fn normal_stiffness(&self) -> f64 {
         self.sum(FrettingContact::normal_stiffness)
@@ -152,6 +173,22 @@ impl Interface {
             (index, along_y.plus(&contact.tangential_force_gradient().times(-summit.y)))
         };
         self.chained(self.members.touched().map(of))
+    }
+
+    /// Of [`Self::friction_coefficient_now`].
+    pub fn friction_coefficient_gradient(&self) -> Gradient {
+        let total = self.normal_reaction();
+        if self.parameters.running_in_energy == 0.0 || total <= 0.0 {
+            return Gradient::default();
+        }
+        let mean = self.friction_coefficient_now();
+        let of = |contact: &FrettingContact| {
+            let share = contact.normal_reaction() / total;
+            let excess = (contact.friction_coefficient_now() - mean) / total;
+            let by_work = contact.friction_coefficient_gradient().times(share);
+            by_work.plus(&contact.normal_reaction_gradient().times(excess))
+        };
+        self.total_gradient(of)
     }
 
     /// Of [`Self::indentation_depth`].

@@ -9,6 +9,7 @@ mod end_of_the_table;
 mod fields;
 mod interface_coating;
 mod interface_elastic;
+mod interface_running_in;
 mod interface_wear;
 mod invariants;
 mod loops;

@@ -74,6 +74,42 @@ fn outputs_are_those_of_the_interface() {
     assert_eq!(fmu.integer("deepest_contact"), joint.deepest_contact() as i32 + 1);
 }
 
+/// The coefficient of the contacts is their mean by normal force, and a saved state has it.
+#[test]
+fn friction_runs_in_at_each_contact() {
+    let file = File::with(TABLE);
+    let fmu = with_contacts(&file, |fmu| {
+        for (name, value) in
+            [("friction_coefficient", 0.2), ("friction_coefficient_final", 0.8), ("running_in_energy", 1e-4)]
+        {
+            assert_eq!(fmu.set_real(name, value), OK);
+        }
+    });
+    let parameters = Parameters {
+        friction_coefficient: 0.2,
+        friction_coefficient_final: 0.8,
+        running_in_energy: 1e-4,
+        ..Parameters::default()
+    };
+    let mut joint = Interface::new(parameters, &Summit::parse(TABLE, LengthUnit::Um).unwrap()).unwrap();
+    joint.start_at(100.0, [0.0; 2], 0.0).unwrap();
+    let mut step = |time: f64, displacement: f64| {
+        fmu.step_with(&[("tangential_displacement", displacement)], time, 1.0);
+        joint.advance_to(100.0, [displacement, 0.0], 0.0).unwrap();
+        let now = fmu.real("friction_coefficient_now");
+        assert_eq!(now.to_bits(), joint.friction_coefficient_now().to_bits());
+        assert_eq!(fmu.real("tangential_force").to_bits(), joint.tangential_force().to_bits());
+        now
+    };
+    assert!(step(0.0, 8e-6) > 0.2);
+    let now = step(1.0, -4e-6);
+    let mut saved = fmu.save();
+    assert!(step(2.0, 8e-6) > now);
+    assert_eq!(fmu.restore(saved), OK);
+    assert_eq!(fmu.real("friction_coefficient_now"), now);
+    assert_eq!(fmu.free_saved(&mut saved), OK);
+}
+
 /// What the contacts hold between two steps that wear, with their marks: counted, not estimated.
 #[test]
 fn worn_contacts_hold_little_memory() {

@@ -405,11 +405,14 @@ const fn event(name: &'static str, unit: &str, which: WearThrough) -> Variable {
 /// Friction that runs in.
 const fn running_in() -> [Variable; 3] {
     type C = FrettingContact;
-    let now = grows(
-        C::friction_coefficient_now,
-        C::friction_coefficient_gradient,
-        C::friction_coefficient_per_cycle,
-    );
+    let now = Output {
+        whole: Whole::Friction,
+        ..grows(
+            C::friction_coefficient_now,
+            C::friction_coefficient_gradient,
+            C::friction_coefficient_per_cycle,
+        )
+    };
     let friction = Range::of(&range::FRICTION);
     let energy = Range { low: Bound::Included(0.0), high: Bound::Included(*range::RUNNING_IN.end()) };
     [
@@ -421,8 +424,7 @@ const fn running_in() -> [Variable; 3] {
              W = dissipated_energy; 0: constant friction",
         ),
         output("friction_coefficient_now", "1", 1.0, Range::NOT_NEGATIVE, &["friction_coefficient"], now)
-            .about("Coefficient of friction at the present")
-            .independent_of(&["rotation"]),
+            .about("Coefficient of friction at the present; of several contacts the mean by their normal forces"),
     ]
 }
 
