@@ -203,13 +203,14 @@ fn coefficients_may_change_during_a_life() {
     assert!(joint.retune(0.3, [0.0; 2]).is_err());
 }
 
-/// Contacts are advanced by several threads with the same bits.
+/// Contacts are advanced by several threads with the same bits, also while friction runs in.
 #[cfg(feature = "threads")]
 #[test]
 fn threads_change_no_bit() {
     let summits = rough(200, 3e-6);
-    let run = |in_threads: bool| {
-        let mut joint = Interface::new(worn(3.2e-2), &summits).unwrap();
+    let runs_in = Parameters { friction_coefficient_final: 0.9, running_in_energy: 1e-4, ..worn(3.2e-2) };
+    let run = |parameters: &Parameters, in_threads: bool| {
+        let mut joint = Interface::new(parameters.clone(), &summits).unwrap();
         joint.use_threads(in_threads);
         for k in 0..150 {
             let turn = if k > 120 { 1e-3 * f64::from(k - 120) } else { 0.0 };
@@ -219,7 +220,9 @@ fn threads_change_no_bit() {
         joint.advance_cycles(5000.0, 1e-6, 50.0).unwrap();
         joint.snapshot()
     };
-    assert_eq!(run(true), run(false));
+    for parameters in [worn(3.2e-2), runs_in] {
+        assert_eq!(run(&parameters, true), run(&parameters, false));
+    }
 }
 
 /// A profile of points scales like the others.
