@@ -22,7 +22,7 @@ const LEAST_FRONT: f64 = 1e-4;
 /// a mesh.
 const THINNEST: f64 = 1e-5;
 
-// The next four and `MISSING` say when a mesh is made on a worn surface. Half of each and twice
+// The next two and `MISSING` say when a mesh is made on a worn surface. Half of each and twice
 // leave every scene of the stability report with the same outcome; beyond them, updates on nodes at
 // rest do the same, only slower.
 
@@ -31,15 +31,8 @@ const THINNEST: f64 = 1e-5;
 const FAINT: f64 = 1e-2;
 
 /// How far the contact edge may move where a mesh is made on a surface at rest, on which it is
-/// known to a cell: in cells of an even mesh over the contact.
+/// known to a cell: in cells of an even mesh over the slipping region.
 const EDGE_CELLS: f64 = 1.0;
-
-/// And in shares of the slipping region.
-const EDGE_SHARE: f64 = 0.2;
-
-/// And of what the mesh carries of it; in a thin annulus, whose image may be below 0, a small part
-/// of the whole is more than that.
-const MISSING_OF_OWN: f64 = 0.09;
 
 /// The slipping region of a contact, with the state that its surface gives it; `None` where nothing
 /// slips.
@@ -122,10 +115,8 @@ pub(super) fn mesh_slip_zone(
                 && patch.rate(&state.depth, state.radius_squared).is_some_and(|rate| {
                     let missing = (patch.volume(&rate) - volume).abs();
                     let off = (state.radius_squared - a * a).abs();
-                    missing <= (MISSING * volume).min(MISSING_OF_OWN * patch.own_volume(&rate))
-                        && off
-                            <= (EDGE_CELLS * 2.0 * a * a / mesh.cells as f64)
-                                .min(EDGE_SHARE * patch.span(a * a))
+                    missing <= MISSING * volume.min(patch.own_volume(&rate))
+                        && off <= EDGE_CELLS * 2.0 * patch.span(a * a) / mesh.cells as f64
                 })
             {
                 return Ok(Some((patch, state)));
