@@ -51,9 +51,6 @@ const ONWARD: f64 = (1.0 - STAGE) / STAGE;
 /// else go on in the second.
 const SMALL: f64 = 0.1;
 
-/// For the same reason, the least overlap of the innermost spring that slips, over the largest.
-const THIN: f64 = 0.2;
-
 /// Most iterations of a linear system.
 const MOST_KRYLOV: usize = 200;
 
@@ -97,8 +94,7 @@ pub(crate) fn worn_depth(
     (solver.reference, _) = solver.pressure(&present, nodes.worn_image());
     let whole: Vec<f64> = fields.work_per_area.iter().map(|work| constants.wear_per_work * work).collect();
     let overlap = present.depth - surface.tip();
-    let is_small = whole.iter().all(|wear| *wear <= SMALL * overlap)
-        && present.depth - surface.image(nodes.x()[first]) >= THIN * overlap;
+    let is_small = whole.iter().all(|wear| *wear <= SMALL * overlap);
     let (mut done, mut part) = (0.0, 1.0);
     let mut left = vec![0.0; count];
     while done < 1.0 {
