@@ -7,7 +7,6 @@ use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, NodeTransforms, Nodes, Surface};
 use crate::transform::dot;
-use std::f64::consts::FRAC_1_SQRT_2;
 
 /// The result of an update.
 #[derive(Debug, Clone)]
@@ -40,17 +39,6 @@ const LEFT: f64 = 0.1;
 /// Least part in which an update is made, where its residual does not fall that far in one.
 const LEAST_PART: f64 = 1.0 / 256.0;
 
-/// Share of a part in each of two stages of a diagonally implicit method of second order, 1 − 1/√2,
-/// that damps stiff waves at once (R. Alexander, SIAM J. Numer. Anal. 14 (1977), 1006).
-const STAGE: f64 = 1.0 - FRAC_1_SQRT_2;
-
-/// How far the second stage goes on with the rate of the first, over the first: (1 − γ)/γ.
-const ONWARD: f64 = (1.0 - STAGE) / STAGE;
-
-/// Largest wear of an update in two stages, over the overlap: what wears free in the first would
-/// else go on in the second.
-const SMALL: f64 = 0.1;
-
 /// Most iterations of a linear system.
 const MOST_KRYLOV: usize = 200;
 
@@ -60,8 +48,7 @@ const MOST_KRYLOV: usize = 200;
 /// Solves Δw = (k/σ₀) A + κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with the
 /// wear: were it held, a whole update's wear would end at it like a square root, and its image
 /// would have a logarithmic dip there. Where it moves so far that the iteration loses it, the
-/// update is made in parts, halved until they are followed. A usual update is of second order in
-/// what it wears, a large one is a step of the implicit Euler method.
+/// update is made in parts, halved until they are followed.
 ///
 /// # Errors
 /// Those of the normal contact; [`Error::NotFinite`] if the system cannot be solved.
@@ -93,16 +80,10 @@ pub(crate) fn worn_depth(
     };
     (solver.reference, _) = solver.pressure(&present, nodes.worn_image());
     let whole: Vec<f64> = fields.work_per_area.iter().map(|work| constants.wear_per_work * work).collect();
-    let overlap = present.depth - surface.tip();
-    let is_small = whole.iter().all(|wear| *wear <= SMALL * overlap);
     let (mut done, mut part) = (0.0, 1.0);
     let mut left = vec![0.0; count];
     while done < 1.0 {
-        let trial = if is_small {
-            solver.in_two_stages(&fields.scaled(part * STAGE), &left, &mut update)?
-        } else {
-            solver.part(&fields.scaled(part), &left, &mut update)?
-        };
+        let trial = solver.part(&fields.scaled(part), &left, &mut update)?;
         if trial.residual > LEFT && part > LEAST_PART {
             part *= 0.5;
             continue;
@@ -149,17 +130,6 @@ impl Solver<'_> {
             .map(|i| self.constants.normal_modulus * (contact.depth - self.unworn[i] - worn[i]).max(0.0))
             .collect();
         (pressure_nodes(self.transforms, self.nodes.x(), &load, &edge), edge)
-    }
-
-    /// Wears a part of the history of which `stage` is the share [`STAGE`].
-    fn in_two_stages(&self, stage: &SlipFields, left: &[f64], update: &mut Update) -> Result<Trial, Error> {
-        let first = self.part(stage, left, update)?;
-        let onward = first.depth.iter().zip(&update.depth).zip(&first.left);
-        let onward: Vec<f64> = onward.map(|((first, w), left)| (ONWARD - 1.0) * (first - w) + left).collect();
-        let before = std::mem::replace(&mut update.depth, first.depth);
-        let second = self.part(stage, &onward, update)?;
-        update.depth = before;
-        Ok(Trial { residual: first.residual.max(second.residual), ..second })
     }
 
     /// Wears a part of the history, and what is `left` of those before, on top of the depths so

@@ -103,42 +103,6 @@ fn a_small_update_is_the_explicit_one() {
     assert!((coarse / fine).log10() > 1.8, "{coarse:e} {fine:e}");
 }
 
-/// Worn depth at the nodes after slip in so many updates, each with the pressure of its profile.
-fn worn_in(updates: u32, front: f64, path: f64) -> Nodes {
-    let (mut surface, _, tables) = scene(48, front.max(0.0));
-    for _ in 0..updates {
-        let contact = surface.contact(NormalControl::Indentation, DEPTH, 1.0).expect("it touches");
-        // springs outside the front of the unworn ball slip
-        let unworn = surface.unworn().contact(NormalControl::Indentation, DEPTH, 1.0).expect("it touches");
-        let edge = front * unworn.radius / contact.radius;
-        let depth =
-            update(&surface, &tables, &slid(&surface, &contact, &tables, edge, path / f64::from(updates)));
-        let mut nodes = surface.worn().expect("the scene has nodes").clone();
-        let added =
-            |old: &[f64], new: &[f64]| old.iter().zip(new).map(|(old, new)| old + new).collect::<Vec<f64>>();
-        let image = added(nodes.worn_image(), &tables.abel(&depth));
-        let depth = added(nodes.depth(), &depth);
-        nodes.set_worn(image, depth, surface.profile());
-        surface.set_worn(Some(nodes));
-    }
-    surface.worn().expect("the scene has nodes").clone()
-}
-
-/// The pressure that slip meets changes with the wear: an update follows it in second order. Where
-/// all slips, the edge crosses nodes, which hides the order; an implicit Euler step is 1.7e-2 off.
-#[test]
-fn an_update_is_of_second_order_in_its_wear() {
-    let error = |updates: u32, front: f64| {
-        let [coarse, fine] = [updates, 256].map(|updates| worn_in(updates, front, 1e-3));
-        let off: Vec<f64> = coarse.depth().iter().zip(fine.depth()).map(|(a, b)| (a - b).abs()).collect();
-        fine.volume(&off) / fine.volume(fine.depth())
-    };
-    let errors = [1, 2, 4].map(|updates| error(updates, 0.4));
-    let orders = [0, 1].map(|k| (errors[k] / errors[k + 1]).log2());
-    assert!(orders.iter().all(|order| *order > 1.7), "{errors:?} {orders:?}");
-    assert!(errors[0] < 2e-3 && error(1, -1.0) < 2e-3, "{errors:?}");
-}
-
 /// One update that would remove many d explicitly: the pressure falls where material goes, so that
 /// under a held depth no more than the overlap can go, and the contact is not torn open.
 #[test]
@@ -255,8 +219,7 @@ fn an_update_takes_a_bounded_number_of_iterations_whatever_the_nodes() {
                 (update.systems, update.iterations)
             });
             println!("front {front}, path {path}: {counts:?}");
-            // in two stages
-            assert!(counts.iter().all(|(systems, iterations)| *systems <= 16 && *iterations <= 100));
+            assert!(counts.iter().all(|(systems, iterations)| *systems <= 8 && *iterations <= 100));
         }
     }
 }
@@ -277,7 +240,7 @@ fn an_update_under_which_the_contact_grows_far_is_followed_in_parts() {
         (nodes.volume(&update.depth), update.systems, update.followed)
     };
     let (small, large, absurd) = (volume(1e-3), volume(0.1), volume(1e3));
-    assert!(small.2 && small.1 <= 16, "{small:?}");
-    assert!(large.2 && large.1 > 16, "{large:?}");
+    assert!(small.2 && small.1 <= 8, "{small:?}");
+    assert!(large.2 && large.1 > 8, "{large:?}");
     assert!(small.0 < large.0 && !absurd.2, "{small:?} {large:?} {absurd:?}");
 }
