@@ -243,7 +243,7 @@ fn every_declared_dependency_is_one() {
                     assert_eq!(fmu.set_integer("loading", loading), OK);
                     assert_eq!(fmu.set_integer("normal_control", control), OK);
                     assert_eq!(fmu.set_real("wear_coefficient", 0.1), OK);
-                    for (name, value) in &set[..2] {
+                    for (name, value) in &set {
                         assert_eq!(fmu.set_real(name, *value), OK);
                     }
                 })
