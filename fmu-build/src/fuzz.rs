@@ -111,8 +111,12 @@ fn fuzz(
         fuzzer.arg(&found).arg(&seeds);
         run_quietly(step, fuzzer)
     })?;
-    let done = output.lines().rev().find(|line| line.starts_with("Done "));
+    let last = |is: &dyn Fn(&str) -> bool| output.lines().rev().find(|line| is(line));
+    let done = last(&|line| line.starts_with("Done "));
     println!("{target}: {}", done.context("the fuzzer did not say how many inputs it ran")?);
+    if let Some(calls) = last(&|line| line.ends_with(" million calls of the C interface")) {
+        println!("{target}: {calls}");
+    }
     Ok(())
 }
 

@@ -85,9 +85,6 @@ pub(crate) struct RepeatedMotion {
 /// Relative difference of two places of hinges, or of two slips, that are taken for one.
 const SAME: f64 = 1e-6;
 
-/// Share of the largest slip by which a repeated motion may differ from cycles that begin at rest.
-const LIKE: f64 = 1e-2;
-
 /// Share of the largest slope below which a sum of slopes is the rounding of those that cancel.
 const CANCELLED: f64 = 1e-10;
 
@@ -396,14 +393,14 @@ impl SlipAtDepth {
         }
         // E(d) = 4 N U₀ and dE/dg = 4 N m, of whole quarters
         let quarters = (slope / bound_slope).round();
-        if quarters < 1.0 || (slope / bound_slope - quarters).abs() > LIKE * quarters {
+        if quarters < 1.0 || (slope / bound_slope - quarters).abs() > SAME * quarters {
             return None;
         }
         let slope = quarters * bound_slope;
         // both are lines between these places
         let front = self.depth - whole / slope;
         let of_cycles = |image: f64| (slope * (image - front)).max(0.0);
-        let alike = |image: f64| (self.at(image).0 - of_cycles(image)).abs() <= LIKE * whole;
+        let alike = |image: f64| (self.at(image).0 - of_cycles(image)).abs() <= SAME * whole;
         let mut places = self.knots.iter().map(|knot| knot.0).chain([tip, front]);
         let inside = |place: &f64| (tip..self.depth).contains(place);
         places

@@ -164,3 +164,22 @@ fn a_law_of_equal_cycles_is_recognised() {
     let slide = SlipAtDepth::of_motion(Sliding::Onward, 3e-6, DEPTH, M).repeated_motion(M, 0.0);
     assert_eq!(slide, Some(RepeatedMotion { sliding: Sliding::Onward, amount: 3e-6 }));
 }
+
+/// Its cycles would wear springs that stick: between their front and that of the law.
+#[test]
+fn a_law_with_its_front_elsewhere_is_none_of_cycles() {
+    let full = M * DEPTH;
+    let front = DEPTH - 0.9 * full / M;
+    for shift in [1e-5, 1e-3, 5e-3] {
+        // twice the slope, until it meets the line of the cycles
+        let (first, second) = (front + shift * DEPTH, front + 2.0 * shift * DEPTH);
+        let slope = 4.0 * M;
+        let knots = vec![(first, 2.0 * slope, -2.0 * slope * first), (second, slope, -slope * front)];
+        let law = SlipAtDepth::new(DEPTH, (0.0, 0.0), knots);
+        assert_eq!(
+            law.at(DEPTH).0,
+            SlipAtDepth::of_motion(Sliding::Cycles(0.9 * full), 1.0, DEPTH, M).at(DEPTH).0
+        );
+        assert_eq!(law.repeated_motion(M, 0.0), None, "{shift}");
+    }
+}

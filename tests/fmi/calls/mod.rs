@@ -59,13 +59,15 @@ impl Drop for Host {
     }
 }
 
-/// Carries out the calls that `bytes` stand for. Panics where the component does not do what the
-/// model says.
-pub(crate) fn run(bytes: &[u8]) {
-    let Some((&first, rest)) = bytes.split_first() else { return };
+/// Carries out the calls that `bytes` stand for, and returns their number. Panics where the
+/// component does not do what the model says.
+pub(crate) fn run(bytes: &[u8]) -> usize {
+    let Some((&first, rest)) = bytes.split_first() else { return 0 };
     let sum = bytes.iter().fold(0u8, |sum, byte| sum.wrapping_mul(31).wrapping_add(*byte));
     let mut host = Host::new(sum == 0, first & 1 != 0);
-    for (k, record) in rest.as_chunks::<8>().0.iter().take(MOST_CALLS).enumerate() {
+    let records = rest.as_chunks::<8>().0;
+    let records = &records[..records.len().min(MOST_CALLS)];
+    for (k, record) in records.iter().enumerate() {
         let record = Record(*record);
         let (status, expected) = host.call(record);
         assert!(
@@ -80,6 +82,7 @@ pub(crate) fn run(bytes: &[u8]) {
         "the instance has failed: {:?}",
         host.model
     );
+    records.len()
 }
 
 type Called = (Status, Expected);
