@@ -94,7 +94,7 @@ def mindlin_force(values):
     poisson, friction = values["poisson_ratio_1"], values.get("friction_coefficient", 0.6)
     ratio = (2 - poisson) / (2 * (1 - poisson))  # E*/G*
     full_slip = friction * ratio * hertz_radius(values) ** 2 / 0.01
-    assert STROKE < full_slip
+    assert full_slip > STROKE
     return friction * 100.0 * (1 - (1 - STROKE / full_slip) ** 1.5)
 
 

@@ -1,5 +1,5 @@
-"""The wheel in an empty environment without Rust: it installs on the platforms of its FMU alone, and
-the guide's example runs.
+"""The wheel in an empty environment without Rust: it installs on the platforms of its FMU only,
+and the guide's example runs.
 
 `cargo fmu test` says by FRETTING_FMU_BUILD which program builds the wheel; without it the test is
 skipped.
