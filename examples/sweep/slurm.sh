@@ -1,6 +1,7 @@
 #!/bin/sh
-# The sweep as a SLURM job array, without Dask: each job runs its share of the batches on its cores and writes them into
-# the shared folder OUT. Afterwards one call without --share gathers the parts, runs what is missing and draws the map:
+# The sweep as a SLURM job array, without Dask: each job runs its share of the batches on its cores
+# and writes them into the shared folder OUT. Afterwards one call without --share gathers the parts,
+# runs what is missing and draws the map:
 #
 #     job=$(sbatch --parsable --array=0-39 slurm.sh)
 #     sbatch --dependency=afterany:"$job" slurm.sh

@@ -30,6 +30,7 @@ mod smoke_test;
 mod terminals;
 mod totals;
 mod wheel;
+mod wheel_tag;
 mod wording;
 mod workspace;
 mod xml;

@@ -2,11 +2,10 @@
 
 use crate::check::Archive;
 use crate::process::run_quietly;
-use crate::progress;
 use crate::python::Venv;
 use crate::workspace::{MODEL_IDENTIFIER, Workspace};
+use crate::{progress, wheel_tag};
 use anyhow::{Context, Result, bail, ensure};
-use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -14,8 +13,9 @@ use std::path::{Path, PathBuf};
 const REQUIREMENTS: [&str; 2] = ["tests/python/requirements.txt", "fmu-build/wheel-requirements.txt"];
 
 /// Files of the package beside its modules, and files of the workspace that go with it.
-const FILES: [(&str, &str); 4] = [
+const FILES: [(&str, &str); 5] = [
     ("python/pyproject.toml", "pyproject.toml"),
+    ("python/hatch_build.py", "hatch_build.py"),
     ("python/README.md", "README.md"),
     ("LICENSE-MIT", "LICENSE-MIT"),
     ("LICENSE-APACHE", "LICENSE-APACHE"),
@@ -23,6 +23,9 @@ const FILES: [(&str, &str); 4] = [
 
 /// Name of the package and of its folder.
 const PACKAGE: &str = "fretting_contact";
+
+/// Environment variable with the wheel's tag, for `hatch_build.py`.
+const TAG: &str = "FRETTING_WHEEL_TAG";
 
 /// Builds the wheel with this FMU into a folder; returns the wheel's path.
 ///
@@ -33,25 +36,23 @@ pub(crate) fn build(workspace: &Workspace, fmu: &Path, folder: &Path) -> Result<
         "there is no FMU at {}: run `cargo fmu build`, or give --fmu the path of one",
         fmu.display()
     );
-    let platforms = platforms(&Archive::open(fmu)?);
+    let tag = wheel_tag::of(&Archive::open(fmu)?)?;
     let venv = Venv::with(workspace, &REQUIREMENTS.map(|file| workspace.file(file)))?;
     let staged = workspace.product("wheel");
     let name = progress::quiet("Building the wheel", |step| {
         stage(workspace, fmu, &staged)?;
         let mut hatchling = venv.python();
-        hatchling.args(["-m", "hatchling", "build", "-t", "wheel", "-d"]).arg(folder).current_dir(&staged);
+        hatchling
+            .args(["-m", "hatchling", "build", "-t", "wheel", "-d"])
+            .arg(folder)
+            .current_dir(&staged)
+            .env(TAG, &tag);
         wheel_name(&run_quietly(step, hatchling)?)
     })?;
     let wheel = folder.join(name);
     ensure!(wheel.is_file(), "hatchling has reported {}, but it is not there", wheel.display());
-    eprintln!("Wheel with the FMU for {}: {}", platforms.join(", "), wheel.display());
+    eprintln!("Wheel for {tag}: {}", wheel.display());
     Ok(wheel)
-}
-
-/// Platform folders that the FMU has libraries for.
-fn platforms(fmu: &Archive) -> Vec<String> {
-    let folders: BTreeSet<_> = fmu.libraries().map(|(folder, ..)| folder.to_owned()).collect();
-    folders.into_iter().collect()
 }
 
 /// Copies the package, the FMU and the licences into an empty folder.
@@ -90,8 +91,8 @@ mod tests {
 
     #[test]
     fn the_name_of_the_wheel_is_the_last_one_reported() {
-        let name = wheel_name("[wheel]\n../dist/fretting_contact-0.1.0-py3-none-any.whl\n\n").unwrap();
-        assert_eq!(name, "fretting_contact-0.1.0-py3-none-any.whl");
+        let name = wheel_name("[wheel]\n../dist/fretting_contact-0.1.0-py3-none-win_amd64.whl\n\n").unwrap();
+        assert_eq!(name, "fretting_contact-0.1.0-py3-none-win_amd64.whl");
         assert!(wheel_name("nothing\n").unwrap_err().to_string().contains("has not reported a wheel"));
     }
 

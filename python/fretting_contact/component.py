@@ -64,9 +64,9 @@ class ContactError(Exception):
     def __init__(self, function: str, status: int, messages: list[str]):
         self.function, self.status, self.messages = function, status, messages
         name = STATUS[status] if status in range(len(STATUS)) else str(status)
-        super().__init__(
-            f"{' / '.join(messages) or 'the component gave no message'} ({function}: {name})"
-        )
+        # a message begins with the function, which stands at the end here
+        text = " / ".join(message.removeprefix(f"{function}: ") for message in messages)
+        super().__init__(f"{text or 'the component gave no message'} ({function}: {name})")
 
 
 class ContactFmu:

@@ -15,6 +15,8 @@ from fmpy.ssp.ssd import read_ssv
 FILES = sorted((ROOT / "presets").glob("*.ssv"))
 PAGE = (ROOT / "docs" / "presets.md").read_text(encoding="utf-8")
 MASTERS = Path(__file__).parent / "masters"
+STROKE = 0.5e-6
+"""m: partial slip with each of the presets."""
 
 
 @pytest.fixture(params=FILES, ids=lambda path: path.stem)
@@ -58,7 +60,7 @@ def test_pyssp_standard_reads_the_same_values_and_units(file):
 
 
 @pytest.mark.parametrize("master", ["libcosimpy", "ecospy"])
-def test_a_master_applies_a_preset_of_a_system(master, fmu_path, file, tmp_path):
+def test_a_master_simulates_a_system_with_a_preset(master, fmu_path, file, tmp_path):
     """The system is the one that docs/presets.md shows, with each of the presets."""
     description = re.search(r"```xml\n(.*?)```", PAGE, re.DOTALL)[1].replace("ti_6al_4v", file.stem)
     system, answer = tmp_path / "joint.ssp", tmp_path / "answer.json"
@@ -68,13 +70,16 @@ def test_a_master_applies_a_preset_of_a_system(master, fmu_path, file, tmp_path)
         archive.write(file, f"resources/{file.name}")
     values = values_of(file)
     script = MASTERS / f"{master}_ssp.py"
-    command = [sys.executable, script, system, file.stem, answer, *values, "contact_radius"]
+    outputs = ["contact_radius", "tangential_force"]
+    command = [sys.executable, script, system, file.stem, answer, STROKE, *values, *outputs]
+    command = [str(part) for part in command]
     done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
     if "MISSING:" in done.stderr:
         pytest.skip(done.stderr[done.stderr.index("MISSING:") :].strip())
     assert done.returncode == 0, done.stdout + done.stderr
     found = json.loads(answer.read_text())
     assert found.pop("contact_radius") == pytest.approx(hertz_radius(values), rel=1e-9)
+    assert found.pop("tangential_force") == pytest.approx(mindlin_force(values), rel=1e-6)
     assert found == values
 
 
@@ -82,6 +87,15 @@ def hertz_radius(values):
     """m, for two bodies of one material, with the other start values of the FMU."""
     modulus = values["youngs_modulus_1"] / (2 * (1 - values["poisson_ratio_1"] ** 2))
     return (3 * 100.0 * 0.01 / (4 * modulus)) ** (1 / 3)
+
+
+def mindlin_force(values):
+    """N, at the end of the first stroke, for two bodies of one material (Mindlin)."""
+    poisson, friction = values["poisson_ratio_1"], values.get("friction_coefficient", 0.6)
+    ratio = (2 - poisson) / (2 * (1 - poisson))  # E*/G*
+    full_slip = friction * ratio * hertz_radius(values) ** 2 / 0.01
+    assert full_slip > STROKE
+    return friction * 100.0 * (1 - (1 - STROKE / full_slip) ** 1.5)
 
 
 def test_the_fmu_accepts_the_values(start_contact, file):

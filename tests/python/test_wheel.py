@@ -1,4 +1,5 @@
-"""The wheel in an empty environment without Rust: it installs and the guide's example runs.
+"""The wheel in an empty environment without Rust: it installs on the platforms of its FMU only,
+and the guide's example runs.
 
 `cargo fmu test` says by FRETTING_FMU_BUILD which program builds the wheel; without it the test is
 skipped.
@@ -53,6 +54,59 @@ def test_the_wheel_holds_the_fmu_and_all_modules(wheel, fmu_path):
         "LICENSE-MIT",
         "LICENSE-APACHE",
     }
+
+
+# platform tags of pip for the folders of FMI 2.0 that `cargo fmu release` fills
+MACHINES = {"linux64": "x86_64", "aarch64-linux": "aarch64", "win64": "win_amd64"}
+
+
+def platform_tags(wheel):
+    python, abi, platforms = wheel.stem.split("-")[2:]
+    assert (python, abi) == ("py3", "none")
+    return platforms.split(".")
+
+
+def test_the_name_and_the_file_wheel_have_the_platforms_of_the_fmu(wheel, fmu_path):
+    with zipfile.ZipFile(fmu_path) as fmu:
+        folders = {name.split("/")[1] for name in fmu.namelist() if name.startswith("binaries/")}
+    with zipfile.ZipFile(wheel) as archive:
+        assert archive.testzip() is None
+        (name,) = (name for name in archive.namelist() if name.endswith(".dist-info/WHEEL"))
+        lines = archive.read(name).decode().splitlines()
+    tags = platform_tags(wheel)
+    assert [line for line in lines if line.startswith("Tag:")] == [
+        f"Tag: py3-none-{tag}" for tag in tags
+    ]
+    assert "Root-Is-Purelib: false" in lines
+    if not folders <= MACHINES.keys():
+        pytest.skip(f"no list of tags for {sorted(folders - MACHINES.keys())}")
+    machines = {re.sub(r"^manylinux_2_\d+_", "", tag) for tag in tags}
+    assert machines == {MACHINES[folder] for folder in folders}
+
+
+def pip_for(platform, wheel, folder):
+    command = [sys.executable, "-m", "pip", "install", "--no-index", "--no-deps"]
+    command += ["--platform", platform, "--only-binary=:all:", "--target", folder, wheel]
+    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=False)
+
+
+def test_pip_installs_it_for_a_platform_of_the_fmu(wheel, tmp_path):
+    for platform in platform_tags(wheel):
+        done = pip_for(platform, wheel, tmp_path / platform)
+        assert done.returncode == 0, done.stderr
+        assert (tmp_path / platform / "fretting_contact" / "FrettingContact.fmu").is_file()
+
+
+@pytest.mark.parametrize(
+    "platform", ["macosx_11_0_arm64", "musllinux_1_2_x86_64", "manylinux_2_5_x86_64", "win_arm64"]
+)
+def test_pip_refuses_it_for_another_platform(wheel, tmp_path, platform):
+    if platform in platform_tags(wheel):
+        pytest.skip("the FMU has a library for it")
+    done = pip_for(platform, wheel, tmp_path / "other")
+    assert done.returncode != 0
+    assert "is not a supported wheel on this platform" in done.stderr
+    assert not (tmp_path / "other" / "fretting_contact").exists()
 
 
 def test_it_installs_and_the_ten_lines_run_without_rust(wheel, tmp_path):
