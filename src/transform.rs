@@ -15,12 +15,17 @@
 
 mod abel;
 mod cell;
+mod dense;
+mod fast;
 mod fixed;
 mod interpolation;
 mod sweep;
 mod tree;
 
-pub use abel::{Abel, Scratch};
+pub use abel::{Abel, CROSSOVER, Scratch};
+pub use cell::Density;
+pub use dense::DenseAbel;
+pub use fast::FastAbel;
 pub(crate) use fixed::FixedImage;
 
 use std::f64::consts::FRAC_2_PI;

@@ -2,12 +2,12 @@ use super::*;
 use std::f64::consts::PI;
 
 /// The transforms at all nodes at once.
-struct Nodal(Abel, usize);
+struct Nodal(DenseAbel, usize);
 
 impl Nodal {
     fn new(x: &[f64]) -> Self {
         let squares: Vec<f64> = x.iter().map(|x| x * x).collect();
-        Self(Abel::new(&squares), x.len())
+        Self(DenseAbel::new(&squares, Density::Image), x.len())
     }
 
     fn inverse_abel(&self, v: &[f64]) -> Vec<f64> {

@@ -1,6 +1,6 @@
 use super::*;
 use crate::quadrature::composite;
-use crate::transform::{Abel, Scratch, abel_last};
+use crate::transform::{DenseAbel, Scratch, abel_last};
 use std::f64::consts::FRAC_2_PI;
 
 /// Rough radii, unevenly spaced over three decades, and heights: a sphere with waves on it.
@@ -63,7 +63,7 @@ fn the_image_is_that_of_the_direct_solution() {
         let fixed = FixedImage::through(&radii, &heights);
         let square: Vec<f64> = radii.iter().map(|r| r * r).collect();
         let mut direct = vec![f64::NAN; points];
-        Abel::new(&square).abel(&heights, &mut direct, &mut Scratch::default());
+        DenseAbel::new(&square, Density::Image).abel(&heights, &mut direct, &mut Scratch::default());
         let error = difference(fixed.values(), &direct);
         assert!(error < 1e-11, "{points} points: {error:e}");
     }
