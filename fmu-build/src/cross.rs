@@ -24,6 +24,9 @@ pub(crate) struct Route {
     emulator_package: &'static str,
     /// What a program needs to load libraries.
     link: &'static [&'static str],
+    /// A system library that older emulators lack: its stand-in is a C file of this name among the
+    /// assets.
+    stand_in: Option<&'static str>,
     /// File name ending of a program.
     pub(crate) program: &'static str,
 }
@@ -37,6 +40,7 @@ pub(crate) const WIN64: Route = Route {
     emulator_arguments: &[],
     emulator_package: "wine64",
     link: &[],
+    stand_in: Some("bcryptprimitives"),
     program: ".exe",
 };
 
@@ -49,6 +53,7 @@ pub(crate) const AARCH64_LINUX: Route = Route {
     emulator_arguments: &["-L", "/usr/aarch64-linux-gnu"],
     emulator_package: "qemu-user",
     link: &["-ldl"],
+    stand_in: None,
     program: "",
 };
 
@@ -116,10 +121,11 @@ impl Route {
             )));
         };
         let program = directory.join(format!("loader{}", self.program));
-        let mut compiler = workspace.command(self.compiler);
-        compiler.args(["-std=gnu11", "-O1", "-o"]).arg(&program).arg("fmu-build/assets/loader.c");
-        let compiled = compiler.args(self.link).output().context("cannot compile the loader")?;
-        ensure!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+        self.compile(workspace, "loader", self.link, &program)?;
+        if let Some(name) = self.stand_in {
+            let library = directory.join(format!("{name}.dll"));
+            self.compile(workspace, name, &["-shared", "-ladvapi32"], &library)?;
+        }
         let mut run = workspace.command(emulator);
         run.args(self.emulator_arguments).arg(&program).arg(library).args(loader_arguments(description)?);
         run.env("WINEPREFIX", directory.join("wine")).env("WINEDEBUG", "-all");
@@ -131,6 +137,16 @@ impl Route {
         check_numbers(&text).with_context(|| format!("under {emulator}"))?;
         let name = Path::new(emulator).file_name().unwrap_or_default().display();
         Ok(Outcome::Ran(format!("loaded and stepped under {name}")))
+    }
+
+    /// Compiles a C file of the assets for the platform.
+    fn compile(&self, workspace: &Workspace, name: &str, arguments: &[&str], product: &Path) -> Result<()> {
+        let mut compiler = workspace.command(self.compiler);
+        compiler.args(["-std=gnu11", "-O1", "-o"]).arg(product);
+        compiler.arg(format!("fmu-build/assets/{name}.c")).args(arguments);
+        let compiled = compiler.output().with_context(|| format!("cannot compile {name}.c"))?;
+        ensure!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+        Ok(())
     }
 }
 
