@@ -22,9 +22,7 @@ mod slide;
 mod slip;
 mod walk;
 
-pub(crate) use planar::{
-    PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent, Vector, difference,
-};
+pub(crate) use planar::{PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent};
 pub(crate) use walk::Path;
 
 use crate::surface::{Contact, Place, Surface};

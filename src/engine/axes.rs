@@ -9,8 +9,8 @@
 
 use super::FrettingContact;
 use crate::ellipse::HertzianEllipse;
-use crate::friction::Vector;
 use crate::material::Pair;
+use nalgebra::Vector2;
 
 /// Factors from the equivalent sphere to the ellipse.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,7 +18,7 @@ pub(super) struct Axes {
     /// √(a b) over the radius of the sphere's contact.
     pub(super) size: f64,
     /// Semi-axes along x and y over the same.
-    semi_axes: Vector,
+    semi_axes: [f64; 2],
     /// G*_y/G*_x.
     pub(super) stiffness_ratio: f64,
 }
@@ -33,14 +33,14 @@ impl Axes {
     }
 
     /// Semi-axes over √(a b).
-    pub(super) fn per_contact_radius(&self) -> Vector {
+    pub(super) fn per_contact_radius(&self) -> [f64; 2] {
         self.semi_axes.map(|factor| factor / self.size)
     }
 
     /// A displacement as the springs see it, m.
     #[inline]
-    pub(super) fn for_springs(&self, [x, y]: Vector) -> Vector {
-        [x, self.stiffness_ratio * y]
+    pub(super) fn for_springs(&self, place: Vector2<f64>) -> Vector2<f64> {
+        Vector2::new(place.x, self.stiffness_ratio * place.y)
     }
 
     /// A radius that users give in coordinates of the engine, m.

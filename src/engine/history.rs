@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::friction::{Path, Springs};
 use crate::surface::Contact;
 use crate::wear;
+use nalgebra::Vector2;
 
 /// Largest change of √F_N, relative to the larger one, over which the depth is taken for a parabola
 /// in F_N. The error of the friction work is of second order in it, 6e-5 in random histories.
@@ -34,7 +35,7 @@ impl FrettingContact {
     /// a contact too large to be computed.
     pub fn advance_to(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         if self.runs_in() {
-            return self.run_in_to(normal, [displacement, self.drive_displacement_y()]);
+            return self.run_in_to(normal, Vector2::new(displacement, self.drive_displacement_y()));
         }
         self.advance_on_line(normal, displacement)
     }
@@ -47,16 +48,16 @@ impl FrettingContact {
     /// As [`Self::advance_to`].
     pub fn advance_to_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
         if self.runs_in() {
-            return self.run_in_to(normal, displacement);
+            return self.run_in_to(normal, displacement.into());
         }
-        self.advance_in_plane(normal, displacement)
+        self.advance_in_plane(normal, displacement.into())
     }
 
     /// [`Self::advance_to`] at the present coefficient of friction.
     pub(super) fn advance_on_line(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         let (value, displacement) = self.checked(normal, displacement)?;
         if self.state.planar.is_some() {
-            return self.advance_in_plane(normal, [displacement, self.drive_displacement_y()]);
+            return self.advance_in_plane(normal, Vector2::new(displacement, self.drive_displacement_y()));
         }
         if self.model.compliance > 0.0 {
             return self.advance_drive(value, displacement);

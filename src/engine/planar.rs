@@ -16,9 +16,10 @@ use super::FrettingContact;
 use super::backlog::WIDE;
 use super::line::Line;
 use crate::error::Error;
-use crate::friction::{PlanarPath, PlanarRow, Resting, Samples, SlipPiece, Springs, Vector, difference};
+use crate::friction::{PlanarPath, PlanarRow, Resting, Samples, SlipPiece, Springs};
 use crate::range;
 use crate::surface::Contact;
+use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 use std::mem::{replace, take};
 
@@ -40,7 +41,7 @@ pub(super) const Y: &str = "tangential_displacement_y";
 pub(super) struct Planar {
     pub(super) row: PlanarRow,
     /// Direction of the last movement, a unit vector.
-    pub(super) direction: Vector,
+    pub(super) direction: Vector2<f64>,
 }
 
 impl Planar {
@@ -53,8 +54,8 @@ impl Planar {
 
 impl FrettingContact {
     /// [`Self::advance_to_planar`] at the present coefficient of friction.
-    pub(super) fn advance_in_plane(&mut self, normal: f64, displacement: Vector) -> Result<(), Error> {
-        let [x, y] = displacement;
+    pub(super) fn advance_in_plane(&mut self, normal: f64, displacement: Vector2<f64>) -> Result<(), Error> {
+        let [x, y] = displacement.into();
         if y == self.drive_displacement_y() && self.state.planar.is_none() {
             return self.advance_on_line(normal, x);
         }
@@ -78,14 +79,13 @@ impl FrettingContact {
 
     /// Walks a line of (load, share of the way) to a place, that of the drive where there is a rig
     /// stiffness, in pieces, cut where the bodies touch or part.
-    fn walk_line_in_plane(&mut self, line: &Line, to: Vector) -> Result<(), Error> {
+    fn walk_line_in_plane(&mut self, line: &Line, to: Vector2<f64>) -> Result<(), Error> {
         let from = self.drive_place();
         for part in line.split_at(self.touch_control()).iter().flatten() {
             let pieces = self.even_pieces(part);
             for k in 1..=pieces {
                 let (value, share) = part.at(k, pieces);
-                let at = |k: usize| from[k] + share * (to[k] - from[k]);
-                let place = if share == 1.0 { to } else { [at(0), at(1)] };
+                let place = if share == 1.0 { to } else { from + share * (to - from) };
                 if self.model.compliance == 0.0 {
                     self.walk_in_plane(value, place)?;
                 } else {
@@ -97,15 +97,15 @@ impl FrettingContact {
     }
 
     /// Displacement along x and y, m.
-    pub(super) fn place(&self) -> Vector {
-        [self.state.displacement, self.state.displacement_y]
+    pub(super) fn place(&self) -> Vector2<f64> {
+        Vector2::new(self.state.displacement, self.state.displacement_y)
     }
 
     /// Walks one piece of a line.
-    fn walk_in_plane(&mut self, value: f64, place: Vector) -> Result<(), Error> {
+    fn walk_in_plane(&mut self, value: f64, place: Vector2<f64>) -> Result<(), Error> {
         if self.state.contact.is_open() && value <= self.touch_control() {
-            self.walk(value, place[0], 1)?;
-            self.state.displacement_y = place[1];
+            self.walk(value, place.x, 1)?;
+            self.state.displacement_y = place.y;
             return Ok(());
         }
         if self.state.planar.is_none() {
@@ -122,9 +122,8 @@ impl FrettingContact {
     }
 
     /// Whether the way to a place goes back.
-    fn turns_in_plane(&self, place: Vector) -> bool {
-        let ([x, y], way) = (self.direction_in_plane(), difference(place, self.place()));
-        x * way[0] + y * way[1] < 0.0
+    fn turns_in_plane(&self, place: Vector2<f64>) -> bool {
+        self.direction_in_plane().dot(&(place - self.place())) < 0.0
     }
 
     /// Takes the row of knots over into one of vectors, after what the line so far has worn has
@@ -134,10 +133,10 @@ impl FrettingContact {
         if self.state.direction == 0.0 {
             self.begin_stroke();
         }
-        let [_, y] = self.model.axes.for_springs(self.place());
+        let y = self.model.axes.for_springs(self.place()).y;
         let row = PlanarRow::of_line(&self.state.springs, &self.surface, y, self.samples());
         self.state.springs = Springs::default();
-        let direction = [if self.state.direction < 0.0 { -1.0 } else { 1.0 }, 0.0];
+        let direction = Vector2::new(if self.state.direction < 0.0 { -1.0 } else { 1.0 }, 0.0);
         self.state.planar = Some(Box::new(Planar { row, direction }));
         Ok(())
     }
@@ -148,7 +147,7 @@ impl FrettingContact {
     }
 
     /// The path from the present state to a contact and a place.
-    fn planar_path(&self, to: Contact, place: Vector) -> PlanarPath<'_> {
+    fn planar_path(&self, to: Contact, place: Vector2<f64>) -> PlanarPath<'_> {
         PlanarPath {
             surface: &self.surface,
             control: self.model.parameters.normal_control,
@@ -177,7 +176,7 @@ impl FrettingContact {
     }
 
     /// Contact, row and work of friction (J) at the end of a piece.
-    fn try_in_plane(&mut self, value: f64, place: Vector) -> Result<PlanarEnd, Error> {
+    fn try_in_plane(&mut self, value: f64, place: Vector2<f64>) -> Result<PlanarEnd, Error> {
         let to =
             if value == self.state.contact.control { self.state.contact } else { self.contact_at(value)? };
         let spare = take(&mut self.memory.planar);
@@ -189,23 +188,23 @@ impl FrettingContact {
         let work = 2.0 * self.model.constants.tangential_modulus * half_work;
         if !work.is_finite() {
             let normal = if self.model.constants.force_control { value * self.force_scale() } else { value };
-            return Err(Error::NotFinite { what: "the work of friction", normal, displacement: place[0] });
+            return Err(Error::NotFinite { what: "the work of friction", normal, displacement: place.x });
         }
         Ok(PlanarEnd { to, row, work })
     }
 
     /// Walks one piece; where it wears more than the profile can take at once, in halves, after
     /// each of which the profile follows.
-    fn slip_in_plane(&mut self, value: f64, place: Vector, halvings: u32) -> Result<(), Error> {
+    fn slip_in_plane(&mut self, value: f64, place: Vector2<f64>, halvings: u32) -> Result<(), Error> {
         let end = self.try_in_plane(value, place)?;
         if self.state.wear.is_some() && end.work > 0.0 {
             let volume = self.model.constants.wear_per_work * end.work;
             let far = self.exceeds_limit(volume, &end.to, WIDE * end.to.radius).is_some();
             let whole = self.exceeds_limit(volume, &end.to, 0.0).unwrap_or(0.0);
             if whole > MOST_WEAR || (halvings == 0 && self.exceeds_wear_capacity(end.work)) {
-                return Err(Error::WearOutrun { from: self.state.displacement, displacement: place[0] });
+                return Err(Error::WearOutrun { from: self.state.displacement, displacement: place.x });
             }
-            let middle = [0, 1].map(|k| 0.5 * (self.place()[k] + place[k]));
+            let middle = 0.5 * (self.place() + place);
             if far && halvings > 0 && middle != place && middle != self.place() {
                 let between = 0.5 * (self.state.contact.control + value);
                 for (value, place) in [(between, middle), (value, place)] {
@@ -262,24 +261,24 @@ impl FrettingContact {
 
     /// Takes over the state at the end of a piece. Where the bodies have parted, the next contact
     /// begins on a line.
-    fn arrive_in_plane(&mut self, end: PlanarEnd, place: Vector) {
-        let moved = [place[0] - self.state.displacement, place[1] - self.state.displacement_y];
-        let length = moved[0].hypot(moved[1]);
+    fn arrive_in_plane(&mut self, end: PlanarEnd, place: Vector2<f64>) {
+        let moved = place - self.place();
+        let length = moved.x.hypot(moved.y);
         if self.state.contact.is_open() || self.turns_in_plane(place) {
             self.begin_stroke();
         }
         if let Some(planar) = &mut self.state.planar {
             self.memory.planar = replace(&mut planar.row, end.row);
             if length > 0.0 {
-                planar.direction = [moved[0] / length, moved[1] / length];
+                planar.direction = moved / length;
             }
         }
-        if moved[0] != 0.0 {
-            self.state.direction = moved[0].signum();
+        if moved.x != 0.0 {
+            self.state.direction = moved.x.signum();
         }
         self.state.contact = end.to;
         self.state.work += end.work;
-        [self.state.displacement, self.state.displacement_y] = place;
+        [self.state.displacement, self.state.displacement_y] = place.into();
         self.state.reach = self.state.reach.max(end.to.radius);
         if end.to.is_open() {
             self.state.planar = None;

@@ -22,7 +22,7 @@ impl FrettingContact {
     /// ≤ μF_N.
     pub fn tangential_force(&self) -> f64 {
         if let Some(force) = self.force_in_plane() {
-            return force[0];
+            return force.x;
         }
         let force = 2.0
             * self.model.constants.tangential_modulus
@@ -221,7 +221,7 @@ impl FrettingContact {
     /// Tangential traction τ at radius r, Pa, along x (eq. (17)).
     pub fn shear_traction_at(&self, r: f64) -> f64 {
         if let Some(traction) = self.traction_in_plane(r) {
-            return traction[0];
+            return traction.x;
         }
         let (a, r) = (self.state.contact.radius, self.model.axes.inner(r));
         if r >= a {

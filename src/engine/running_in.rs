@@ -11,6 +11,7 @@ use super::{FrettingContact, Gradient};
 use crate::error::Error;
 use crate::parameters::Parameters;
 use crate::wear::Constants;
+use nalgebra::Vector2;
 
 /// Relative error of μ in a part of a line, or of cycles, at most.
 const ACCURACY: f64 = 1e-7;
@@ -111,7 +112,7 @@ impl FrettingContact {
     }
 
     /// [`Self::advance_to_planar`] with friction that runs in.
-    pub(super) fn run_in_to(&mut self, normal: f64, target: [f64; 2]) -> Result<(), Error> {
+    pub(super) fn run_in_to(&mut self, normal: f64, target: Vector2<f64>) -> Result<(), Error> {
         let mut now = self.clone();
         now.placed(|now| now.run_in_parts(normal, target))?;
         now.state.counters.steps = self.state.counters.steps + 1;
@@ -120,7 +121,7 @@ impl FrettingContact {
     }
 
     /// Walks a line in parts in each of which the coefficient changes little.
-    fn run_in_parts(&mut self, normal: f64, target: [f64; 2]) -> Result<(), Error> {
+    fn run_in_parts(&mut self, normal: f64, target: Vector2<f64>) -> Result<(), Error> {
         let scale = if self.model.constants.force_control { self.force_scale() } else { 1.0 };
         let start = (self.state.contact.control * scale, self.drive_place());
         let mut done = 0.0;
@@ -136,8 +137,7 @@ impl FrettingContact {
                 // the last part ends at the target to the bit
                 let next = (done + part).min(1.0);
                 let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
-                let place = [at(start.1[0], target[0]), at(start.1[1], target[1])];
-                let control = at(start.0, normal);
+                let (control, place) = (at(start.0, normal), start.1.zip_map(&target, at));
                 let end = self.run_in_part(|this| this.advance_in_plane(control, place))?;
                 let gained = end.state.work - self.state.work;
                 if gained <= 2.0 * most || part == LEAST_PART {

@@ -9,10 +9,11 @@
 
 use super::FrettingContact;
 use super::state::State;
-use crate::friction::{Springs, Vector};
+use crate::friction::Springs;
 use crate::parameters::Parameters;
 use crate::quadrature::GAUSS_3;
 use crate::surface::Surface;
+use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 use std::mem::{swap, take};
@@ -32,9 +33,9 @@ const SHARE: f64 = 3e-2;
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct StrokeStart {
     /// Radii with the origins of their springs, m; none where all were relaxed or out of contact.
-    origins: Vec<(f64, Vector)>,
+    origins: Vec<(f64, Vector2<f64>)>,
     /// Displacement, m.
-    place: Vector,
+    place: Vector2<f64>,
     /// Indentation depth, m.
     depth: f64,
 }
@@ -49,7 +50,7 @@ impl StrokeStart {
 
     /// Numbers that springs can have, at most so many.
     pub(super) fn is_sound(&self, most: usize) -> bool {
-        let finite = |vector: &Vector| vector.iter().all(|value| value.is_finite());
+        let finite = |vector: &Vector2<f64>| vector.iter().all(|value| value.is_finite());
         self.origins.len() <= most
             && self.depth.is_finite()
             && finite(&self.place)
@@ -70,7 +71,9 @@ impl FrettingContact {
         let State { stroke, springs, planar, .. } = &mut self.state;
         match planar {
             Some(planar) => stroke.origins.extend(planar.row.knots().iter().map(|k| (k.place.x, k.origin))),
-            None => stroke.origins.extend(springs.knots().iter().map(|k| (k.place.x, [k.origin, place[1]]))),
+            None => stroke
+                .origins
+                .extend(springs.knots().iter().map(|k| (k.place.x, Vector2::new(k.origin, place.y)))),
         }
     }
 
@@ -85,11 +88,11 @@ impl FrettingContact {
 
     /// Steady cycles are given by their first quarter, from relaxed springs at displacement 0.
     pub(super) fn begin_quarter(&mut self) {
-        self.next_stroke(self.model.axes.for_springs([0.0, self.state.displacement_y]));
+        self.next_stroke(self.model.axes.for_springs(Vector2::new(0.0, self.state.displacement_y)));
     }
 
     /// A stroke begins with relaxed springs. [`Self::undo_stroke`] takes that back.
-    fn next_stroke(&mut self, place: Vector) {
+    fn next_stroke(&mut self, place: Vector2<f64>) {
         self.undo_stroke();
         let stroke = &mut self.state.stroke;
         (stroke.place, stroke.depth) = (place, self.state.contact.depth);
@@ -114,10 +117,16 @@ impl FrettingContact {
         if self.state.contact.is_open() || r > self.state.contact.radius {
             return 0.0;
         }
-        let [_, place_y] = self.model.axes.for_springs(self.place());
-        let now: Vec<(f64, Vector)> = match &self.state.planar {
+        let place = self.model.axes.for_springs(self.place());
+        let now: Vec<(f64, Vector2<f64>)> = match &self.state.planar {
             Some(planar) => planar.row.knots().iter().map(|k| (k.place.x, k.origin)).collect(),
-            None => self.state.springs.knots().iter().map(|k| (k.place.x, [k.origin, place_y])).collect(),
+            None => self
+                .state
+                .springs
+                .knots()
+                .iter()
+                .map(|k| (k.place.x, Vector2::new(k.origin, place.y)))
+                .collect(),
         };
         let start = &self.state.stroke;
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
@@ -130,46 +139,45 @@ impl FrettingContact {
             let image = self.surface.image(x);
             let (end, begin) =
                 (now.at(x, image), start.at(x, image).unwrap_or_else(|| self.touched_at(image)));
-            end.map_or([0.0; 2], |end| [end[0] - begin[0], end[1] - begin[1]])
+            end.map_or(Vector2::zeros(), |end| end - begin)
         };
-        let mut sum = [0.0; 2];
+        let mut sum = Vector2::zeros();
         for pair in angles.windows(2) {
             let panels = ((pair[1] - pair[0]) / PANEL).ceil();
             for k in 0..panels as u32 {
                 let half = 0.5 * (pair[1] - pair[0]) / panels;
                 let middle = pair[0] + f64::from(2 * k + 1) * half;
                 for (node, weight) in GAUSS_3 {
-                    let slip = slip(r * (middle + half * node).sin());
-                    sum = [0, 1].map(|i| sum[i] + weight * half * slip[i]);
+                    sum += weight * half * slip(r * (middle + half * node).sin());
                 }
             }
         }
-        FRAC_2_PI * sum[0].hypot(sum[1] / self.model.axes.stiffness_ratio)
+        FRAC_2_PI * sum.x.hypot(sum.y / self.model.axes.stiffness_ratio)
     }
 
     /// Origin of a spring that was not in contact when the stroke began, or of a relaxed one.
-    fn touched_at(&self, image: f64) -> Vector {
+    fn touched_at(&self, image: f64) -> Vector2<f64> {
         let start = &self.state.stroke;
         let (place, rise) =
             (self.model.axes.for_springs(self.place()), self.state.contact.depth - start.depth);
         let share = if rise > 0.0 { ((image - start.depth) / rise).clamp(0.0, 1.0) } else { 0.0 };
-        [0, 1].map(|i| start.place[i] + share * (place[i] - start.place[i]))
+        start.place + share * (place - start.place)
     }
 }
 
 /// Origins of springs, linear in the image between them.
 struct Row<'a> {
-    origins: &'a [(f64, Vector)],
+    origins: &'a [(f64, Vector2<f64>)],
     images: Vec<f64>,
 }
 
 impl<'a> Row<'a> {
-    fn new(surface: &Surface, origins: &'a [(f64, Vector)]) -> Self {
+    fn new(surface: &Surface, origins: &'a [(f64, Vector2<f64>)]) -> Self {
         Self { origins, images: origins.iter().map(|(x, _)| surface.image(*x)).collect() }
     }
 
     /// Origin of the spring at x, m; `None` beyond the last one.
-    fn at(&self, x: f64, image: f64) -> Option<Vector> {
+    fn at(&self, x: f64, image: f64) -> Option<Vector2<f64>> {
         let outer = self.origins.partition_point(|(knot, _)| *knot < x);
         let (end, last) = *self.origins.get(outer)?;
         let Some(inner) = outer.checked_sub(1) else { return Some(last) };
@@ -180,6 +188,6 @@ impl<'a> Row<'a> {
         } else {
             (x - begin) / (end - begin)
         };
-        Some([0, 1].map(|i| first[i] + share * (last[i] - first[i])))
+        Some(first + share * (last - first))
     }
 }

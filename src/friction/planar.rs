@@ -20,10 +20,10 @@ mod walk;
 
 pub(crate) use reading::{Standing, Tangent};
 pub(crate) use sampling::{Resting, Samples};
-pub(crate) use spring::{Vector, difference};
 pub(crate) use walk::PlanarPath;
 
 use crate::surface::Place;
+use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 
 /// One spring of the row.
@@ -31,7 +31,7 @@ use serde::{Deserialize, Serialize};
 pub(crate) struct PlanarKnot {
     pub(crate) place: Place,
     /// Displacement of the body at which this spring would be relaxed, m; along y times G*_y/G*_x.
-    pub(crate) origin: Vector,
+    pub(crate) origin: Vector2<f64>,
 }
 
 /// The springs under the contact, from the axis to the contact edge.

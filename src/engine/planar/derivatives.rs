@@ -5,7 +5,8 @@
 //! = m **n**, and friction takes b (**n**·dU − m dd).
 
 use crate::engine::{FrettingContact, Gradient};
-use crate::friction::{Standing, Vector};
+use crate::friction::Standing;
+use nalgebra::Vector2;
 
 /// Share of full slip, and of the load, over which the stiffness is differenced.
 const STEP: f64 = 1e-4;
@@ -13,8 +14,8 @@ const STEP: f64 = 1e-4;
 /// Derivatives where there is motion along y.
 impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
-    fn gradient_in_plane(&self, by_depth: f64, by_place: Vector) -> Gradient {
-        let [displacement, displacement_y] = by_place;
+    fn gradient_in_plane(&self, by_depth: f64, by_place: Vector2<f64>) -> Gradient {
+        let [displacement, displacement_y] = by_place.into();
         let normal = by_depth * self.depth_per_normal();
         let gradient = Gradient { normal, displacement, displacement_y, ..Gradient::default() };
         self.behind_the_rig_in_plane(gradient).times(1.0)
@@ -42,7 +43,7 @@ impl FrettingContact {
     /// Of [`Self::displacement_y`].
     pub fn displacement_y_gradient(&self) -> Gradient {
         if self.state.planar.is_some() {
-            return self.gradient_in_plane(0.0, [0.0, 1.0]);
+            return self.gradient_in_plane(0.0, Vector2::new(0.0, 1.0));
         }
         let stiffness = self.sticking_stiffness_y();
         Gradient { displacement_y: 1.0 / (1.0 + self.model.compliance * stiffness), ..Gradient::default() }
@@ -50,13 +51,15 @@ impl FrettingContact {
 
     /// Of the displacement along x.
     pub(in crate::engine) fn displacement_gradient_in_plane(&self) -> Option<Gradient> {
-        self.state.planar.is_some().then(|| self.gradient_in_plane(0.0, [1.0, 0.0]))
+        self.state.planar.is_some().then(|| self.gradient_in_plane(0.0, Vector2::new(1.0, 0.0)))
     }
 
     /// Of one component of the force.
     pub(in crate::engine) fn force_gradient_in_plane(&self, component: usize) -> Option<Gradient> {
         let tangent = self.tangent_in_plane()?;
-        Some(self.gradient_in_plane(tangent.by_depth[component], tangent.stiffness[component]))
+        Some(
+            self.gradient_in_plane(tangent.by_depth[component], tangent.stiffness.row(component).transpose()),
+        )
     }
 
     pub(in crate::engine) fn work_gradient_in_plane(&self) -> Option<Gradient> {
@@ -72,7 +75,7 @@ impl FrettingContact {
             return Some(Gradient::default());
         };
         let per_room = 1.0 / (fall * self.surface.image_slope(standing.stick_radius() * (1.0 - 1e-9)));
-        let gradient = self.gradient_in_plane(-self.model.bound_slope * per_room, pull.map(|n| n * per_room));
+        let gradient = self.gradient_in_plane(-self.model.bound_slope * per_room, pull * per_room);
         Some(gradient.times(self.model.axes.size))
     }
 
@@ -81,13 +84,13 @@ impl FrettingContact {
         let (place, ahead) = (self.place(), self.direction_in_plane());
         let now = self.stiffness_in_plane()?;
         let planar = self.state.planar.as_ref()?;
-        let change = |control: f64, moved: Vector, step: f64| {
+        let change = |control: f64, moved: Vector2<f64>, step: f64| {
             let to = if control == self.state.contact.control {
                 self.state.contact
             } else {
                 self.solve_contact(control).ok()?
             };
-            let end = [place[0] + moved[0], place[1] + moved[1]];
+            let end = place + moved;
             let path = self.planar_path(to, end);
             let (row, _) = planar.row.walk(&path, super::PlanarRow::default(), None);
             let standing = Standing {
@@ -98,11 +101,8 @@ impl FrettingContact {
                 stiffness_ratio: self.model.axes.stiffness_ratio,
                 displacement: self.model.axes.for_springs(end),
             };
-            let [x, y] = ahead;
-            let [[xx, xy], [yx, yy]] = standing.tangent(ahead).stiffness;
-            let stiffness = 2.0
-                * self.model.constants.tangential_modulus
-                * (x * (xx * x + xy * y) + y * (yx * x + yy * y));
+            let along = ahead.dot(&(standing.tangent(ahead).stiffness * ahead));
+            let stiffness = 2.0 * self.model.constants.tangential_modulus * along;
             Some((stiffness - now) / step)
         };
         let length = STEP * self.model.bound_slope * self.state.contact.depth.abs();
@@ -111,9 +111,9 @@ impl FrettingContact {
         let step = STEP * control.abs();
         let scale = if self.model.constants.force_control { 1.0 / self.force_scale() } else { 1.0 };
         let gradient = Gradient {
-            normal: change(control + step, [0.0; 2], step)? * scale,
-            displacement: change(control, [way(0), 0.0], way(0))?,
-            displacement_y: change(control, [0.0, way(1)], way(1))?,
+            normal: change(control + step, Vector2::zeros(), step)? * scale,
+            displacement: change(control, Vector2::new(way(0), 0.0), way(0))?,
+            displacement_y: change(control, Vector2::new(0.0, way(1)), way(1))?,
             ..Gradient::default()
         };
         Some(self.behind_the_rig_in_plane(gradient).times(1.0))
@@ -127,12 +127,12 @@ impl FrettingContact {
         let rates = |r: f64| {
             let traction = self.traction_in_plane(r).unwrap_or_default();
             let [x, y, depth] = standing.surface_slip(r, ahead).map(|slip| {
-                let rate = per_work * (traction[0] * slip[0] + traction[1] * slip[1]);
+                let rate = per_work * traction.dot(&slip);
                 if rate.is_finite() { rate } else { 0.0 }
             });
-            (depth, [x, y])
+            (depth, Vector2::new(x, y))
         };
-        let along = |rates: &(f64, Vector)| rates.1[0] * ahead[0] + rates.1[1] * ahead[1];
+        let along = |rates: &(f64, Vector2<f64>)| rates.1.dot(&ahead);
         let (by_depth, by_place) = match self.deepest() {
             Some(r) => rates(r),
             None => {

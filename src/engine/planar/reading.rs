@@ -1,9 +1,10 @@
 //! What can be read from a contact that moves in both tangential directions.
 
 use crate::engine::FrettingContact;
-use crate::friction::{Standing, Tangent, Vector};
+use crate::friction::{Standing, Tangent};
 use crate::range::LEAST_RISE;
 use crate::transform;
+use nalgebra::Vector2;
 use std::f64::consts::PI;
 
 /// Motion in both tangential directions.
@@ -16,23 +17,23 @@ impl FrettingContact {
     /// Tangential force along y that the moving body exerts on the substrate, N. With that along x
     /// it has at most the length μF_N.
     pub fn tangential_force_y(&self) -> f64 {
-        self.force_in_plane().map_or(0.0, |force| force[1])
+        self.force_in_plane().map_or(0.0, |force| force.y)
     }
 
     /// Tangential traction along y at radius r, Pa.
     pub fn shear_traction_y_at(&self, r: f64) -> f64 {
-        self.traction_in_plane(r).map_or(0.0, |traction| traction[1])
+        self.traction_in_plane(r).map_or(0.0, |traction| traction.y)
     }
 
     /// Both components of the force, N, where the body has moved along y.
-    pub(in crate::engine) fn force_in_plane(&self) -> Option<Vector> {
+    pub(in crate::engine) fn force_in_plane(&self) -> Option<Vector2<f64>> {
         let planar = self.state.planar.as_ref()?;
         let integral = planar.row.deflection_integral(self.model.axes.for_springs(self.place()));
-        let force = integral.map(|u| 2.0 * self.model.constants.tangential_modulus * u);
+        let force = 2.0 * self.model.constants.tangential_modulus * integral;
         let limit = self.model.constants.friction_coefficient * self.normal_reaction();
-        let size = force[0].hypot(force[1]);
+        let size = force.x.hypot(force.y);
         // of a size that is rounding, too
-        Some(if size > limit { force.map(|part| part / size * limit) } else { force })
+        Some(if size > limit { force / size * limit } else { force })
     }
 
     /// The row where it stands.
@@ -48,8 +49,8 @@ impl FrettingContact {
     }
 
     /// Direction of the last movement, a unit vector.
-    pub(in crate::engine) fn direction_in_plane(&self) -> Vector {
-        self.state.planar.as_ref().map_or([1.0, 0.0], |planar| planar.direction)
+    pub(in crate::engine) fn direction_in_plane(&self) -> Vector2<f64> {
+        self.state.planar.as_ref().map_or(Vector2::new(1.0, 0.0), |planar| planar.direction)
     }
 
     /// Derivatives of the whole row for going on in the present direction, by displacement and
@@ -61,40 +62,33 @@ impl FrettingContact {
 
     /// ∂T/∂U for going on in the direction of the last movement, along it, N/m.
     pub(in crate::engine) fn stiffness_in_plane(&self) -> Option<f64> {
-        let ([x, y], stiffness) = (self.direction_in_plane(), self.tangent_in_plane()?.stiffness);
-        Some(
-            x * (stiffness[0][0] * x + stiffness[0][1] * y) + y * (stiffness[1][0] * x + stiffness[1][1] * y),
-        )
+        let ahead = self.direction_in_plane();
+        Some(ahead.dot(&(self.tangent_in_plane()?.stiffness * ahead)))
     }
 
     /// Tangential traction at radius r, Pa: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²) by components.
-    pub(in crate::engine) fn traction_in_plane(&self, r: f64) -> Option<Vector> {
+    pub(in crate::engine) fn traction_in_plane(&self, r: f64) -> Option<Vector2<f64>> {
         let knots = self.state.planar.as_ref()?.row.knots();
         let (a, r) = (self.state.contact.radius, self.model.axes.inner(r));
         if r >= a {
-            return Some([0.0; 2]);
+            return Some(Vector2::zeros());
         }
         let r = if self.slope_integral(r, a).is_finite() { r } else { r + 1e-9 * a };
-        let mut sum = [0.0; 2];
+        let mut sum = Vector2::zeros();
         let first = knots.partition_point(|knot| knot.place.x <= r);
         let mut inner_integral = self.slope_integral(r, knots.get(first.max(1) - 1)?.place.x.max(r));
         for pair in knots.get(first.max(1) - 1..).unwrap_or_default().windows(2) {
             let rise = pair[1].place.image - pair[0].place.image;
             let integral = self.slope_integral(r, pair[1].place.x);
             if rise > LEAST_RISE {
-                for k in 0..2 {
-                    sum[k] += (pair[1].origin[k] - pair[0].origin[k]) / rise * (integral - inner_integral);
-                }
+                sum += (pair[1].origin - pair[0].origin) / rise * (integral - inner_integral);
             }
             inner_integral = integral;
         }
         if let Some(edge) = knots.last()
             && a >= self.surface.profile().outer_radius()
         {
-            let place = self.model.axes.for_springs(self.place());
-            for k in 0..2 {
-                sum[k] += (place[k] - edge.origin[k]) / transform::leg(a, r);
-            }
+            sum += (self.model.axes.for_springs(self.place()) - edge.origin) / transform::leg(a, r);
         }
         Some(sum.map(|part| self.model.axes.stress(self.model.constants.tangential_modulus / PI * part)))
     }

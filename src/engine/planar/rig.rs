@@ -14,8 +14,9 @@
 
 use crate::engine::{FrettingContact, Gradient};
 use crate::error::Error;
-use crate::friction::{PlanarRow, Standing, Vector, difference};
+use crate::friction::{PlanarRow, Standing};
 use crate::surface::Contact;
+use nalgebra::{Matrix2, Vector2};
 use std::mem::take;
 
 /// How far the body may be from the chord halfway, over the displacement of full slip.
@@ -39,38 +40,22 @@ const NEARLY: f64 = 1e-9;
 /// Most ways that make up for wear in one piece.
 const MOST_MORE: u32 = 4;
 
-/// A symmetric or nearly symmetric 2 × 2 matrix.
-type Matrix = [Vector; 2];
-
-fn times(matrix: &Matrix, vector: Vector) -> Vector {
-    matrix.map(|row| row[0] * vector[0] + row[1] * vector[1])
-}
-
 /// What the matrix takes to a vector; `None` where it is singular.
-fn solved(matrix: &Matrix, right: Vector) -> Option<Vector> {
-    let [[a, b], [c, d]] = *matrix;
-    let determinant = a * d - b * c;
-    let solution = [(d * right[0] - b * right[1]) / determinant, (a * right[1] - c * right[0]) / determinant];
+fn solved(of: &Matrix2<f64>, right: Vector2<f64>) -> Option<Vector2<f64>> {
+    let adjugate = Matrix2::new(of.m22, -of.m12, -of.m21, of.m11);
+    let solution = adjugate * right / of.determinant();
     solution.iter().all(|part| part.is_finite()).then_some(solution)
 }
 
-fn size(vector: Vector) -> f64 {
-    vector[0].hypot(vector[1])
-}
-
-fn plus(a: Vector, b: Vector) -> Vector {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-fn middle(a: Vector, b: Vector) -> Vector {
-    [0, 1].map(|k| a[k] + 0.5 * (b[k] - a[k]))
+fn size(vector: Vector2<f64>) -> f64 {
+    vector.x.hypot(vector.y)
 }
 
 /// Distance of a point from the line through two others.
-fn distance(point: Vector, (from, to): (Vector, Vector)) -> f64 {
-    let (way, aside) = (difference(to, from), difference(point, from));
+fn distance(point: Vector2<f64>, (from, to): (Vector2<f64>, Vector2<f64>)) -> f64 {
+    let (way, aside) = (to - from, point - from);
     let length = size(way);
-    if length > 0.0 { (way[0] * aside[1] - way[1] * aside[0]).abs() / length } else { size(aside) }
+    if length > 0.0 { way.perp(&aside).abs() / length } else { size(aside) }
 }
 
 impl FrettingContact {
@@ -84,12 +69,12 @@ impl FrettingContact {
     }
 
     /// Where the drive stands, m.
-    pub(in crate::engine) fn drive_place(&self) -> Vector {
-        [self.drive_displacement(), self.drive_displacement_y()]
+    pub(in crate::engine) fn drive_place(&self) -> Vector2<f64> {
+        Vector2::new(self.drive_displacement(), self.drive_displacement_y())
     }
 
     /// Follows one piece of the drive's line.
-    pub(super) fn follow_drive(&mut self, value: f64, drive: Vector) -> Result<(), Error> {
+    pub(super) fn follow_drive(&mut self, value: f64, drive: Vector2<f64>) -> Result<(), Error> {
         if value <= self.touch_control() {
             // what holds the body holds no force then
             return self.walk_in_plane(value, drive);
@@ -105,13 +90,13 @@ impl FrettingContact {
     fn follow_to(
         &mut self,
         value: f64,
-        (drive, place): (Vector, Vector),
+        (drive, place): (Vector2<f64>, Vector2<f64>),
         halvings: u32,
     ) -> Result<(), Error> {
         let (from, here) = (self.drive_place(), self.place());
         let halfway = 0.5 * (self.state.contact.control + value);
         if halvings > 0 && halfway > self.touch_control() && drive != from {
-            let half = middle(from, drive);
+            let half = from + 0.5 * (drive - from);
             let between = self.balance(halfway, half)?;
             let near = BENT * self.model.bound_slope * self.state.contact.depth.abs()
                 + ROUNDING * self.scale_of(drive, &self.state.contact);
@@ -127,9 +112,8 @@ impl FrettingContact {
             if self.state.counters.profile_updates == updates || self.state.planar.is_none() {
                 break;
             }
-            let off = difference(drive, self.drive_place());
-            let [x, y] = self.direction_in_plane();
-            if off[0] * x + off[1] * y <= NEARLY * self.scale_of(drive, &self.state.contact) {
+            let off = drive - self.drive_place();
+            if off.dot(&self.direction_in_plane()) <= NEARLY * self.scale_of(drive, &self.state.contact) {
                 break;
             }
             let place = self.balance(value, drive)?;
@@ -139,13 +123,13 @@ impl FrettingContact {
     }
 
     /// Size of the lengths that are compared in an equilibrium, m.
-    fn scale_of(&self, drive: Vector, to: &Contact) -> f64 {
+    fn scale_of(&self, drive: Vector2<f64>, to: &Contact) -> f64 {
         let limit = self.model.constants.friction_coefficient * to.load * self.force_scale();
         size(drive) + size(self.place()) + self.model.compliance * limit
     }
 
     /// Place of the body that balances the drive after a straight way to it and to another load.
-    fn balance(&mut self, value: f64, drive: Vector) -> Result<Vector, Error> {
+    fn balance(&mut self, value: f64, drive: Vector2<f64>) -> Result<Vector2<f64>, Error> {
         let to =
             if value == self.state.contact.control { self.state.contact } else { self.contact_at(value)? };
         if to.is_open() {
@@ -160,13 +144,13 @@ impl FrettingContact {
             let Some(step) = solved(&slope, off) else { break };
             let mut share = 1.0;
             let next = loop {
-                let next = plus(place, step.map(|part| share * part));
+                let next = place + share * step;
                 let (left, fresh) = self.pull_in_plane((drive, next), &to, &mut spare);
                 walks += 1;
                 if size(left) < size(off) {
-                    let moved = difference(next, place);
+                    let moved = next - place;
                     // the fresh tangent where the trial had to be cut, else by the secant
-                    slope = if share < 1.0 { fresh } else { secant(slope, moved, difference(off, left)) };
+                    slope = if share < 1.0 { fresh } else { secant(slope, moved, off - left) };
                     off = left;
                     break Some(next);
                 }
@@ -188,16 +172,16 @@ impl FrettingContact {
     /// stiffness K.
     fn pull_in_plane(
         &self,
-        (drive, place): (Vector, Vector),
+        (drive, place): (Vector2<f64>, Vector2<f64>),
         to: &Contact,
         spare: &mut PlanarRow,
-    ) -> (Vector, Matrix) {
+    ) -> (Vector2<f64>, Matrix2<f64>) {
         let path = self.planar_path(*to, place);
         let (row, _) = self.walked_in_plane(&path, take(spare), None);
         let modulus = self.model.compliance * 2.0 * self.model.constants.tangential_modulus;
         let springs_at = self.model.axes.for_springs(place);
         let force = row.deflection_integral(springs_at);
-        let ahead = difference(drive, self.drive_place());
+        let ahead = drive - self.drive_place();
         let standing = Standing {
             row: &row,
             surface: &self.surface,
@@ -207,9 +191,9 @@ impl FrettingContact {
             displacement: springs_at,
         };
         let stiffness = standing.tangent(ahead).stiffness;
-        let off = [0, 1].map(|k| drive[k] - place[k] - modulus * force[k]);
+        let off = drive - place - modulus * force;
         *spare = row;
-        (off, one_and(modulus, stiffness))
+        (off, Matrix2::identity() + modulus * stiffness)
     }
 
     /// The derivatives of a quantity by the drive where those by the body are given: d**U** = (1 +
@@ -218,31 +202,25 @@ impl FrettingContact {
         let Some(tangent) = self.tangent_in_plane().filter(|_| self.model.compliance > 0.0) else {
             return of;
         };
-        let matrix = one_and(self.model.compliance, tangent.stiffness);
-        let transposed = [[matrix[0][0], matrix[1][0]], [matrix[0][1], matrix[1][1]]];
-        let by_place = solved(&transposed, [of.displacement, of.displacement_y]).unwrap_or_default();
-        let by_normal = tangent.by_depth.map(|part| self.model.compliance * part * self.depth_per_normal());
+        let matrix = Matrix2::identity() + self.model.compliance * tangent.stiffness;
+        let right = Vector2::new(of.displacement, of.displacement_y);
+        let by_place = solved(&matrix.transpose(), right).unwrap_or_default();
+        let by_normal = self.model.compliance * tangent.by_depth * self.depth_per_normal();
         Gradient {
-            normal: of.normal - by_place[0] * by_normal[0] - by_place[1] * by_normal[1],
-            displacement: by_place[0],
-            displacement_y: by_place[1],
+            normal: of.normal - by_place.x * by_normal.x - by_place.y * by_normal.y,
+            displacement: by_place.x,
+            displacement_y: by_place.y,
             ..of
         }
     }
 }
 
-/// 1 + factor · K.
-fn one_and(factor: f64, stiffness: Matrix) -> Matrix {
-    let [[xx, xy], [yx, yy]] = stiffness;
-    [[1.0 + factor * xx, factor * xy], [factor * yx, 1.0 + factor * yy]]
-}
-
 /// Broyden's update: the matrix next to the given one that takes a way to its change.
-fn secant(matrix: Matrix, way: Vector, change: Vector) -> Matrix {
-    let square = way[0] * way[0] + way[1] * way[1];
-    let missing = difference(change, times(&matrix, way));
+fn secant(matrix: Matrix2<f64>, way: Vector2<f64>, change: Vector2<f64>) -> Matrix2<f64> {
+    let square = way.dot(&way);
+    let missing = change - matrix * way;
     if square == 0.0 {
         return matrix;
     }
-    [0, 1].map(|i| [0, 1].map(|j| matrix[i][j] + missing[i] * way[j] / square))
+    matrix + missing * way.transpose() / square
 }

@@ -4,9 +4,10 @@ use super::Snapshot;
 use crate::engine::FrettingContact;
 use crate::engine::planar::Planar;
 use crate::engine::state::WearState;
-use crate::friction::{Knot, PlanarKnot, Springs, difference};
+use crate::friction::{Knot, PlanarKnot, Springs};
 use crate::surface::{Contact, Place, Surface};
 use crate::wear::Sliding;
+use nalgebra::Vector2;
 
 /// How far what follows from other parts of a state may differ from them, relative: machines differ
 /// in the last digits of their elementary functions.
@@ -162,16 +163,17 @@ impl Snapshot {
         target: &FrettingContact,
     ) -> bool {
         let Contact { depth, radius, .. } = self.state.contact;
-        let place = target.model.axes.for_springs([self.state.displacement, self.state.displacement_y]);
+        let place = Vector2::new(self.state.displacement, self.state.displacement_y);
+        let place = target.model.axes.for_springs(place);
         let knots = planar.row.knots();
         let slope = target.bound_slope_after(self.state.work);
-        let slack = CLOSE * (slope * depth.abs() + place[0].abs() + place[1].abs());
+        let slack = CLOSE * (slope * depth.abs() + place.x.abs() + place.y.abs());
         let within = |knot: &PlanarKnot| {
             let bound = slope * (depth - knot.place.image).max(0.0);
-            let [x, y] = difference(place, knot.origin);
+            let [x, y] = (place - knot.origin).into();
             x.hypot(y) <= bound + slack && is_placed(&knot.place, surface, outermost)
         };
-        let [x, y] = planar.direction;
+        let [x, y] = planar.direction.into();
         !self.state.contact.is_open()
             && knots.len() <= most
             && knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x)

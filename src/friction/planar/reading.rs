@@ -1,28 +1,27 @@
 //! What the row says of the present state.
 
-use super::spring::{Vector, difference, dot, norm, scaled, sum};
+use super::spring::norm;
 use super::{PlanarKnot, PlanarRow};
 use crate::friction::interval::Interval;
 use crate::surface::{Contact, Place, Surface};
+use nalgebra::{Matrix2, Vector2};
 use std::f64::consts::FRAC_2_PI;
 
 impl PlanarRow {
     /// ∫ u dx from the axis to the edge, m².
-    pub(crate) fn deflection_integral(&self, displacement: Vector) -> Vector {
-        let mut sum = [0.0; 2];
+    pub(crate) fn deflection_integral(&self, displacement: Vector2<f64>) -> Vector2<f64> {
+        let mut sum = Vector2::zeros();
         for pair in self.knots.windows(2) {
             let interval = Interval::between(&pair[0].place, &pair[1].place);
-            for k in 0..2 {
-                let u = |i: usize| displacement[k] - pair[i].origin[k];
-                sum[k] += interval.linear(u(0), u(1));
-            }
+            let (inner, outer) = (displacement - pair[0].origin, displacement - pair[1].origin);
+            sum += inner.zip_map(&outer, |inner, outer| interval.linear(inner, outer));
         }
         sum
     }
 
     /// ∫ (u_x² + u_y²/ρ) dx from the axis to the edge, m³, with the stiffness ratio ρ: the elastic
     /// energy of the row over G*_x.
-    pub(crate) fn energy_integral(&self, displacement: Vector, stiffness_ratio: f64) -> f64 {
+    pub(crate) fn energy_integral(&self, displacement: Vector2<f64>, stiffness_ratio: f64) -> f64 {
         let mut sum = 0.0;
         for pair in self.knots.windows(2) {
             let interval = Interval::between(&pair[0].place, &pair[1].place);
@@ -46,21 +45,21 @@ pub(crate) struct Standing<'a> {
     pub(crate) bound_slope: f64,
     /// G*_y/G*_x, by which `displacement` is multiplied along y.
     pub(crate) stiffness_ratio: f64,
-    pub(crate) displacement: Vector,
+    pub(crate) displacement: Vector2<f64>,
 }
 
 impl Standing<'_> {
     /// K **n**: what a displacement adds to |u|, and κ = **n**·K **n**, with K = diag(1, ρ).
-    fn stiffness_along(&self, [x, y]: Vector) -> (Vector, f64) {
-        ([x, self.stiffness_ratio * y], 1.0 + (self.stiffness_ratio - 1.0) * y * y)
+    fn stiffness_along(&self, n: Vector2<f64>) -> (Vector2<f64>, f64) {
+        (Vector2::new(n.x, self.stiffness_ratio * n.y), 1.0 + (self.stiffness_ratio - 1.0) * n.y * n.y)
     }
 
     fn bound(&self, knot: &PlanarKnot) -> f64 {
         self.bound_slope * (self.contact.depth - knot.place.image).max(0.0)
     }
 
-    pub(super) fn deflection(&self, knot: &PlanarKnot) -> Vector {
-        difference(self.displacement, knot.origin)
+    pub(super) fn deflection(&self, knot: &PlanarKnot) -> Vector2<f64> {
+        self.displacement - knot.origin
     }
 
     /// Whether a spring is at its bound; that at the very edge is.
@@ -108,7 +107,7 @@ impl Standing<'_> {
     /// At the stick radius: fall of b − |u| per image inside it, and ∂|u|/∂**U** = K **n**, **n** =
     /// u/|u|; `None` where no front moves, as in gross slip and where
     /// motion in the present direction does not increase |u|.
-    pub(crate) fn front_slope(&self, ahead: Vector) -> Option<(f64, Vector)> {
+    pub(crate) fn front_slope(&self, ahead: Vector2<f64>) -> Option<(f64, Vector2<f64>)> {
         let knots = &self.row.knots;
         let last =
             knots.iter().rposition(|knot| !self.at_bound(knot)).filter(|last| last + 1 < knots.len())?;
@@ -118,24 +117,23 @@ impl Standing<'_> {
         let fall = (margin(before) - margin(here)) / rise;
         let u = self.deflection(here);
         let size = norm(u);
-        let grows = size > 0.0 && dot(self.stiffness_along(u).0, ahead) > 0.0;
-        (fall > 0.0 && fall.is_finite() && grows)
-            .then(|| (-fall, self.stiffness_along([u[0] / size, u[1] / size]).0))
+        let grows = size > 0.0 && self.stiffness_along(u).0.dot(&ahead) > 0.0;
+        (fall > 0.0 && fall.is_finite() && grows).then(|| (-fall, self.stiffness_along(u / size).0))
     }
 
     /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e
     /// dx/√(r² − x²) from 0 to r; on the axis that of the spring there.
-    pub(crate) fn surface_slip(&self, r: f64, ahead: Vector) -> [Vector; 3] {
-        let mut slip = [[0.0; 2]; 3];
+    pub(crate) fn surface_slip(&self, r: f64, ahead: Vector2<f64>) -> [Vector2<f64>; 3] {
+        let mut slip = [Vector2::zeros(); 3];
         let of_spring = |knot: &PlanarKnot| {
             let u = self.deflection(knot);
             let size = norm(u);
-            if !(self.at_bound(knot) && size > 0.0 && dot(self.stiffness_along(u).0, ahead) > 0.0) {
-                return [[0.0; 2]; 3];
+            if !(self.at_bound(knot) && size > 0.0 && self.stiffness_along(u).0.dot(&ahead) > 0.0) {
+                return [Vector2::zeros(); 3];
             }
-            let n = [u[0] / size, u[1] / size];
+            let n = u / size;
             let (along, square) = self.stiffness_along(n);
-            [along[0] / square, along[1] / square, -self.bound_slope / square].map(|rate| scaled(n, rate))
+            [along.x / square, along.y / square, -self.bound_slope / square].map(|rate| n * rate)
         };
         if r == 0.0 {
             return self.row.knots.first().map_or(slip, of_spring);
@@ -148,7 +146,7 @@ impl Standing<'_> {
             let weight = FRAC_2_PI * ((x1 / r).asin() - (x0 / r).asin());
             let (inner, outer) = (of_spring(&pair[0]), of_spring(&pair[1]));
             for k in 0..3 {
-                slip[k] = sum(slip[k], scaled(sum(inner[k], outer[k]), 0.5 * weight));
+                slip[k] += (inner[k] + outer[k]) * (0.5 * weight);
             }
         }
         slip
@@ -156,27 +154,28 @@ impl Standing<'_> {
 
     /// Tangents of half the row for going on in a direction: springs at their bound that the motion
     /// grows on follow it.
-    pub(crate) fn tangent(&self, ahead: Vector) -> Tangent {
+    pub(crate) fn tangent(&self, ahead: Vector2<f64>) -> Tangent {
         let part = |knot: &PlanarKnot| {
             let u = self.deflection(knot);
             let size = norm(u);
-            let slips = self.at_bound(knot) && size > 0.0 && dot(self.stiffness_along(u).0, ahead) > 0.0;
+            let slips = self.at_bound(knot) && size > 0.0 && self.stiffness_along(u).0.dot(&ahead) > 0.0;
             slips.then(|| {
-                let n = [u[0] / size, u[1] / size];
+                let n = u / size;
                 let (along, square) = self.stiffness_along(n);
                 // K − K**n** K**n**/κ, without the difference
                 let share = self.stiffness_ratio / square;
                 let (bound, m) = (self.bound(knot) / square, self.bound_slope / square);
-                let stiffness = [[n[1] * n[1], -n[0] * n[1]], [-n[0] * n[1], n[0] * n[0]]];
+                let across = Vector2::new(n.y, -n.x);
                 Tangent {
-                    stiffness: stiffness.map(|row| row.map(|part| share * part)),
-                    by_depth: [m * along[0], m * along[1]],
-                    work: [bound * along[0], bound * along[1]],
+                    stiffness: share * (across * across.transpose()),
+                    by_depth: m * along,
+                    work: bound * along,
                     work_by_depth: -m * self.bound(knot),
                 }
             })
         };
-        let stuck = Tangent { stiffness: [[1.0, 0.0], [0.0, self.stiffness_ratio]], ..Tangent::default() };
+        let stiffness = Matrix2::from_diagonal(&Vector2::new(1.0, self.stiffness_ratio));
+        let stuck = Tangent { stiffness, ..Tangent::default() };
         let mut sum = Tangent::default();
         let knots = &self.row.knots;
         let mut inner = knots.first().and_then(part);
@@ -202,11 +201,11 @@ impl Standing<'_> {
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Tangent {
     /// ∂(∫u dx)/∂U, m.
-    pub(crate) stiffness: [Vector; 2],
+    pub(crate) stiffness: Matrix2<f64>,
     /// ∂(∫u dx)/∂d, m.
-    pub(crate) by_depth: Vector,
+    pub(crate) by_depth: Vector2<f64>,
     /// ∂(∫∫|u||de| dx)/∂U, m².
-    pub(crate) work: Vector,
+    pub(crate) work: Vector2<f64>,
     /// The same by depth, m².
     pub(crate) work_by_depth: f64,
 }
@@ -215,9 +214,9 @@ impl Tangent {
     /// This times a factor.
     pub(crate) fn scaled(&self, factor: f64) -> Self {
         Self {
-            stiffness: self.stiffness.map(|row| row.map(|part| factor * part)),
-            by_depth: self.by_depth.map(|part| factor * part),
-            work: self.work.map(|part| factor * part),
+            stiffness: factor * self.stiffness,
+            by_depth: factor * self.by_depth,
+            work: factor * self.work,
             work_by_depth: factor * self.work_by_depth,
         }
     }
@@ -225,13 +224,10 @@ impl Tangent {
     /// Adds an interval on which the parts are linear in g.
     fn add(&mut self, p: &Place, q: &Place, (inner, outer): (&Self, &Self)) {
         let interval = Interval::between(p, q);
-        for k in 0..2 {
-            for l in 0..2 {
-                self.stiffness[k][l] += interval.linear(inner.stiffness[k][l], outer.stiffness[k][l]);
-            }
-            self.by_depth[k] += interval.linear(inner.by_depth[k], outer.by_depth[k]);
-            self.work[k] += interval.linear(inner.work[k], outer.work[k]);
-        }
-        self.work_by_depth += interval.linear(inner.work_by_depth, outer.work_by_depth);
+        let linear = |inner, outer| interval.linear(inner, outer);
+        self.stiffness += inner.stiffness.zip_map(&outer.stiffness, linear);
+        self.by_depth += inner.by_depth.zip_map(&outer.by_depth, linear);
+        self.work += inner.work.zip_map(&outer.work, linear);
+        self.work_by_depth += linear(inner.work_by_depth, outer.work_by_depth);
     }
 }

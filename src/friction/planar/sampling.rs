@@ -7,10 +7,11 @@
 //! front.
 
 use super::reading::Standing;
-use super::spring::{Vector, along, difference, norm};
+use super::spring::{along, norm};
 use super::{PlanarKnot, PlanarPath, PlanarRow};
 use crate::friction::Springs;
 use crate::surface::{Contact, Place, Surface};
+use nalgebra::Vector2;
 
 /// Even samples from the axis to the contact edge that are asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,7 +28,7 @@ pub(crate) struct Resting<'a> {
     pub(crate) contacts: (&'a Contact, &'a Contact),
     /// m = μE*/G*.
     pub(crate) bound_slope: f64,
-    pub(crate) displacement: Vector,
+    pub(crate) displacement: Vector2<f64>,
     pub(crate) samples: Samples,
 }
 
@@ -82,9 +83,7 @@ pub(super) fn interpolated(row: &PlanarRow, j: usize, place: Place) -> PlanarKno
     };
     // of one place twice, either will do
     let share = if share.is_nan() { 0.0 } else { share.clamp(0.0, 1.0) };
-    let mix = |k: usize| p.origin[k] + share * (q.origin[k] - p.origin[k]);
-    let origin = [mix(0), mix(1)];
-    PlanarKnot { place, origin }
+    PlanarKnot { place, origin: p.origin + share * (q.origin - p.origin) }
 }
 
 impl PlanarRow {
@@ -107,7 +106,10 @@ impl PlanarRow {
         radii.extend(even);
         radii.sort_by(f64::total_cmp);
         let origins = springs.origins_at(surface, &radii);
-        let knot = |(x, origin): (&f64, f64)| PlanarKnot { place: surface.place(*x), origin: [origin, y] };
+        let knot = |(x, origin): (&f64, f64)| PlanarKnot {
+            place: surface.place(*x),
+            origin: Vector2::new(origin, y),
+        };
         Self { spacing, knots: radii.iter().zip(origins).map(knot).collect() }
     }
 
@@ -142,12 +144,12 @@ impl PlanarRow {
 
     /// Takes samples that were not there before to their bound, where the image of a rough profile
     /// falls between their neighbours'.
-    fn keep_within(&mut self, contact: &Contact, (bound_slope, displacement): (f64, Vector)) {
+    fn keep_within(&mut self, contact: &Contact, (bound_slope, displacement): (f64, Vector2<f64>)) {
         for knot in &mut self.knots {
             let bound = bound_slope * (contact.depth - knot.place.image).max(0.0);
-            let u = difference(displacement, knot.origin);
+            let u = displacement - knot.origin;
             if norm(u) > bound * (1.0 + 1e-9) {
-                knot.origin = difference(displacement, along(u, bound));
+                knot.origin = displacement - along(u, bound);
             }
         }
     }
@@ -203,7 +205,7 @@ impl PlanarRow {
         let slides = |j: usize| self.knots.get(j).is_none_or(|knot| before.at_bound(knot));
         let mut row = self.resampled((surface, true), spacing, new.radius);
         let old_edge = self.knots.last().map_or(0.0, |knot| knot.place.x);
-        let (mut j, mut last) = (0, [0.0; 2]);
+        let (mut j, mut last) = (0, Vector2::zeros());
         for knot in &mut row.knots {
             let x = knot.place.x;
             while j + 1 < self.knots.len() && self.knots[j + 1].place.x <= x {
@@ -212,10 +214,10 @@ impl PlanarRow {
             // a sample of its own between two of which one sticks keeps what it holds
             let slipped = slides(j) && (self.knots[j].place.x == x || slides(j + 1));
             let bound = bound_slope * (new.depth - knot.place.image).max(0.0);
-            let deflection = if x >= old_edge { last } else { difference(displacement, knot.origin) };
+            let deflection = if x >= old_edge { last } else { displacement - knot.origin };
             let size = norm(deflection);
             if size > 0.0 && (slipped || size > bound) {
-                knot.origin = difference(displacement, along(deflection, bound));
+                knot.origin = displacement - along(deflection, bound);
             } else if x >= old_edge {
                 knot.origin = displacement;
             }

@@ -21,46 +21,29 @@
 
 mod anisotropic;
 
-/// A vector in the plane of the contact, m.
-pub(crate) type Vector = [f64; 2];
-
-pub(crate) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
+use nalgebra::Vector2;
 
 /// Length of a vector; [`f64::hypot`], which takes three times as long, where squares would not be
 /// numbers.
-pub(crate) fn norm(a: Vector) -> f64 {
-    let square = dot(a, a);
-    if (1e-280..1e280).contains(&square) { square.sqrt() } else { a[0].hypot(a[1]) }
-}
-
-pub(crate) fn scaled(a: Vector, factor: f64) -> Vector {
-    [a[0] * factor, a[1] * factor]
-}
-
-pub(crate) fn sum(a: Vector, b: Vector) -> Vector {
-    [a[0] + b[0], a[1] + b[1]]
-}
-
-pub(crate) fn difference(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1]]
+pub(crate) fn norm(a: Vector2<f64>) -> f64 {
+    let square = a.dot(&a);
+    if (1e-280..1e280).contains(&square) { square.sqrt() } else { a.x.hypot(a.y) }
 }
 
 /// The vector of a given length (m) along `a`; along x where that has no direction.
-pub(crate) fn along(a: Vector, length: f64) -> Vector {
+pub(crate) fn along(a: Vector2<f64>, length: f64) -> Vector2<f64> {
     // the smallest numbers have lost the digits of a direction
-    let a = if norm(a) < 1e-290 { scaled(a, 1e300) } else { a };
+    let a = if norm(a) < 1e-290 { a * 1e300 } else { a };
     let size = norm(a);
     // divided twice: the ratio of the lengths may be beyond all numbers
-    if size > 0.0 { [a[0] / size * length, a[1] / size * length] } else { [length, 0.0] }
+    if size > 0.0 { a / size * length } else { Vector2::new(length, 0.0) }
 }
 
 /// A spring at the end of a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Moved {
     /// Its deflection u, m.
-    pub(super) deflection: Vector,
+    pub(super) deflection: Vector2<f64>,
     /// Length of the path by which it slipped, m.
     pub(super) slip: f64,
     /// Mean of its bound while it slipped, m: their product is the work of friction over its
@@ -72,10 +55,10 @@ pub(super) struct Moved {
 /// ([`unit`]), so that their squares are numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Line {
-    motion: Vector,
+    motion: Vector2<f64>,
     /// Length and direction of the motion.
     path: f64,
-    ahead: Vector,
+    ahead: Vector2<f64>,
     stiffness_ratio: f64,
     /// A spring whose excess over its bound is within this sticks.
     rounding: f64,
@@ -89,33 +72,33 @@ pub(super) fn unit(length: f64) -> f64 {
 impl Line {
     /// Where the `stiffness_ratio` is not 1, lengths along y are multiplied by it, except for the
     /// slip ([`anisotropic`]).
-    pub(super) fn new(motion: Vector, stiffness_ratio: f64, rounding: f64) -> Self {
+    pub(super) fn new(motion: Vector2<f64>, stiffness_ratio: f64, rounding: f64) -> Self {
         Self { motion, path: norm(motion), ahead: along(motion, 1.0), stiffness_ratio, rounding }
     }
 
     /// A part of the line.
     pub(super) fn part(&self, share: f64) -> Self {
-        Self { motion: scaled(self.motion, share), path: self.path * share, ..*self }
+        Self { motion: self.motion * share, path: self.path * share, ..*self }
     }
 
     /// Deflection at the end of a spring that sticks.
-    pub(super) fn trial(&self, start: Vector) -> Vector {
-        sum(start, self.motion)
+    pub(super) fn trial(&self, start: Vector2<f64>) -> Vector2<f64> {
+        start + self.motion
     }
 
     /// A spring whose deflection would be `trial` at the end, while its bound goes evenly between
     /// the two given; `None` where it sticks.
     #[inline(always)]
-    pub(super) fn slip(&self, trial: Vector, (first, last): (f64, f64)) -> Option<Moved> {
+    pub(super) fn slip(&self, trial: Vector2<f64>, (first, last): (f64, f64)) -> Option<Moved> {
         let limit = last + self.rounding;
         // written so that it also takes what is no number, and squares lost to underflow
-        if dot(trial, trial) < limit * limit { None } else { Some(self.slide(trial, (first, last))) }
+        if trial.dot(&trial) < limit * limit { None } else { Some(self.slide(trial, (first, last))) }
     }
 
     #[inline(never)]
-    fn slide(&self, trial: Vector, (first, last): (f64, f64)) -> Moved {
-        let (start, ahead) = (difference(trial, self.motion), self.ahead);
-        let (near, aside) = (dot(start, ahead), ahead[0] * start[1] - ahead[1] * start[0]);
+    fn slide(&self, trial: Vector2<f64>, (first, last): (f64, f64)) -> Moved {
+        let (start, ahead) = (trial - self.motion, self.ahead);
+        let (near, aside) = (start.dot(&ahead), ahead.perp(&start));
         let square = near * near + aside * aside;
         // what is no number has to show in the work
         if !square.is_finite() {
@@ -126,14 +109,14 @@ impl Line {
         let share = self.onset((near, square), (first, last));
         let onset = first + share * (last - first);
         if self.stiffness_ratio != 1.0 {
-            let at_onset = along(sum(start, scaled(self.motion, share)), onset);
-            let rest = scaled(self.motion, 1.0 - share);
+            let at_onset = along(start + self.motion * share, onset);
+            let rest = self.motion * (1.0 - share);
             return anisotropic::slide(at_onset, rest, (onset, last), self.stiffness_ratio);
         }
         let mut turning = Turning::new((near + share * self.path, aside), onset);
         turning.follow((1.0 - share) * self.path, (onset, last));
         let (slip, mean_bound) = turning.slipped((onset, last));
-        Moved { deflection: scaled(turning.direction(ahead), last), slip, mean_bound }
+        Moved { deflection: turning.direction(ahead) * last, slip, mean_bound }
     }
 
     /// Share of the line after which the spring slips: the root of |u + t ΔU|² = (b₀ + t Δb)² at
@@ -233,9 +216,9 @@ impl Turning {
     }
 
     /// The unit vector at the angle from the motion's direction.
-    fn direction(&self, [x, y]: Vector) -> Vector {
+    fn direction(&self, ahead: Vector2<f64>) -> Vector2<f64> {
         let cosine = self.inner - self.outer;
-        [cosine * x - self.sine * y, cosine * y + self.sine * x]
+        cosine * ahead + self.sine * Vector2::new(-ahead.y, ahead.x)
     }
 
     /// Length of the path by which it has slipped, and the mean of its bound over that.

@@ -30,7 +30,7 @@ struct Scene {
     surface: Surface,
     control: NormalControl,
     contact: Contact,
-    place: Vector,
+    place: Vector2<f64>,
     row: PlanarRow,
     work: f64,
     samples: Samples,
@@ -42,13 +42,13 @@ impl Scene {
         let contact =
             at(&surface, control, if control == NormalControl::Force { 0.0 } else { surface.tip() });
         let (row, samples) = (PlanarRow::default(), Samples(samples));
-        let mut scene = Self { surface, control, contact, place: [0.0; 2], row, work: 0.0, samples };
-        scene.walk(value, [0.0; 2]);
+        let mut scene = Self { surface, control, contact, place: Vector2::zeros(), row, work: 0.0, samples };
+        scene.walk(value, Vector2::zeros());
         assert_eq!(scene.work, 0.0);
         scene
     }
 
-    fn walk(&mut self, value: f64, place: Vector) {
+    fn walk(&mut self, value: f64, place: Vector2<f64>) {
         let to = at(&self.surface, self.control, value);
         let path = PlanarPath {
             surface: &self.surface,
@@ -67,7 +67,7 @@ impl Scene {
         self.work += walked;
     }
 
-    fn force(&self) -> Vector {
+    fn force(&self) -> Vector2<f64> {
         self.row.deflection_integral(self.place)
     }
 
@@ -125,8 +125,8 @@ impl Line {
     }
 }
 
-fn polar(size: f64, angle: f64) -> Vector {
-    [size * angle.cos(), size * angle.sin()]
+fn polar(size: f64, angle: f64) -> Vector2<f64> {
+    size * Vector2::new(angle.cos(), angle.sin())
 }
 
 /// Displacements in units of full slip: partial slip, its reversals, gross slip and back.
@@ -157,7 +157,7 @@ fn line_error(
             scene.walk(value, polar(place, angle));
             line.walk(&scene, value, place);
             let exact = polar(line.springs.deflection_integral(place), angle);
-            let force = norm(difference(scene.force(), exact)) / scene.limit();
+            let force = norm(scene.force() - exact) / scene.limit();
             let work = (scene.work - line.work).abs() / scale;
             let stick = line.springs.stick_radius(&line.contact, M, place);
             let stick = (scene.standing().stick_radius() - stick).abs() / line.contact.radius;
@@ -214,23 +214,21 @@ fn a_line_under_a_load_that_varies_is_the_same_as_in_one_dimension() {
 }
 
 /// A walk along straight lines between corners, in so many steps each: final force and work.
-fn polygon(control: NormalControl, swing: f64, steps: u32) -> (Vector, f64) {
+fn polygon(control: NormalControl, swing: f64, steps: u32) -> (Vector2<f64>, f64) {
     let start = if control == NormalControl::Force { 1e-10 } else { 2e-6 };
     let mut scene = Scene::pressed(Profile::Parabola { radius: 0.01 }, control, start, 128);
     let (full, limit) = (M * scene.contact.depth, scene.limit());
-    let corners = [[0.6, 0.1], [0.5, 0.7], [-0.4, 0.2], [-0.3, -1.5], [0.2, 0.3]];
-    let (mut last, mut value) = ([0.0; 2], start);
-    for (k, corner) in corners.iter().enumerate() {
+    let corners = [[0.6, 0.1], [0.5, 0.7], [-0.4, 0.2], [-0.3, -1.5], [0.2, 0.3]].map(Vector2::from);
+    let (mut last, mut value) = (Vector2::zeros(), start);
+    for (k, corner) in corners.into_iter().enumerate() {
         let target = start * (1.0 + swing * f64::from(u32::from(k % 2 == 0)));
         for step in 1..=steps {
             let share = f64::from(step) / f64::from(steps);
-            let at = |k: usize| full * (last[k] + share * (corner[k] - last[k]));
-            scene.walk(value + share * (target - value), [at(0), at(1)]);
+            scene.walk(value + share * (target - value), full * (last + share * (corner - last)));
         }
-        (last, value) = (*corner, target);
+        (last, value) = (corner, target);
     }
-    let force = scene.force();
-    ([force[0] / limit, force[1] / limit], scene.work / (limit * full))
+    (scene.force() / limit, scene.work / (limit * full))
 }
 
 /// A step may be split at will: to rounding at constant load, to a stated error where it changes by
@@ -240,7 +238,7 @@ fn a_step_may_be_split() {
     for control in [NormalControl::Indentation, NormalControl::Force] {
         for (swing, most) in [(0.0, 1e-13), (0.05, 1e-3)] {
             let (one, many) = (polygon(control, swing, 1), polygon(control, swing, 37));
-            let force = norm(difference(one.0, many.0));
+            let force = norm(one.0 - many.0);
             let work = (one.1 - many.1).abs() / many.1;
             println!("{control:?}, load {swing}: force {force:.1e}, work {work:.1e}");
             assert!(force < most && work < most, "{control:?} {swing}: {force:e} {work:e}");
@@ -276,7 +274,7 @@ fn orbit(scene: &mut Scene, radius: f64, corners: u32, orbits: u32) -> [f64; 3] 
         }
         assert!(norm(scene.force()) <= scene.limit() * (1.0 + 1e-13));
     }
-    let [x, y] = scene.force();
+    let [x, y] = scene.force().into();
     [x, y, scene.work - before]
 }
 

@@ -2,13 +2,14 @@
 //! stick and slip.
 
 use super::sampling::{Samples, interpolated};
-use super::spring::{Line, Moved, Vector, difference, norm, scaled, sum, unit};
+use super::spring::{Line, Moved, norm, unit};
 use super::{PlanarKnot, PlanarRow};
 use crate::friction::SlipPiece;
 use crate::friction::interval::Interval;
 use crate::friction::walk::share_at_touch;
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, Place, Surface};
+use nalgebra::Vector2;
 
 /// A straight line between two states of load and displacement.
 #[derive(Debug, Clone, Copy)]
@@ -23,8 +24,8 @@ pub(crate) struct PlanarPath<'a> {
     pub(crate) stiffness_ratio: f64,
     pub(crate) from: Contact,
     pub(crate) to: Contact,
-    pub(crate) start: Vector,
-    pub(crate) end: Vector,
+    pub(crate) start: Vector2<f64>,
+    pub(crate) end: Vector2<f64>,
     pub(crate) samples: Samples,
 }
 
@@ -34,7 +35,7 @@ impl PlanarPath<'_> {
         let place = self.surface.place(x);
         let share = self.share_at_touch(&place);
         // at the end to the bit, however long the way
-        let origin = if share == 1.0 { self.end } else { sum(self.start, scaled(self.motion(), share)) };
+        let origin = if share == 1.0 { self.end } else { self.start + self.motion() * share };
         PlanarKnot { place, origin }
     }
 
@@ -42,8 +43,8 @@ impl PlanarPath<'_> {
         share_at_touch(self.control, (&self.from, &self.to), place)
     }
 
-    fn motion(&self) -> Vector {
-        difference(self.end, self.start)
+    fn motion(&self) -> Vector2<f64> {
+        self.end - self.start
     }
 }
 
@@ -73,7 +74,7 @@ impl PlanarRow {
         let unit = unit(norm(motion).max(bound).max(path.start_slope * depths.0.abs()));
         let rounding = 4.0 * f64::EPSILON * (bound + norm(path.start).max(norm(path.end)));
         let scale = 1.0 / unit;
-        let line = Line::new(scaled(motion, scale), path.stiffness_ratio, scale * rounding);
+        let line = Line::new(motion * scale, path.stiffness_ratio, scale * rounding);
         let slopes = (scale * path.start_slope, scale * path.bound_slope);
         // those inside are in contact all the way
         let lasting = if path.from.is_open() { 0.0 } else { path.from.radius.min(path.to.radius) };
@@ -86,19 +87,19 @@ impl PlanarRow {
             let last = slopes.1 * (depths.1 - knot.place.image);
             let bounds = (first.max(0.0), last.max(0.0));
             let moved = if knot.place.x <= lasting {
-                line.slip(scaled(difference(path.end, knot.origin), scale), bounds)
+                line.slip((path.end - knot.origin) * scale, bounds)
             } else if path.from.is_open() || knot.place.x > path.from.radius {
                 // on the way, relaxed
                 let line = line.part(1.0 - path.share_at_touch(&knot.place));
-                line.slip(line.trial([0.0; 2]), bounds)
+                line.slip(line.trial(Vector2::zeros()), bounds)
             } else {
                 let share = if last < 0.0 && first > 0.0 { first / (first - last) } else { 1.0 };
                 let line = line.part(share);
-                line.slip(line.trial(scaled(difference(path.start, knot.origin), scale)), bounds)
+                line.slip(line.trial((path.start - knot.origin) * scale), bounds)
             };
             let mut outer = (0.0, bounds.1);
             if let Some(Moved { deflection, slip, mean_bound }) = moved {
-                knot.origin = difference(path.end, scaled(deflection, unit));
+                knot.origin = path.end - deflection * unit;
                 outer = (slip, mean_bound);
             }
             if j > 0 && (inner.0 > 0.0 || outer.0 > 0.0) {

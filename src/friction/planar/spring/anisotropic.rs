@@ -14,7 +14,8 @@
 //! changes along a line, motion and change of b follow each other (symmetric operator splitting, of
 //! second order).
 
-use super::{Moved, Vector, along, mean_reciprocal, norm};
+use super::{Moved, along, mean_reciprocal, norm};
+use nalgebra::{Rotation2, Vector2};
 
 /// Stages per relative change of b, for a path of the length b: 1.6 % in one stage. The slip is
 /// good to 1e-4 of b.
@@ -31,7 +32,12 @@ const MOST_ITERATIONS: u32 = 30;
 
 /// A spring that slips from its bound on, by its `motion` K Δ**U**, while the bound goes evenly
 /// between the two given.
-pub(super) fn slide(start: Vector, motion: Vector, (first, last): (f64, f64), ratio: f64) -> Moved {
+pub(super) fn slide(
+    start: Vector2<f64>,
+    motion: Vector2<f64>,
+    (first, last): (f64, f64),
+    ratio: f64,
+) -> Moved {
     let line = Line::new(motion, ratio);
     let largest = first.max(last);
     let change = (last - first) / largest;
@@ -69,32 +75,32 @@ fn turning_share(t: f64) -> f64 {
 }
 
 /// **v**·K⁻¹**v**, twice the elastic energy over G*_x.
-fn stored([x, y]: Vector, ratio: f64) -> f64 {
-    x * x + y * y / ratio
+fn stored(force: Vector2<f64>, ratio: f64) -> f64 {
+    force.x * force.x + force.y * force.y / ratio
 }
 
 /// A straight line of the body.
 struct Line {
     ratio: f64,
     /// Its way Δ**U**, m, and the length s of that.
-    way: Vector,
+    way: Vector2<f64>,
     path: f64,
     /// Its direction.
-    ahead: Vector,
+    ahead: Vector2<f64>,
     /// B.
     anisotropy: f64,
     /// cos 2φ and sin 2φ.
-    double: Vector,
+    double: Vector2<f64>,
     /// C.
     slope: f64,
 }
 
 impl Line {
-    fn new([x, y]: Vector, ratio: f64) -> Self {
-        let way = [x, y / ratio];
+    fn new(motion: Vector2<f64>, ratio: f64) -> Self {
+        let way = Vector2::new(motion.x, motion.y / ratio);
         let ahead = along(way, 1.0);
-        let [cosine, sine] = ahead;
-        let double = [(cosine - sine) * (cosine + sine), 2.0 * cosine * sine];
+        let [cosine, sine] = ahead.into();
+        let double = Vector2::new((cosine - sine) * (cosine + sine), 2.0 * cosine * sine);
         let slope = sine * sine + cosine * cosine / ratio;
         Self { ratio, way, path: norm(way), ahead, anisotropy: 0.5 * (1.0 / ratio - 1.0), double, slope }
     }
@@ -103,22 +109,22 @@ impl Line {
     fn under_growing_bound(&self, last: f64) -> Moved {
         let force = along(self.steady_direction(last), last);
         // what the drive brings is stored or taken by friction
-        let driven = 0.5 * (force[0] * self.way[0] + force[1] * self.way[1]);
+        let driven = 0.5 * force.dot(&self.way);
         let work = (driven - 0.5 * stored(force, self.ratio)).max(0.0);
         let slip = if last > 0.0 { 2.0 * work / last } else { self.path };
         Moved { deflection: force, slip, mean_bound: 0.5 * last }
     }
 
     /// Direction of **v** on a line along which the bound grows from 0: sin ψ = −B sin 2θ db/ds.
-    fn steady_direction(&self, bound: f64) -> Vector {
+    fn steady_direction(&self, bound: f64) -> Vector2<f64> {
         let rise = self.anisotropy * bound / self.path;
         let mut angle = 0.0;
         if !rise.is_finite() {
             return self.ahead;
         }
         for _ in 0..MOST_ITERATIONS {
-            let [x, y] = self.turned(angle);
-            let next = (-rise * 2.0 * x * y).clamp(-1.0, 1.0).asin();
+            let n = self.turned(angle);
+            let next = (-rise * 2.0 * n.x * n.y).clamp(-1.0, 1.0).asin();
             if (next - angle).abs() <= f64::EPSILON {
                 break;
             }
@@ -128,14 +134,13 @@ impl Line {
     }
 
     /// The unit vector at the angle ψ from the line.
-    fn turned(&self, angle: f64) -> Vector {
-        let ([x, y], (sine, cosine)) = (self.ahead, angle.sin_cos());
-        [cosine * x - sine * y, cosine * y + sine * x]
+    fn turned(&self, angle: f64) -> Vector2<f64> {
+        Rotation2::new(angle) * self.ahead
     }
 
     /// z after the function of the line has fallen by `turn` = s/b, on the side of the sine of ψ.
     fn turned_to(&self, start: f64, turn: f64, side: f64) -> f64 {
-        let [cosine, sine] = self.double.map(|part| 2.0 * self.anisotropy * part);
+        let [cosine, sine] = (2.0 * self.anisotropy * self.double).into();
         let sine = side * sine;
         let value = |z: f64| self.slope * z - cosine * z.tanh() - sine / z.cosh();
         let wanted = value(start) - turn;
@@ -158,7 +163,7 @@ impl Line {
         let half = 1.0 + tangent * tangent;
         let (less, sine) = (2.0 * tangent * tangent / half, side * 2.0 * tangent / half);
         let angle = side * 2.0 * tangent.atan();
-        let [cosine_double, sine_double] = self.double;
+        let [cosine_double, sine_double] = self.double.into();
         // 2 sin ψ − ψ − sin ψ cos ψ = (sin ψ − ψ) + sin ψ (1 − cos ψ)
         self.slope * (tangent * tangent).ln_1p()
             - self.anisotropy * (cosine_double * less * less + sine_double * (sine - angle + sine * less))
@@ -168,7 +173,7 @@ impl Line {
 /// A spring on its way.
 struct Spring {
     /// **v**, m, at the bound.
-    force: Vector,
+    force: Vector2<f64>,
     /// ∫λ ds, m.
     slip: f64,
     /// ∫b λ ds, m².
@@ -178,9 +183,8 @@ struct Spring {
 impl Spring {
     /// Follows part of a line at a constant bound; it turns by the path times `reciprocal`.
     fn turn(&mut self, line: &Line, path: f64, bound: f64, reciprocal: f64) {
-        let [x, y] = along(self.force, 1.0);
-        let [ahead, aside] = line.ahead;
-        let (cosine, sine) = (x * ahead + y * aside, ahead * y - aside * x);
+        let before = along(self.force, 1.0);
+        let (cosine, sine) = (before.dot(&line.ahead), line.ahead.perp(&before));
         let side = 1f64.copysign(sine);
         // tan(ψ/2), not as a difference
         let tangent = if cosine < 0.0 { (1.0 - cosine) / sine.abs() } else { sine.abs() / (1.0 + cosine) };
@@ -191,11 +195,11 @@ impl Spring {
             true if turn.is_finite() => line.turned_to(start, turn, side),
             true => f64::NEG_INFINITY,
         };
-        let mut turned = [x, y];
+        let mut turned = before;
         let slip = if start.is_finite() {
             turned = line.turned(side * 2.0 * end.exp().atan());
-            let sine_of_change = x * turned[1] - y * turned[0];
-            let sine_of_sum = x * turned[1] + y * turned[0];
+            let sine_of_change = before.perp(&turned);
+            let sine_of_sum = before.x * turned.y + before.y * turned.x;
             let lost = line.lost_path(start, side) - line.lost_path(end, side);
             path - bound * (lost + line.anisotropy * sine_of_sum * sine_of_change)
         } else {
@@ -219,8 +223,8 @@ impl Spring {
             self.force = along(self.force, bound);
             return;
         }
-        let [x, y] = along(self.force, 1.0);
-        let (a, b) = (x * x, y * y);
+        let start = along(self.force, 1.0);
+        let (a, b) = (start.x * start.x, start.y * start.y);
         let mut l = level / (a + ratio * b);
         for _ in 0..MOST_ITERATIONS {
             let (p, q) = (a * (-2.0 * l).exp(), b * (-2.0 * ratio * l).exp());
@@ -231,10 +235,9 @@ impl Spring {
                 break;
             }
         }
-        let [p, q] = along([x * (-l).exp(), y * (-ratio * l).exp()], 1.0);
-        let turn = share * (x * q - y * p).atan2(x * p + y * q);
-        let (sine, cosine) = turn.sin_cos();
-        let after = along([cosine * x - sine * y, cosine * y + sine * x], bound);
+        let end = along(Vector2::new(start.x * (-l).exp(), start.y * (-ratio * l).exp()), 1.0);
+        let turn = share * start.perp(&end).atan2(start.dot(&end));
+        let after = along(Rotation2::new(turn) * start, bound);
         let work = 0.5 * (stored(self.force, ratio) - stored(after, ratio));
         self.work += work;
         // b falls nearly like exp(−l): the mean over the slip is that of both ends
