@@ -24,6 +24,25 @@ fn image_by_definition(profile: &Profile, x: f64) -> f64 {
     x * composite(0.0, 1.0, |s| 3.0 * span * s * s * slope(x * (rim + span * s.powi(3)).sin()))
 }
 
+/// f(r) = k f₀(r/k); the image scales in the same way.
+#[test]
+fn a_scaled_profile_is_geometrically_similar() {
+    for (profile, a) in analytic() {
+        let scaled = profile.scaled(2.5).unwrap();
+        for share in [0.3, 0.9, 1.7] {
+            let x = a * share;
+            let pairs = [
+                (scaled.height(2.5 * x), 2.5 * profile.height(x)),
+                (scaled.image(2.5 * x), 2.5 * profile.image(x)),
+            ];
+            for (found, exact) in pairs {
+                assert!((found - exact).abs() <= 1e-13 * exact.abs(), "{profile:?}: {found} {exact}");
+            }
+        }
+    }
+    assert!(Profile::Parabola { radius: 1e29 }.scaled(100.0).is_err());
+}
+
 #[test]
 fn images_follow_from_heights_by_equation_1() {
     for (profile, a) in analytic() {
