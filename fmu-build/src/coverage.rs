@@ -37,6 +37,10 @@ pub(crate) fn run(workspace: &Workspace, environment: &Environment, some: &[Stri
         command.envs(environment.iter().map(|(name, value)| (name, value)));
         command
     };
+    // programs and counts of an earlier run would be added
+    progress::quiet("Removing what an earlier run left", |step| {
+        run_quietly(step, command(&["clean", "--workspace"]))
+    })?;
     let tested = progress::shown("Tests of the library, with counters", || {
         let mut tests = command(&["--no-report", "--locked", "--package", "fretting_contact"]);
         tests.arg("--no-fail-fast");
