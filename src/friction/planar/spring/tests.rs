@@ -53,9 +53,12 @@ pub(super) const ALONG_THE_SPRING: [(f64, f64, (f64, f64)); 5] = [
     (0.0, 1.0, (0.0, 0.4)),
 ];
 
+/// Deflection at the start, motion, and the bound at both ends.
+type Case = (Vector2<f64>, Vector2<f64>, (f64, f64));
+
 /// Starts inside and on the bound, at any angle to the motion, with a bound that stays, rises and
 /// falls.
-fn lines() -> Vec<(Vector2<f64>, Vector2<f64>, (f64, f64))> {
+fn lines() -> Vec<Case> {
     let mut lines = Vec::new();
     for share in [0.0, 0.4, 1.0] {
         for angle in [0.0, 0.7, 1.5, 2.0, 3.0, -1.0, -2.8] {

@@ -30,9 +30,12 @@ fn explicit(
     (v, slip, work)
 }
 
+/// Force at the start, motion, the bound at both ends, and the ratio of the stiffnesses.
+type Case = (Vector2<f64>, Vector2<f64>, (f64, f64), f64);
+
 /// Starts inside and on the bound, at any angle to the motion, with a bound that stays, rises and
 /// falls.
-fn lines(bounds: &[f64]) -> Vec<(Vector2<f64>, Vector2<f64>, (f64, f64), f64)> {
+fn lines(bounds: &[f64]) -> Vec<Case> {
     let mut lines = Vec::new();
     for ratio in [0.7, 1.08, 1.4] {
         for share in [0.0, 0.6, 1.0] {
@@ -49,7 +52,7 @@ fn lines(bounds: &[f64]) -> Vec<(Vector2<f64>, Vector2<f64>, (f64, f64), f64)> {
     lines
 }
 
-fn end(line: &(Vector2<f64>, Vector2<f64>, (f64, f64), f64)) -> Moved {
+fn end(line: &Case) -> Moved {
     move_spring(line.0, line.1, line.2, line.3)
 }
 
