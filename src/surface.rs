@@ -10,7 +10,6 @@ mod node_transforms;
 mod nodes;
 mod region;
 
-pub(crate) use depth_volume::depth_volume;
 pub(crate) use node_transforms::{NodeTransforms, TransformCache};
 pub(crate) use nodes::{FrontMotion, MeshPlace, Nodes, kept_nodes, outer_weight};
 pub(crate) use region::Region;

@@ -41,7 +41,7 @@ pub(crate) fn leg(x: f64, r: f64) -> f64 {
 /// Row of weights of the inverse Abel transform for radius r: calls `sink(j, C)` for the cells that
 /// begin below r. The last of them may be cut by r; its weight then is that of the whole linear
 /// piece, ∫ up to r only.
-pub(crate) fn inverse_row(x: &[f64], r: f64, mut sink: impl FnMut(usize, f64)) {
+fn inverse_row(x: &[f64], r: f64, mut sink: impl FnMut(usize, f64)) {
     if r <= 0.0 {
         return;
     }

@@ -43,7 +43,7 @@ const MET: f64 = 1e-3;
 /// How finely to integrate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct IntegrationSettings {
-    /// Cells of the mesh.
+    /// Cells across the slipping region that the nodes give; the mesh has half as many.
     pub(crate) cells: usize,
     /// Largest error of the image in a step, over the indentation depth.
     pub(crate) tolerance: f64,
@@ -138,7 +138,7 @@ pub(crate) fn integrate(
                     let edge = state.radius_squared.sqrt();
                     if life.surface.reaches_falling_image(edge) {
                         let mut worn = life.surface.clone();
-                        worn.set_worn(Some(exported_nodes(&patch, &state, &rate, settings.tolerance)));
+                        worn.set_worn(Some(exported_nodes(&patch, &state, &rate, settings)));
                         worn.check_one_disc(edge)?;
                     }
                     counters.profile_updates += 1;
@@ -163,10 +163,10 @@ pub(crate) fn integrate(
             life.volume = known;
         }
         let nodes = if left > 0.0 {
-            exported_nodes(&patch, &state, &rate, settings.tolerance)
+            exported_nodes(&patch, &state, &rate, settings)
         } else {
             let target = amount.worn + life.volume;
-            let (nodes, defect) = left_at_the_end(&patch, (state, rate), settings.tolerance, target);
+            let (nodes, defect) = left_at_the_end(&patch, (state, rate), settings, target);
             life.defect += defect;
             nodes
         };
@@ -199,30 +199,31 @@ fn first_step(patch: &Patch, rate: &Rate, settings: &IntegrationSettings) -> f64
 fn left_at_the_end(
     patch: &Patch,
     (mut state, mut rate): (State, Rate),
-    tolerance: f64,
+    settings: &IntegrationSettings,
     target: f64,
 ) -> (Nodes, f64) {
-    let mut nodes = exported_nodes(patch, &state, &rate, tolerance);
+    let mut nodes = exported_nodes(patch, &state, &rate, settings);
     let mut missing = target - nodes.worn_volume();
     let defect = missing.abs();
     // what a mesh over a worn body carries may be less than what is missing
     let most = if patch.body.worn().is_some() { MISSING * patch.own_volume(&rate) } else { f64::INFINITY };
     for _ in 0..CORRECTIONS {
-        if missing.abs() <= MET * tolerance * target {
+        if missing.abs() <= MET * settings.tolerance * target {
             break;
         }
         // `clamp` would panic at a volume that is no number
         let volume = missing.signum() * missing.abs().min(most.abs());
         let Some(grown) = patch.with_volume(&state, &rate, volume) else { break };
         (state, rate) = grown;
-        nodes = exported_nodes(patch, &state, &rate, tolerance);
+        nodes = exported_nodes(patch, &state, &rate, settings);
         missing = target - nodes.worn_volume();
     }
     (nodes, defect)
 }
 
-/// Nodes of the surface that a patch leaves.
-fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, tolerance: f64) -> Nodes {
+/// Nodes of the surface that a patch leaves: those of the mesh, and one between any two where that
+/// many are asked for, since the surface takes lines where the mesh has parabolas.
+fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, settings: &IntegrationSettings) -> Nodes {
     let (mut x, mut image, mut depth) =
         (patch.inside.x.clone(), patch.inside.image.clone(), patch.inside.depth.clone());
     // the inner edge is a node of both
@@ -235,22 +236,24 @@ fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, tolerance: f64) -> 
         depth.push(0.0);
     }
     let first = x.len();
-    for (i, r) in patch.radii(rate.radius_squared).into_iter().enumerate() {
-        x.push(r);
-        depth.push(if i == patch.end() {
+    let parts = if 2 * patch.mesh.cells <= settings.cells { 2 } else { 1 };
+    let radii = patch.radii_of(&patch.mesh.shares(parts), rate.radius_squared);
+    let cells = radii.len() - 1;
+    for (i, (r, own)) in radii.iter().zip(patch.mesh.depths(parts, &state.depth)).enumerate() {
+        depth.push(if i == cells && !patch.rim {
             0.0
         } else if i == 0 && first > 0 {
             inner_depth
         } else {
-            (state.depth[i] + patch.depth_from_inside(r)).max(0.0)
+            (own + patch.depth_from_inside(*r)).max(0.0)
         });
     }
-    image.extend(patch.worn_image(rate));
-    let (cells, region) = (patch.mesh.cells, patch.mesh.region);
-    let place = MeshPlace { region, cells, first, contact: patch.contact(rate) };
-    let nodes = Nodes::assembled(patch.body.profile(), cells, (x, image, depth), place);
+    image.extend(patch.worn_image(rate, parts, &radii));
+    x.extend(radii);
+    let place = MeshPlace { region: patch.mesh.region, cells, first, contact: patch.contact(rate) };
+    let nodes = Nodes::assembled(patch.body.profile(), settings.cells, (x, image, depth), place);
     match patch.body.worn() {
         None => nodes,
-        Some(base) => base.with(&nodes, THINNING * tolerance, patch.body.profile()),
+        Some(base) => base.with(&nodes, THINNING * settings.tolerance, patch.body.profile()),
     }
 }

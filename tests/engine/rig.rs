@@ -391,7 +391,7 @@ fn a_life_behind_a_rig_converges() {
     for (profile, ratio) in [(BALL, 1.0), (CONE, 0.3)] {
         let volume = |cells| lived(profile.clone(), (ratio, 1.0), (1e-5, cells)).wear_volume();
         let truth = volume(256);
-        let errors = [16, 32, 64].map(|cells| (volume(cells) / truth - 1.0).abs());
+        let errors = [32, 64, 128].map(|cells| (volume(cells) / truth - 1.0).abs());
         println!("{profile:?}, rig {ratio}: {errors:?}");
         let order = 0.5 * (errors[0] / errors[2]).log2();
         assert!(order > 1.8, "{profile:?}: of order {order}, {errors:?}");

@@ -1,128 +1,195 @@
-//! Weights of the transforms and integrals on a mesh of shares.
+//! Weights of the transforms and integrals on a mesh of shares. On an annulus what is transformed
+//! is a parabola in ξ over each cell, through the ends of the cell and one node more.
+//!
+//! For the image that node is the one before, so that the inverse Abel transform at a node has no
+//! weight beyond it; for the pressure it is the one after. In the first cells, whose widths differ
+//! by a power of ξ, and for the pressure in the last, data are linear in X.
 
-use crate::surface::depth_volume;
-use crate::transform::inverse_row;
+use crate::quadrature::{GAUSS_3, gauss_legendre};
+use crate::surface::Region;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
-/// φ times the weights of a derivative at node i of a mesh graded with the power p, by the central
-/// difference in ξ; none at the ends.
-pub(super) fn drift_at(p: f64, i: usize, cells: usize) -> [f64; 3] {
-    if i == 0 || i == cells {
-        return [0.0; 3];
-    }
-    let xi = i as f64 / cells as f64;
-    // φ/φ'(ξ) over 2 Δξ
-    let weight = 0.5 * i as f64 * (p + 1.0 - p * xi) / (p * (p + 1.0) * (1.0 - xi));
-    [-weight, 0.0, weight]
+/// Points in a cell, with the root of the kernel taken out: weights are exact to 1e-9.
+const POINTS: usize = 8;
+
+/// Where the nodes lie: φ = (p+1) ξᵖ − p ξᵖ⁺¹ at ξ = i/n.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Places {
+    pub(super) region: Region,
+    pub(super) cells: usize,
 }
 
-/// Rows of D̂ for k piecewise linear in X: (1/π) ∫ k dX/√(Z − X).
-pub(super) fn annulus_table(share: &[f64]) -> Vec<f64> {
-    let n = share.len() - 1;
-    let mut inverse = Vec::with_capacity((n + 1) * (n + 2) / 2);
-    for i in 0..=n {
-        let start = inverse.len();
-        inverse.resize(start + i + 1, 0.0);
-        for j in 0..i {
-            let cell = share[j + 1] - share[j];
-            let (far, near) = ((share[i] - share[j]).sqrt(), (share[i] - share[j + 1]).sqrt());
-            // 2 (far − near), and the share of the outer end in it, without cancellation
-            let whole = 2.0 * cell / (far + near);
-            let outer = (2.0 * far + near) / (3.0 * (far + near)) * whole;
-            inverse[start + j] += FRAC_1_PI * (whole - outer);
-            inverse[start + j + 1] += FRAC_1_PI * outer;
+impl Places {
+    /// Power of the grading towards the inner edge. On an annulus the depth starts like √(X − c²):
+    /// the largest error of the profile, in the first cell, falls with the root of its width. On a
+    /// disc x is smooth in ξ.
+    fn power(self) -> i32 {
+        match self.region {
+            Region::Annulus => 5,
+            Region::Disc => 2,
         }
     }
-    inverse
-}
 
-/// Weights for k piecewise linear in X: ∫ k dX / 2 and 2 ∫ k √(1 − X) dX.
-pub(super) fn annulus_integrals(share: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let n = share.len() - 1;
-    let mut width = vec![0.0; n + 1];
-    let mut volume = vec![0.0; n + 1];
-    for j in 0..n {
-        let cell = share[j + 1] - share[j];
-        width[j] += cell / 4.0;
-        width[j + 1] += cell / 4.0;
-        // ∫ √(1 − X) dX with the weight of the outer end, in t = √(1 − X)
-        let (s, t) = ((1.0 - share[j]).sqrt(), (1.0 - share[j + 1]).max(0.0).sqrt());
-        let whole = 2.0 / 3.0 * cell * (s * s + s * t + t * t) / (s + t);
-        let outer =
-            2.0 / 15.0 * cell * (2.0 * s * s * s + 4.0 * s * s * t + 6.0 * s * t * t + 3.0 * t * t * t)
-                / ((s + t) * (s + t));
-        volume[j] += 2.0 * (whole - outer);
-        volume[j + 1] += 2.0 * outer;
-    }
-    (width, volume)
-}
-
-/// Rows of D̂ for h piecewise linear in X on a disc of radius 1.
-pub(super) fn disc_table(share: &[f64]) -> Vec<f64> {
-    let n = share.len() - 1;
-    let x: Vec<f64> = share.iter().map(|s| s.sqrt()).collect();
-    let mut inverse = Vec::with_capacity((n + 1) * (n + 2) / 2);
-    for i in 0..=n {
-        let start = inverse.len();
-        inverse.resize(start + i + 1, 0.0);
-        inverse[start] = 1.0;
-        inverse_row(&x[..=i], x[i], |j, c| {
-            inverse[start + j] -= c;
-            inverse[start + j + 1] += c;
-        });
-    }
-    inverse
-}
-
-/// Weights for h piecewise linear in X on a disc of radius 1: ∫ h dx and the volume 4 ∫ h √(1 − x²)
-/// dx.
-pub(super) fn disc_integrals(share: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let n = share.len() - 1;
-    let x: Vec<f64> = share.iter().map(|s| s.sqrt()).collect();
-    let mut width = vec![0.0; n + 1];
-    let mut volume = vec![0.0; n + 1];
-    for j in 0..n {
-        let outer = crate::surface::outer_weight(x[j], x[j + 1]);
-        let cell = x[j + 1] - x[j];
-        width[j] += (1.0 - outer) * cell;
-        width[j + 1] += outer * cell;
-        let (inner, outer) = depth_volume(x[j], x[j + 1], 1.0);
-        volume[j] += inner;
-        volume[j + 1] += outer;
-    }
-    (width, volume)
-}
-
-/// Rows of K̂ for a line that falls to zero at the end.
-pub(super) fn pressure_table(share: &[f64]) -> Vec<f64> {
-    let n = share.len() - 1;
-    let mut pressure = Vec::with_capacity((n + 1) * (n + 2) / 2);
-    for i in 0..=n {
-        let start = pressure.len();
-        pressure.resize(start + n + 1 - i, 0.0);
-        for j in i..n {
-            let weight = pressure_weight(share, i, j);
-            pressure[start + j - i] += weight;
-            pressure[start + j + 1 - i] -= weight;
+    /// Cells from the inner edge on in which data are linear in X: of an annulus they make up some
+    /// 1e-4. On a disc, where that is exact for an unworn ball, they are all.
+    fn lines(self) -> usize {
+        match self.region {
+            Region::Annulus => self.cells.div_ceil(8),
+            Region::Disc => self.cells,
         }
     }
-    pressure
-}
 
-/// Weight of the drop of a line over cell j in the pressure at node i ≤ j.
-pub(super) fn pressure_weight(share: &[f64], i: usize, j: usize) -> f64 {
-    FRAC_2_PI / ((share[j] - share[i]).sqrt() + (share[j + 1] - share[i]).sqrt())
-}
+    /// dφ by a cell of ξ; ξ in cells here and below.
+    pub(super) fn slope(self, xi: f64) -> f64 {
+        let (p, n) = (self.power(), self.cells as f64);
+        f64::from(p * (p + 1)) * (xi / n).powi(p - 1) * ((n - xi) / n) / n
+    }
 
-/// Last column of K̂ where the line does not fall to zero in the last cell but jumps at its end.
-pub(super) fn rim_column(share: &[f64]) -> Vec<f64> {
-    let n = share.len() - 1;
-    let column = |i: usize| {
-        if i == n {
-            // the mean of q/(π √(1 − Z)) over the outer half of the cell
-            return FRAC_2_PI / (0.5 * (1.0 - share[n - 1])).sqrt();
+    /// φ at ξ + δ less φ at ξ, without cancellation: the rule is exact for the slope's degree.
+    pub(super) fn rise(self, xi: f64, by: f64) -> f64 {
+        let slope = |node: f64| self.slope(xi + 0.5 * by * (1.0 + node));
+        0.5 * by * GAUSS_3.iter().map(|(node, weight)| weight * slope(*node)).sum::<f64>()
+    }
+
+    /// What z is integrated over, by a cell of ξ: dX on an annulus, 2 dx on a disc.
+    fn measure(self, xi: f64) -> f64 {
+        match self.region {
+            Region::Annulus => self.slope(xi),
+            Region::Disc => self.slope(xi) / self.rise(0.0, xi).sqrt(),
         }
-        FRAC_1_PI / (1.0 - share[i]).sqrt() - pressure_weight(share, i, n - 1)
-    };
-    (0..=n).map(column).collect()
+    }
+
+    /// Values in cell j of what is 1 at one node of j − 1, j, j + 1 and 0 at the others, a share s
+    /// of the cell from its inner end. The image may jump at the stick edge, so that it has its
+    /// outer value in all of the first cell there.
+    pub(super) fn values(self, j: usize, s: f64) -> [f64; 3] {
+        if j == 0 && self.region == Region::Annulus {
+            return [0.0, 0.0, 1.0];
+        }
+        if j < self.lines() {
+            let outer = self.rise(j as f64, s) / self.rise(j as f64, 1.0);
+            return [0.0, 1.0 - outer, outer];
+        }
+        [0.5 * s * (s - 1.0), (1.0 - s) * (1.0 + s), 0.5 * s * (s + 1.0)]
+    }
+
+    /// Adds `factor` times the value at a place of cell j to the weights of its nodes.
+    fn add_value(self, row: &mut [f64], j: usize, s: f64, factor: f64) {
+        for (k, value) in self.values(j, s).into_iter().enumerate().skip(usize::from(j == 0)) {
+            row[j + k - 1] += factor * value;
+        }
+    }
+
+    /// φ d/dφ at node i inside: the first of five nodes, and their weights, of fourth order in ξ
+    /// where there are neighbours enough.
+    pub(super) fn drift(self, i: usize) -> (usize, [f64; 5]) {
+        let n = self.cells;
+        if i == 0 || i == n {
+            return (0, [0.0; 5]);
+        }
+        let (first, weights) = if i >= 2 && i + 2 <= n {
+            (i - 2, [1.0 / 12.0, -2.0 / 3.0, 0.0, 2.0 / 3.0, -1.0 / 12.0])
+        } else if i >= 4 {
+            (i - 3, [-1.0 / 12.0, 0.5, -1.5, 5.0 / 6.0, 0.25])
+        } else {
+            (i - 1, [-0.5, 0.0, 0.5, 0.0, 0.0])
+        };
+        let ratio = self.rise(0.0, i as f64) / self.slope(i as f64);
+        (first, weights.map(|weight| weight * ratio))
+    }
+
+    /// Rows of D̂: (1/π) ∫ z dX/√(Z − X) on an annulus, (2/π) ∫ z dx/√(r² − x²) on a disc.
+    pub(super) fn inverse_table(self) -> Vec<f64> {
+        let n = self.cells;
+        let rule = gauss_legendre::<POINTS>();
+        let mut table = vec![0.0; (n + 1) * (n + 2) / 2];
+        if self.region == Region::Disc {
+            table[0] = 1.0;
+        }
+        for i in 1..=n {
+            let row = &mut table[i * (i + 1) / 2..][..=i];
+            for j in 0..i {
+                // ξ = i − t²
+                let (near, far) = (((i - j - 1) as f64).sqrt(), ((i - j) as f64).sqrt());
+                for (node, weight) in rule {
+                    let t = 0.5 * (far + near) + 0.5 * (far - near) * node;
+                    let (xi, room) = (i as f64 - t * t, -self.rise(i as f64, -t * t));
+                    let kernel = (far - near) * weight * t * self.measure(xi) / room.sqrt();
+                    self.add_value(row, j, xi - j as f64, FRAC_1_PI * kernel);
+                }
+            }
+        }
+        table
+    }
+
+    /// Weights of ∫ h dx / √L and of the volume over L.
+    pub(super) fn integrals(self) -> (Vec<f64>, Vec<f64>) {
+        let n = self.cells;
+        let (mut width, mut volume) = (vec![0.0; n + 1], vec![0.0; n + 1]);
+        for j in 0..n {
+            for (node, weight) in gauss_legendre::<POINTS>() {
+                let s = 0.5 * (1.0 + node);
+                let xi = j as f64 + s;
+                let part = 0.5 * weight * self.measure(xi);
+                let room = self.rise(xi, n as f64 - xi).sqrt();
+                self.add_value(&mut width, j, s, 0.5 * part);
+                self.add_value(&mut volume, j, s, 2.0 * part * room);
+            }
+        }
+        (width, volume)
+    }
+
+    /// Weights of the work ∫ q σ dx / √L of springs, times b. On an annulus the integrand vanishes
+    /// like powers of ξ and 1 − ξ at the edges, and the trapezoidal rule is nearly exact; on a disc
+    /// they are those of a width, so that the work of sliding is that of the force.
+    pub(super) fn work(self, width: &[f64]) -> Vec<f64> {
+        match self.region {
+            Region::Annulus => (0..=self.cells).map(|i| 0.5 * self.slope(i as f64)).collect(),
+            Region::Disc => width.to_vec(),
+        }
+    }
+
+    /// Rows of K̂ for a line that falls to zero at the end: −(1/π) ∫ dq/√(X − Z).
+    pub(super) fn pressure_table(self) -> Vec<f64> {
+        let n = self.cells;
+        let rule = gauss_legendre::<POINTS>();
+        let mut table = Vec::with_capacity((n + 1) * (n + 2) / 2);
+        for i in 0..=n {
+            let mut row = vec![0.0; n + 1 - i];
+            for j in i..n {
+                if j < self.lines() || j + 1 == n {
+                    let to = |node: usize| self.rise(i as f64, (node - i) as f64).sqrt();
+                    let weight = FRAC_2_PI / (to(j) + to(j + 1));
+                    row[j - i] += weight;
+                    row[j + 1 - i] -= weight;
+                    continue;
+                }
+                // ξ = i + t²
+                let (near, far) = (((j - i) as f64).sqrt(), ((j + 1 - i) as f64).sqrt());
+                for (node, weight) in rule {
+                    let t = 0.5 * (far + near) + 0.5 * (far - near) * node;
+                    let s = t * t - (j - i) as f64;
+                    let kernel = (far - near) * weight * t / self.rise(i as f64, t * t).sqrt();
+                    for (k, slope) in [s - 1.5, 2.0 - 2.0 * s, s - 0.5].into_iter().enumerate() {
+                        row[j + k - i] -= FRAC_1_PI * kernel * slope;
+                    }
+                }
+            }
+            table.extend(row);
+        }
+        table
+    }
+
+    /// Last column of K̂ where the line does not fall to zero in the last cell but jumps at its
+    /// end; `falling(i)` is that of a line which falls.
+    pub(super) fn rim_column(self, falling: impl Fn(usize) -> f64) -> Vec<f64> {
+        let n = self.cells;
+        let column = |i: usize| {
+            let room = self.rise(i as f64, (n - i) as f64);
+            FRAC_1_PI / room.sqrt() + falling(i)
+        };
+        // the mean of q/(π √(1 − Z)) over the outer half of the last cell
+        let last = FRAC_2_PI / (0.5 * self.rise((n - 1) as f64, 1.0)).sqrt();
+        (0..n).map(column).chain([last]).collect()
+    }
 }

@@ -97,8 +97,8 @@ impl Patch {
                 *sum += span * mesh.volume.depth[i] * entry;
             }
             if !self.rim && i > 0 {
-                for (weight, k) in mesh.drift[i].iter().zip(i - 1..) {
-                    let speed = rate.area_rate * weight / span;
+                for (k, weight) in mesh.drift_weights(i) {
+                    let speed = rate.area_rate * rate.drift_share * weight / span;
                     for (entry, inverse) in row.iter_mut().zip(&mesh.inverse_row(k)[first.min(k)..]) {
                         *entry += speed * inverse;
                     }

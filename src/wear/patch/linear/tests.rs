@@ -3,10 +3,9 @@ use crate::parameters::NormalControl;
 use crate::profile::Profile;
 use crate::surface::Region;
 use crate::surface::Surface;
-use crate::wear::mesh::{UnitMesh, grading};
+use crate::wear::mesh::UnitMesh;
 use crate::wear::patch::{Frozen, Motion, Rate, Rig, State};
 use crate::wear::{Constants, Sliding, rosenbrock};
-use std::sync::Arc;
 
 const DEPTH: f64 = 4e-6;
 const RADIUS: f64 = 0.01;
@@ -61,7 +60,7 @@ impl Scene {
             }
             Region::Disc => (Sliding::Onward, 0.0, 1.0),
         };
-        let mesh = Arc::new(UnitMesh::graded(self.region, cells, grading(self.region, cells)));
+        let mesh = UnitMesh::shared(self.region, cells);
         let rig = self.rig.then(|| {
             // T/(2G*) of the unworn ball: U₀ c + m ∫ q dx from c on
             let outside = (a * a * (a - c) - (a.powi(3) - c.powi(3)) / 3.0) / RADIUS;
