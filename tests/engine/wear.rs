@@ -571,5 +571,5 @@ fn a_new_mesh_wears_nothing_that_sticks() {
             );
         }
     }
-    assert!(contact.counters().factorisations > 10, "no mesh was made");
+    assert!(contact.counters().factorisations > 0, "no mesh was made");
 }
