@@ -80,6 +80,41 @@ fn lives_as_one(resolution: usize, tolerance: f64) {
     }
 }
 
+/// While friction runs in, each contact at a constant approach lives as one contact at its depth;
+/// that is longer than with the largest coefficient all the time, and shorter than with the least.
+#[test]
+fn coatings_wear_through_while_friction_runs_in() {
+    let running_in = Parameters {
+        friction_coefficient: 0.3,
+        friction_coefficient_final: 0.6,
+        running_in_energy: 2e-2,
+        ..coated(NormalControl::Indentation, 0.2e-6)
+    };
+    let constant = |friction_coefficient: f64| Parameters {
+        friction_coefficient,
+        ..coated(NormalControl::Indentation, 0.2e-6)
+    };
+    let (depth, amplitude, offsets) = (3.5e-6, 4e-6, [0.0, 0.5e-6, 1.5e-6]);
+    let mut joint = Interface::new(running_in.clone(), &offsets.map(Summit::at_offset)).unwrap();
+    joint.advance_cycles(depth, amplitude, 1e4).unwrap();
+    let life = |parameters: &Parameters, offset: f64| {
+        let mut one = FrettingContact::new(parameters.clone()).unwrap();
+        one.advance_cycles(depth - offset, amplitude, 1e4).unwrap();
+        one.cycles_to_wear_through().unwrap()
+    };
+    let lives = offsets.map(|offset| life(&running_in, offset));
+    for (index, (expected, offset)) in lives.into_iter().zip(offsets).enumerate() {
+        let contact = joint.contact(index).unwrap();
+        close_to(contact.cycles_to_wear_through().unwrap(), expected, 1e-9, "life of a contact");
+        assert!(contact.friction_coefficient_now() > 0.4);
+        let (longest, shortest) = (life(&constant(0.3), offset), life(&constant(0.6), offset));
+        let found = joint.contact(index).and_then(FrettingContact::cycles_to_wear_through).unwrap();
+        assert!(1.01 * shortest < found && found < 0.99 * longest, "{shortest} {found} {longest}");
+    }
+    let first = lives.into_iter().fold(f64::INFINITY, f64::min);
+    close_to(joint.cycles_to_wear_through().unwrap(), first, 1e-9, "life of the interface");
+}
+
 /// In steps the coating is worn through where its depth is read so, without a number of cycles.
 #[test]
 fn strokes_wear_a_coating_through() {

@@ -203,6 +203,37 @@ fn coefficients_may_change_during_a_life() {
     assert!(joint.retune(0.3, [0.0; 2]).is_err());
 }
 
+/// At a given depth each contact of an interface whose coefficients change is one contact whose
+/// coefficients change, and what it wears afterwards is its work by the new one.
+#[test]
+fn each_contact_goes_on_with_other_coefficients_as_one() {
+    let parameters = Parameters { normal_control: NormalControl::Indentation, ..worn(3.2e-2) };
+    let offsets = [0.0, 0.4e-6, 1.1e-6];
+    let mut joint = Interface::new(parameters.clone(), &offsets.map(Summit::at_offset)).unwrap();
+    let mut alone = offsets.map(|_| FrettingContact::new(parameters.clone()).unwrap());
+    let changes = [(300, 0.3, 6.4e-2), (600, 0.8, 1.6e-2)];
+    for k in 0..900 {
+        if let Some((_, mu, wear)) = changes.iter().find(|change| change.0 == k) {
+            joint.retune(*mu, [*wear, 0.0]).unwrap();
+            alone.iter_mut().for_each(|one| one.retune(*mu, *wear).unwrap());
+        }
+        let (load, u) = motion(k);
+        joint.advance_to(3.5e-6 * load, [u, 0.0], 0.0).unwrap();
+        for (one, offset) in alone.iter_mut().zip(offsets) {
+            one.advance_to(3.5e-6 * load - offset, u).unwrap();
+        }
+    }
+    assert!(joint.counters().profile_updates > 10, "{}", joint.counters());
+    for (index, one) in alone.iter().enumerate() {
+        let contact = joint.contact(index).unwrap();
+        close_to(contact.wear_volume(), one.wear_volume(), 1e-12, "V of a contact");
+        close_to(contact.wear_depth(), one.wear_depth(), 1e-12, "depth of a contact");
+        close_to(contact.tangential_force(), one.tangential_force(), 1e-12, "T of a contact");
+    }
+    let total = |of: fn(&FrettingContact) -> f64| alone.iter().map(of).sum::<f64>();
+    close_to(joint.dissipated_energy(), total(FrettingContact::dissipated_energy), 1e-12, "W");
+}
+
 /// Contacts are advanced by several threads with the same bits, also while friction runs in.
 #[cfg(feature = "threads")]
 #[test]

@@ -8,6 +8,7 @@ mod ellipse;
 mod end_of_the_table;
 mod fields;
 mod interface_coating;
+mod interface_derivatives;
 mod interface_elastic;
 mod interface_running_in;
 mod interface_wear;

@@ -1,0 +1,105 @@
+//! Derivatives of an interface on worn profiles, and a compliant fixture around it that is solved
+//! with them.
+
+use crate::common::*;
+use fretting_contact::{FrettingContact, Gradient, Interface, Parameters, Summit};
+
+/// Contacts on the y axis: a rotation moves them along x.
+fn on_a_line() -> Vec<Summit> {
+    let at = |k: u32| {
+        let share = |factor: f64| (f64::from(k) * factor).fract();
+        let y = 2e-3 * (share(0.569_840_291) - 0.3);
+        let radius_factor = 0.5 + share(0.414_213_562);
+        Summit { offset: 2e-6 * share(0.618_033_988_75), x: 0.0, y, radius_factor }
+    };
+    (0..8).map(at).collect()
+}
+
+/// Under force control, with wear and rotation, against differences on the way that the body goes.
+/// Between two updates of the profiles these are the derivatives of the law itself.
+#[test]
+fn gradients_on_worn_profiles_are_differences() {
+    let parameters = Parameters { wear_coefficient: 3.2e-2, resolution: 32, ..without_wear(BALL) };
+    let mut joint = Interface::new(parameters, &on_a_line()).unwrap();
+    joint.start_at(400.0, [0.0; 2], 0.0).unwrap();
+    for k in 1..=120 {
+        let phase = 0.1 * f64::from(k);
+        let (force, u) = (400.0 * (1.0 + 0.2 * (0.7 * phase).sin()), 1e-6 * phase.sin());
+        joint.advance_to(force, [u, 0.0], 2e-4 * phase.sin()).unwrap();
+    }
+    assert!(joint.counters().profile_updates > 10, "{}", joint.counters());
+    let (force, u, turn) = (joint.normal_reaction(), joint.displacement(), joint.rotation());
+    // back from where the body stands, so that it goes one way
+    let (mut here, down) = (joint.clone(), -1e-8);
+    here.advance_to(force, [u + 40.0 * down, 0.0], turn).unwrap();
+    let u = here.displacement();
+    type Read = (&'static str, fn(&Interface) -> f64, fn(&Interface) -> Gradient);
+    let outputs: [Read; 5] = [
+        ("tangential_force", Interface::tangential_force, |i| {
+            i.total_gradient(FrettingContact::tangential_force_gradient)
+        }),
+        ("moment", Interface::moment, Interface::moment_gradient),
+        ("indentation_depth", Interface::indentation_depth, Interface::indentation_depth_gradient),
+        ("normal_reaction", Interface::normal_reaction, |i| {
+            i.total_gradient(FrettingContact::normal_reaction_gradient)
+        }),
+        ("dissipated_energy", Interface::dissipated_energy, |i| {
+            i.total_gradient(FrettingContact::dissipated_energy_gradient)
+        }),
+    ];
+    let moved = |[normal, along, turned]: [f64; 3]| {
+        let mut moved = here.clone();
+        moved.advance_to(force + normal, [u + along, 0.0], turn + turned).unwrap();
+        moved
+    };
+    let base = moved([0.0, 1e-3 * down, 0.0]);
+    for (name, read, gradient) in outputs {
+        let given = gradient(&here);
+        // scales of what each input changes, so that a derivative of 0 is one
+        let ways = [
+            ([1e-4, 1e-3 * down, 0.0], given.normal, 1e-4, 400.0),
+            ([0.0, 2e-3 * down, 0.0], given.displacement, 1e-3 * down, 1e-6),
+            ([0.0, 1e-3 * down, 1e-9], given.rotation, 1e-9, 1e-3),
+        ];
+        for (way, given, step, scale) in ways {
+            let difference = (read(&moved(way)) - read(&base)) / step;
+            let size = given.abs() + 1e-4 * read(&here).abs() / scale;
+            close(difference, given, 2e-3 * size, &format!("{name}, {way:?}"));
+        }
+    }
+}
+
+/// Takes an interface that is held by a fixture of some stiffness along x to a displacement of the
+/// drive: k (D − U) = T(U) by Newton's method, each trial from the same state.
+fn drive(joint: &mut Interface, force: f64, drive: f64, stiffness: f64) {
+    let start = joint.clone();
+    let mut u = start.displacement();
+    for _ in 0..50 {
+        let pull = stiffness * (drive - u) - joint.tangential_force();
+        if pull.abs() <= 1e-12 * stiffness * drive.abs().max(u.abs()) {
+            return;
+        }
+        let slope = joint.total_gradient(FrettingContact::tangential_force_gradient).displacement;
+        u += pull / (stiffness + slope);
+        *joint = start.clone();
+        joint.advance_to(force, [u, 0.0], 0.0).unwrap();
+    }
+    panic!("the body finds no place");
+}
+
+/// Equal contacts in a fixture are one contact with a share of it, which the engine solves by
+/// itself; in sliding the fixture is deflected by μF/k.
+#[test]
+fn a_fixture_around_an_interface_is_the_rig_of_one_contact() {
+    let rig_stiffness = 2e7;
+    let mut one = started(Parameters { rig_stiffness, ..without_wear(BALL) });
+    let mut three = Interface::new(without_wear(BALL), &[Summit::at_offset(0.0); 3]).unwrap();
+    three.start_at(3.0 * FORCE, [0.0; 2], 0.0).unwrap();
+    for target in [2e-6, 4e-6, 2e-6, -4e-6, -3e-6, 1e-6, 1e-5] {
+        one.advance_to(FORCE, target).unwrap();
+        drive(&mut three, 3.0 * FORCE, target, 3.0 * rig_stiffness);
+        close_to(three.tangential_force(), 3.0 * one.tangential_force(), 1e-9, "T");
+        close_to(three.displacement(), target - one.tangential_force() / rig_stiffness, 1e-9, "U");
+    }
+    close_to(three.displacement(), 1e-5 - MU * FORCE / rig_stiffness, 1e-9, "U in sliding");
+}
