@@ -54,8 +54,10 @@ use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::range;
 use crate::surface::Surface;
+use crate::wear::UnitMesh;
 use serde::{Deserialize, Serialize};
 use state::State;
+use std::sync::Arc;
 
 /// What the contact does at the moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -94,12 +96,14 @@ pub struct FrettingContact {
     state: State,
     view: view::View,
     memory: Memory,
+    /// Tables of the moving mesh, kept so that they need not be made for each update.
+    mesh: Option<Arc<UnitMesh>>,
 }
 
 impl FrettingContact {
     fn on_surface(model: Model, surface: Surface) -> Self {
         let state = State::apart(&surface, &model);
-        Self { model, surface, state, view: view::View::default(), memory: Memory::default() }
+        Self { model, surface, state, view: view::View::default(), memory: Memory::default(), mesh: None }
     }
 
     /// 2E*, the ratio of force to load integral, Pa.

@@ -28,7 +28,7 @@ impl FrettingContact {
     /// Memory for the slip of a line, where it is wanted for wear.
     pub(super) fn take_slips(&mut self) -> Option<Vec<SlipPiece>> {
         self.state.wear.as_ref()?;
-        let mut slips = std::mem::take(&mut self.memory.slips);
+        let mut slips = std::mem::take(&mut self.memory.get().slips);
         slips.clear();
         Some(slips)
     }
@@ -36,7 +36,7 @@ impl FrettingContact {
     /// Keeps the slip of a line, to be gathered if the line is taken.
     pub(super) fn keep_slips(&mut self, slips: Option<Vec<SlipPiece>>) {
         if let Some(slips) = slips {
-            self.memory.slips = slips;
+            self.memory.get().slips = slips;
         }
     }
 
@@ -48,7 +48,7 @@ impl FrettingContact {
         let Some(wear) = &mut self.state.wear else { return };
         if work > 0.0
             && !wear.backlog.record(
-                &self.memory.slips,
+                &self.memory.get().slips,
                 (work, work / (modulus * bound_slope)),
                 (&from, to),
                 tip,
@@ -56,7 +56,7 @@ impl FrettingContact {
         {
             wear.deferred_work += work;
         }
-        self.memory.slips.clear();
+        self.memory.get().slips.clear();
     }
 
     /// Whether the profile has to follow before the body turns to a direction.
@@ -244,7 +244,7 @@ impl FrettingContact {
         self.surface.set_worn(Some(nodes));
         let work = work + self.take_deferred(work);
         let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(()) };
-        let (transforms, made) = self.memory.transforms.get(nodes);
+        let (transforms, made) = self.memory.get().transforms.get(nodes);
         self.state.counters.transform_tables += u64::from(made);
         let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.model.constants)?;
         let Some(fields) = fields else {
@@ -315,7 +315,7 @@ impl FrettingContact {
         };
         let mut left = nodes.clone();
         if nodes.mesh().is_some() {
-            let (transforms, made) = self.memory.transforms.get(nodes);
+            let (transforms, made) = self.memory.get().transforms.get(nodes);
             self.state.counters.transform_tables += u64::from(made);
             self.state.counters.descent_transforms += 1;
             left = nodes.without_mesh(transforms.inverse_abel(nodes.worn_image()));

@@ -153,7 +153,7 @@ impl FrettingContact {
         let Some(wear) = &mut self.state.wear else { return Ok(0.0) };
         wear.deferred_work = (worn + life.volume - on_profile(&life.surface)) / per_work;
         wear.next_step = Some((sliding, life.next_step));
-        self.memory.mesh = life.mesh.or(self.memory.mesh.take());
+        self.mesh = life.mesh.or(self.mesh.take());
         wear.defect += life.defect / per_work;
         self.surface = life.surface;
         self.look_at_coating();

@@ -183,7 +183,7 @@ impl FrettingContact {
     fn walk_on(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
         let to =
             if value == self.state.contact.control { self.state.contact } else { self.solve_contact(value)? };
-        let spare = std::mem::take(&mut self.memory.springs);
+        let spare = std::mem::take(&mut self.memory.get().springs);
         let mut slips = self.take_slips();
         let path = self.path_to(to, displacement);
         let (springs, half_work) = self.state.springs.walk(&path, spare, slips.as_mut());
@@ -262,7 +262,7 @@ impl FrettingContact {
             self.begin_stroke();
             self.bound_knots(&mut springs);
         }
-        self.memory.springs = std::mem::replace(&mut self.state.springs, springs);
+        self.memory.get().springs = std::mem::replace(&mut self.state.springs, springs);
         if direction != 0.0 {
             self.state.direction = direction;
         }

@@ -68,16 +68,15 @@ impl FrettingContact {
     /// Puts the memory of a step back where it is kept, and keeps no more of it than the state
     /// needs.
     pub(crate) fn return_memory(&mut self, memory: &mut Memory) {
-        self.state.springs.take_smaller(&mut self.memory.springs);
+        let own = self.memory.get();
+        self.state.springs.take_smaller(&mut own.springs);
+        // tables are those of one profile
+        own.transforms = TransformCache::default();
         self.exchange_memory(memory);
     }
 
     /// Takes the memory of a step from where it is kept, or puts it back there.
     pub(crate) fn exchange_memory(&mut self, memory: &mut Memory) {
-        // tables are those of one profile; those of the mesh serve all, but live as long as they
-        // are kept
-        self.memory.transforms = TransformCache::default();
         swap(&mut self.memory, memory);
-        swap(&mut self.memory.mesh, &mut memory.mesh);
     }
 }

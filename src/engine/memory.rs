@@ -5,11 +5,24 @@ use super::state::Mark;
 use super::stroke::StrokeStart;
 use crate::friction::{PlanarRow, SlipPiece, Springs};
 use crate::surface::TransformCache;
-use crate::wear::UnitMesh;
-use std::sync::Arc;
+
+/// Made when a step first needs it: a contact of an interface has none between two steps.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Memory(Option<Box<Buffers>>);
+
+impl Memory {
+    pub(super) fn get(&mut self) -> &mut Buffers {
+        self.0.get_or_insert_default()
+    }
+
+    /// Tables of the nodes at rest.
+    pub(super) fn transforms(&self) -> TransformCache {
+        self.0.as_ref().map_or_else(TransformCache::default, |buffers| buffers.transforms.clone())
+    }
+}
 
 #[derive(Debug, Default)]
-pub(crate) struct Memory {
+pub(super) struct Buffers {
     /// A former row.
     pub(super) springs: Springs,
     /// A former row of vectors.
@@ -20,15 +33,13 @@ pub(crate) struct Memory {
     pub(super) slips: Vec<SlipPiece>,
     /// The state before a change that may fail.
     pub(super) before: Option<Box<Mark>>,
-    /// Tables of the moving mesh, kept so that they need not be made for each update.
-    pub(super) mesh: Option<Arc<UnitMesh>>,
-    /// Those of the nodes at rest.
+    /// Tables of the nodes at rest.
     pub(super) transforms: TransformCache,
 }
 
 /// A copy of a contact has the tables, and buffers of its own.
-impl Clone for Memory {
+impl Clone for Buffers {
     fn clone(&self) -> Self {
-        Self { mesh: self.mesh.clone(), transforms: self.transforms.clone(), ..Self::default() }
+        Self { transforms: self.transforms.clone(), ..Self::default() }
     }
 }

@@ -179,7 +179,7 @@ impl FrettingContact {
     fn try_in_plane(&mut self, value: f64, place: Vector2<f64>) -> Result<PlanarEnd, Error> {
         let to =
             if value == self.state.contact.control { self.state.contact } else { self.contact_at(value)? };
-        let spare = take(&mut self.memory.planar);
+        let spare = take(&mut self.memory.get().planar);
         let mut slips = self.take_slips();
         let path = self.planar_path(to, place);
         let (row, half_work) = self.walked_in_plane(&path, spare, slips.as_mut());
@@ -268,7 +268,7 @@ impl FrettingContact {
             self.begin_stroke();
         }
         if let Some(planar) = &mut self.state.planar {
-            self.memory.planar = replace(&mut planar.row, end.row);
+            self.memory.get().planar = replace(&mut planar.row, end.row);
             if length > 0.0 {
                 planar.direction = moved / length;
             }

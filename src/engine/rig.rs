@@ -157,7 +157,7 @@ impl FrettingContact {
         let row_modulus = 2.0 * self.model.constants.tangential_modulus;
         let limit = self.model.constants.friction_coefficient * to.load * self.force_scale();
         let mut walks = 0;
-        let mut spare = std::mem::take(&mut self.memory.springs);
+        let mut spare = std::mem::take(&mut self.memory.get().springs);
         let mut pull = |displacement: f64| {
             let path = self.path_to(to, displacement);
             let (row, _) = self.state.springs.walk(&path, std::mem::take(&mut spare), None);
@@ -173,7 +173,7 @@ impl FrettingContact {
         let ends = (here + first / (1.0 + self.model.compliance * stiffest), here + first);
         let displacement = if first == 0.0 { here } else { roots::of_falling(ends, pull) };
         self.state.counters.spring_walks += walks;
-        self.memory.springs = spare;
+        self.memory.get().springs = spare;
         Ok(displacement)
     }
 

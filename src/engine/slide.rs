@@ -25,7 +25,7 @@ impl FrettingContact {
         let work_scale = 2.0 * self.model.constants.tangential_modulus;
         let most_work = self.work_to_update();
         let (springs, contact, slips) =
-            (&mut self.state.springs, &self.state.contact, &mut self.memory.slips);
+            (&mut self.state.springs, &self.state.contact, &mut self.memory.get().slips);
         slips.clear();
         let bound_slope = self.model.bound_slope;
         let work = if wears {

@@ -158,7 +158,7 @@ impl FrettingContact {
         &mut self,
         change: impl FnOnce(&mut Self) -> Result<T, E>,
     ) -> Result<T, E> {
-        let before = match self.memory.before.take() {
+        let before = match self.memory.get().before.take() {
             Some(mut mark) => {
                 (mark.model, mark.surface) = (self.model.clone(), self.surface.clone());
                 mark.state.copy_from(&self.state, WearBacklog::copy_from);
@@ -170,7 +170,7 @@ impl FrettingContact {
         if result.is_err() {
             self.return_to(&before);
         }
-        self.memory.before = Some(before);
+        self.memory.get().before = Some(before);
         result
     }
 }

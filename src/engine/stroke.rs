@@ -101,7 +101,7 @@ impl FrettingContact {
 
     /// Goes on with the stroke before the present one. Only the last beginning can be undone.
     pub(super) fn undo_stroke(&mut self) {
-        swap(&mut self.state.stroke, &mut self.memory.stroke);
+        swap(&mut self.state.stroke, &mut self.memory.get().stroke);
     }
 
     /// Slip of the surface at radius r since the present stroke began, m: from one reversal to the

@@ -83,7 +83,7 @@ impl FrettingContact {
         let span = self.span_of_slip(front, wear.backlog.radius);
         if reading.surface.is_none() || reading.span != span {
             let surface = self.with_nodes_over(span);
-            let transforms = surface.worn().map(|nodes| self.memory.transforms.clone().get(nodes).0);
+            let transforms = surface.worn().map(|nodes| self.memory.transforms().get(nodes).0);
             reading.wear.set_surface(&surface);
             reading.surface = transforms.map(|transforms| (surface, transforms));
             reading.span = span;

@@ -283,10 +283,15 @@ impl Level {
         let index = OF_PLACES.index(place, least);
         match self.hinges.binary_search_by_key(&index, |hinge| OF_PLACES.index(hinge.range.0, least)) {
             Ok(k) => {
-                self.hinges[k].sum += slope;
-                self.hinges[k].moment += slope * place;
-                let (low, high) = self.hinges[k].range;
-                self.hinges[k].range = (low.min(place), high.max(place));
+                let hinge = &mut self.hinges[k];
+                hinge.sum += slope;
+                hinge.moment += slope * place;
+                let (low, high) = hinge.range;
+                hinge.range = (low.min(place), high.max(place));
+                // a knot of the springs bends what slips one way, and unbends it on the way back
+                if hinge.range.0 == hinge.range.1 && hinge.sum.abs() <= CANCELLED * slope.abs() {
+                    self.hinges.remove(k);
+                }
             }
             Err(k) => {
                 self.hinges.reserve_exact(1);

@@ -136,7 +136,7 @@ impl FrettingContact {
             return Ok(drive);
         }
         let least = BALANCED * self.scale_of(drive, &to);
-        let mut spare = take(&mut self.memory.planar);
+        let mut spare = take(&mut self.memory.get().planar);
         let mut place = self.place();
         let (mut off, mut slope) = self.pull_in_plane((drive, place), &to, &mut spare);
         let mut walks = 1;
@@ -163,7 +163,7 @@ impl FrettingContact {
             place = next;
         }
         self.state.counters.spring_walks += u64::from(walks);
-        self.memory.planar = spare;
+        self.memory.get().planar = spare;
         Ok(place)
     }
 
