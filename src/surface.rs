@@ -127,6 +127,12 @@ impl Surface {
         Self { profile: self.profile.clone(), worn: None }
     }
 
+    /// Image g(x), m, and load integral φ(x), m².
+    fn image_and_load(&self, x: f64) -> (f64, f64) {
+        let (image, load) = self.worn.as_ref().map_or((0.0, 0.0), |nodes| nodes.worn_part(x));
+        (self.profile.image(x) + image, self.profile.load_integral(x) + load)
+    }
+
     /// Load integral φ(x), m².
     pub(crate) fn load(&self, x: f64) -> f64 {
         self.profile.load_integral(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).1)
@@ -179,7 +185,8 @@ impl Surface {
             }
             NormalControl::Indentation if value > touch => {
                 let radius = self.radius_at_depth(value)?;
-                let load = self.load(radius) + radius * (value - self.image(radius));
+                let (image, load) = self.image_and_load(radius);
+                let load = load + radius * (value - image);
                 // a body worn free by wear at this depth touches in places at most; a NaN has to
                 // stay one, to be refused
                 if load <= 0.0 { open } else { Contact { control: value, depth: value, radius, load } }
@@ -203,9 +210,10 @@ impl Surface {
         if matches!(&*self.profile, Profile::Table(_)) || depth <= self.tip() {
             return None;
         }
-        let (low, high) = nodes.outermost_cell_below(depth)?;
-        let radius = nodes.radius_of_image(&self.profile, depth, low, high)?;
-        let (image, load) = nodes.worn_part(radius);
+        let cell = nodes.outermost_cell_below(depth)?;
+        let radius = nodes.radius_in_cell(&self.profile, depth, cell)?;
+        let line = nodes.cell_line(cell);
+        let (image, load) = if line.holds(radius) { line.parts(radius) } else { nodes.worn_part(radius) };
         let overlap = depth - self.profile.image(radius) - image;
         let load = self.profile.load_integral(radius) + load + radius * overlap;
         (load > 0.0 && radius >= range::LEAST_RADIUS).then_some((load, radius))
@@ -267,8 +275,22 @@ impl Surface {
         if outer.is_finite() && depth >= self.image(outer) {
             return self.outer_edge(outer, "indentation", depth);
         }
-        let cell = self.worn().and_then(|nodes| nodes.outermost_cell_below(depth));
-        let (low, high) = cell.unwrap_or_else(|| self.bracket(outer, |x| self.image(x), depth));
+        if let Some((nodes, cell)) =
+            self.worn().and_then(|nodes| Some((nodes, nodes.outermost_cell_below(depth)?)))
+        {
+            // the cell is known: no search for it at each radius
+            let line = nodes.cell_line(cell);
+            let ((low, high), profile) = (line.ends, &self.profile);
+            return Ok(roots::of_rising(low, high, |x| {
+                let (image, slope) = if line.holds(x) {
+                    (line.parts(x).0, line.slope_at(x))
+                } else {
+                    (nodes.worn_part(x).0, nodes.worn_slope(x))
+                };
+                (profile.image(x) + image - depth, profile.image_slope(x) + slope)
+            }));
+        }
+        let (low, high) = self.bracket(outer, |x| self.image(x), depth);
         Ok(roots::of_rising(low, high, |x| (self.image(x) - depth, self.image_slope(x))))
     }
 

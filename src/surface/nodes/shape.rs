@@ -14,6 +14,38 @@ fn steffen_slope((h0, before): (f64, f64), (h1, after): (f64, f64)) -> f64 {
     (before.signum() + after.signum()) * before.abs().min(after.abs()).min(0.5 * mean.abs())
 }
 
+/// The worn image between two nodes, for many radii of one cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct CellLine {
+    /// Radii of the nodes, m.
+    pub(crate) ends: (f64, f64),
+    /// Of the inner node: h, m, and ∫₀ ξ h' dξ, m².
+    image: f64,
+    load: f64,
+    /// dh/dX.
+    slope: f64,
+}
+
+impl CellLine {
+    /// Whether a radius lies in the cell; its outer end belongs to the next.
+    pub(crate) fn holds(&self, x: f64) -> bool {
+        self.ends.0 <= x && x < self.ends.1
+    }
+
+    /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
+    #[inline(always)]
+    pub(crate) fn parts(&self, x: f64) -> (f64, f64) {
+        let (x0, slope) = (self.ends.0, self.slope);
+        let image = self.image + slope * (x - x0) * (x + x0);
+        (image, self.load + 2.0 / 3.0 * slope * (x - x0) * (x * x + x * x0 + x0 * x0))
+    }
+
+    /// Slope h'(x).
+    pub(crate) fn slope_at(&self, x: f64) -> f64 {
+        2.0 * x * self.slope
+    }
+}
+
 impl Nodes {
     /// Worn depth at a radius, m.
     pub(crate) fn depth_at(&self, r: f64) -> f64 {
@@ -59,8 +91,13 @@ impl Nodes {
             return None;
         }
         let above = start + self.whole[start..end].partition_point(|g| *g <= image);
-        let (x1, g1) = (*self.x.get(above)?, self.whole[above]);
-        let j = above - 1;
+        Some(self.radius_in_cell(profile, image, above - 1)?.max(low).min(high))
+    }
+
+    /// Radius in a cell at which the whole image takes a value; `None` where it does not rise
+    /// through that.
+    pub(crate) fn radius_in_cell(&self, profile: &Profile, image: f64, j: usize) -> Option<f64> {
+        let (x1, g1) = (*self.x.get(j + 1)?, self.whole[j + 1]);
         let (x0, g0, slope) = (self.x[j], self.whole[j], self.slope(j));
         // written so that it also refuses what is no number
         if !(g0 <= image && image <= g1 && g0 < g1) {
@@ -87,17 +124,23 @@ impl Nodes {
                 break;
             }
         }
-        Some(x.max(low).min(high))
+        Some(x)
     }
 
-    /// Ends (m) of the outermost cell whose inner end has an image of `image` (m) at most, and
-    /// whose outer end has a larger one.
-    pub(crate) fn outermost_cell_below(&self, image: f64) -> Option<(f64, f64)> {
+    /// The outermost cell whose inner end has an image of `image` (m) at most, and whose outer end
+    /// has a larger one.
+    pub(crate) fn outermost_cell_below(&self, image: f64) -> Option<usize> {
         if self.whole.len() != self.x.len() {
             return None;
         }
         let inner = self.whole.iter().rposition(|g| *g <= image)?;
-        Some((self.x[inner], *self.x.get(inner + 1)?))
+        (inner < self.last()).then_some(inner)
+    }
+
+    /// The worn image along a cell.
+    pub(crate) fn cell_line(&self, j: usize) -> CellLine {
+        let ends = (self.x[j], self.x[j + 1]);
+        CellLine { ends, image: self.worn_image[j], slope: self.slope(j), load: self.worn_load[j] }
     }
 
     /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
@@ -116,12 +159,7 @@ impl Nodes {
     /// Worn parts at a radius in a given cell, or behind the last node.
     pub(super) fn worn_part_in(&self, cell: Option<usize>, x: f64) -> (f64, f64) {
         match cell {
-            Some(j) => {
-                let (x0, slope) = (self.x[j], self.slope(j));
-                let image = self.worn_image[j] + slope * (x - x0) * (x + x0);
-                let load = self.worn_load[j] + 2.0 / 3.0 * slope * (x - x0) * (x * x + x * x0 + x0 * x0);
-                (image, load)
-            }
+            Some(j) => self.cell_line(j).parts(x),
             None => {
                 let (end, ratio) = (self.last(), self.x[self.last()] / x);
                 let h = self.worn_image[end];
