@@ -11,6 +11,7 @@ use crate::surface::TransformCache;
 pub(crate) struct Memory(Option<Box<Buffers>>);
 
 impl Memory {
+    #[inline(always)]
     pub(super) fn get(&mut self) -> &mut Buffers {
         self.0.get_or_insert_default()
     }

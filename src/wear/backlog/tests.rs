@@ -119,6 +119,28 @@ fn copies_share_the_levels_that_have_not_changed() {
     assert!(!backlog.levels.iter().any(|level| Arc::ptr_eq(level, &copy.levels[0])));
 }
 
+/// Knots of the springs bend the slip of a stroke and unbend it on the way back: what cancels there
+/// is not kept, and the law is as without it.
+#[test]
+fn hinges_that_cancel_leave_the_backlog() {
+    let mut level = Level::new(0);
+    let least = OF_PLACES.least(DEPTH);
+    level.hinge(-2.0, 0.5 * DEPTH, least);
+    let one = level.hinges.clone();
+    for slope in [0.7, 0.1, -0.8] {
+        level.hinge(slope, 0.25 * DEPTH, least);
+    }
+    assert_eq!(level.hinges, one);
+    // two places in one bin that cancel are a step of the slip
+    level.hinge(2.0, 0.5001 * DEPTH, least);
+    assert_eq!(level.hinges.len(), 1);
+    (level.slip, level.moment) = (1.0, DEPTH);
+    let mut law = SlipAtDepth::default();
+    level.law_into(DEPTH, &mut law);
+    let (step, slip) = (2e-4 * DEPTH, law.at(0.9 * DEPTH).0);
+    assert!((slip / step - 1.0).abs() < 1e-9, "{slip:e} {step:e}");
+}
+
 /// Gross slip to and fro: every spring slips, the innermost least.
 #[test]
 fn gross_slip_has_no_front() {
