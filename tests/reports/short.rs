@@ -71,7 +71,7 @@ fn a_tighter_tolerance_delivers_no_more_error() {
 #[test]
 fn the_error_falls_with_resolution_at_an_order_of_at_least_1_5() {
     // tight in time, so that what is left is of the cells
-    let [coarse, fine] = [16, 64].map(|resolution| delivered(resolution, 1e-6));
+    let [coarse, fine] = [48, 192].map(|resolution| delivered(resolution, 1e-6));
     let order = (coarse / fine).ln() / 4.0_f64.ln();
     assert!(order >= 1.5, "{coarse:e} {fine:e}: order {order}");
 }
