@@ -32,7 +32,7 @@ impl UnitMesh {
         self.with_middles(parts, w, middle)
     }
 
-    /// How far a depth has risen in the middle of the first cell: like √X from the stick edge on,
+    /// Share of the rise of a depth in the middle of the first cell: like √X from the stick edge on,
     /// like X from an axis.
     fn first_rise(&self) -> f64 {
         let share = self.places().rise(0.0, 0.5) / self.share[1];
