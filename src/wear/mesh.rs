@@ -3,9 +3,9 @@
 //!
 //! On an annulus c ≤ x ≤ a with X = c² + L φ, L = a² − c², the transforms of data given at fixed
 //! shares φ depend on c and a by factors only: with z = √L v/x interpolated, the inverse Abel
-//! transform is D̂ z; with q interpolated, pressure is K̂ q / √L. On a disc (c = 0), where v/x would
-//! be singular, z is v itself; its inverse transform depends on ratios of radii, so that it needs
-//! no factor at all. Hence one set of tables serves every contact, load and time.
+//! transform is D̂ z; with q interpolated, pressure is K̂ q / √L. On a disc (c = 0), where v/x is
+//! singular, z is v itself; its inverse transform depends on ratios of radii, so that it needs no
+//! factor at all. Hence one set of tables serves every contact, load and time.
 //!
 //! φ = (p+1) ξᵖ − p ξᵖ⁺¹ at even ξ: cells shrink like ξᵖ⁻¹ towards the stick edge, where the image
 //! develops a jump and the depth a square-root cusp, and like 1 − ξ towards the contact edge, where

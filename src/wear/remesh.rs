@@ -15,7 +15,8 @@ use crate::surface::{Contact, MeshPlace, Nodes, Surface};
 /// partial slip with a front next to the axis.
 const JUST_ALL: f64 = 1e-4;
 
-/// Cells of the coarsest mesh of an annulus: with 16, worn volumes on the way are off by 0.3 to 0.6 %.
+/// Cells of the coarsest mesh of an annulus: with 16, worn volumes on the way are off by 0.3 to
+/// 0.6 %.
 const FEWEST_CELLS: usize = 24;
 
 /// Radius of that front, and the least of any, relative to the contact radius.

@@ -32,8 +32,8 @@ impl UnitMesh {
         self.with_middles(parts, w, middle)
     }
 
-    /// Share of the rise of a depth in the middle of the first cell: like √X from the stick edge on,
-    /// like X from an axis.
+    /// Share of the rise of a depth in the middle of the first cell: like √X from the stick edge
+    /// on, like X from an axis.
     fn first_rise(&self) -> f64 {
         let share = self.places().rise(0.0, 0.5) / self.share[1];
         match self.region {
