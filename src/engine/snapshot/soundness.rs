@@ -36,7 +36,7 @@ fn close(a: f64, b: f64) -> bool {
 
 /// Near to each other on a scale. What has overflowed in both is the same.
 fn near(a: f64, b: f64, scale: f64) -> bool {
-    a == b || (a - b).abs() <= CLOSE * scale
+    a == b || ((a - b).is_finite() && (a - b).abs() <= CLOSE * scale)
 }
 
 fn is_motion(sliding: Sliding) -> bool {
@@ -208,5 +208,18 @@ impl WearState {
             && [self.limit, self.defect, self.clipped].iter().all(|value| amount(*value))
             && self.expected.is_none_or(is_motion)
             && self.next_step.is_none_or(|(sliding, step)| is_motion(sliding) && amount(step))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_has_overflowed_is_close_to_itself_alone() {
+        assert!(close(1.0, 1.0 + 0.1 * CLOSE) && close(f64::INFINITY, f64::INFINITY));
+        for other in [1.0, 0.0, f64::MAX, f64::NEG_INFINITY, f64::NAN] {
+            assert!(!close(f64::INFINITY, other) && !close(other, f64::INFINITY), "{other}");
+        }
     }
 }
