@@ -3,7 +3,7 @@
 use super::Constants;
 use super::mesh::UnitMesh;
 use super::patch::{Front, Motion, Patch, Rate, State, edge_not_found};
-use super::remesh::{check_end_of_body, mesh_slip_zone};
+use super::remesh::{check_end_of_body, mesh_slip_zone, parts};
 use super::rosenbrock;
 use crate::counters::Counters;
 use crate::error::Error;
@@ -43,7 +43,7 @@ const MET: f64 = 1e-3;
 /// How finely to integrate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct IntegrationSettings {
-    /// Cells across the slipping region that the nodes give; the mesh has half as many.
+    /// Cells across the slipping region that the nodes give; the mesh of an annulus has half as many.
     pub(crate) cells: usize,
     /// Largest error of the image in a step, over the indentation depth.
     pub(crate) tolerance: f64,
@@ -221,8 +221,8 @@ fn left_at_the_end(
     (nodes, defect)
 }
 
-/// Nodes of the surface that a patch leaves: those of the mesh, and one between any two where that
-/// many are asked for, since the surface takes lines where the mesh has parabolas.
+/// Nodes of the surface that a patch leaves: those of the mesh, on an annulus with one between any
+/// two where that many are asked for.
 fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, settings: &IntegrationSettings) -> Nodes {
     let (mut x, mut image, mut depth) =
         (patch.inside.x.clone(), patch.inside.image.clone(), patch.inside.depth.clone());
@@ -236,7 +236,7 @@ fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, settings: &Integrat
         depth.push(0.0);
     }
     let first = x.len();
-    let parts = if 2 * patch.mesh.cells <= settings.cells { 2 } else { 1 };
+    let parts = parts(patch.mesh.cells, settings.cells);
     let radii = patch.radii_of(&patch.mesh.shares(parts), rate.radius_squared);
     let cells = radii.len() - 1;
     for (i, (r, own)) in radii.iter().zip(patch.mesh.depths(parts, &state.depth)).enumerate() {

@@ -39,27 +39,12 @@ pub(crate) struct UnitMesh {
     pub(crate) width: Vec<f64>,
     /// ∫ q σ dx = √L Σ work·b q σ.
     pub(crate) work: Vec<f64>,
-    /// Rows that give zₙ, Σ width·z and the volume (over L) from the depths w; see [`Functional`].
-    pub(crate) edge_image: Functional,
-    pub(crate) mean_image: Functional,
-    pub(crate) volume: Functional,
+    /// Rows that give zₙ, Σ width·z and the volume (over L) from the depths w.
+    pub(crate) edge_image: Vec<f64>,
+    pub(crate) mean_image: Vec<f64>,
+    pub(crate) volume: Vec<f64>,
     /// V = L Σ volume_of_image·z.
     pub(crate) volume_of_image: Vec<f64>,
-}
-
-/// A linear functional Σ fⱼ zⱼ written in the depths: Σ wᵢ·depthᵢ + inner·z₀ (z₀ counts on an
-/// annulus only, where it is given).
-#[derive(Debug)]
-pub(crate) struct Functional {
-    pub(crate) depth: Vec<f64>,
-    pub(crate) inner: f64,
-}
-
-impl Functional {
-    #[cfg(test)]
-    fn of(&self, depth: &[f64], inner: f64) -> f64 {
-        dot(&self.depth, depth) + self.inner * inner
-    }
 }
 
 /// The meshes in use, in any order.
@@ -103,7 +88,6 @@ impl UnitMesh {
         let (width, volume) = places.integrals();
         let mut edge = vec![0.0; cells + 1];
         edge[cells] = 1.0;
-        let empty = || Functional { depth: Vec::new(), inner: 0.0 };
         let mut mesh = Self {
             region,
             cells,
@@ -114,9 +98,9 @@ impl UnitMesh {
             share,
             work: places.work(&width),
             width,
-            edge_image: empty(),
-            mean_image: empty(),
-            volume: empty(),
+            edge_image: Vec::new(),
+            mean_image: Vec::new(),
+            volume: Vec::new(),
             volume_of_image: volume,
         };
         mesh.rim = places.rim_column(|i| mesh.pressure_row(i)[cells - i]);
@@ -137,7 +121,8 @@ impl UnitMesh {
         (*first..=self.cells).zip(weights.iter().copied())
     }
 
-    /// First node whose image is unknown: on an annulus the image at the inner edge is given.
+    /// First node whose image is unknown: on an annulus the image at the inner edge is given, and no
+    /// depth depends on it.
     pub(crate) fn first(&self) -> usize {
         match self.region {
             Region::Annulus => 1,
@@ -164,7 +149,7 @@ impl UnitMesh {
         }
     }
 
-    /// z with D̂ z = w; z₀ has to be set before on an annulus.
+    /// z with D̂ z = w, from the first unknown node on.
     pub(crate) fn abel(&self, w: &[f64], z: &mut [f64]) {
         for i in self.first()..=self.cells {
             let row = self.inverse_row(i);
@@ -184,18 +169,16 @@ impl UnitMesh {
         }
     }
 
-    /// Writes Σ fⱼ zⱼ in the depths: solves D̂ᵀ y = f.
-    fn in_depths(&self, f: Vec<f64>) -> Functional {
-        let first = self.first();
+    /// The row y with y·w = f·z: solves D̂ᵀ y = f.
+    fn in_depths(&self, f: Vec<f64>) -> Vec<f64> {
         let mut y = f;
-        for i in (first..=self.cells).rev() {
+        for i in (self.first()..=self.cells).rev() {
             let row = self.inverse_row(i);
             y[i] /= row[i];
             let value = y[i];
             y.iter_mut().zip(&row[..i]).for_each(|(y, weight)| *y -= value * weight);
         }
-        let inner = if first == 1 { std::mem::take(&mut y[0]) } else { 0.0 };
-        Functional { depth: y, inner }
+        y
     }
 }
 

@@ -168,7 +168,8 @@ fn random_histories_keep_every_invariant() {
     }
 }
 
-/// Cycles of equal contacts: to rounding without wear, as without running in (1.5 %) with it.
+/// Cycles of equal contacts: to rounding without wear. With it, the interface solves for the depth
+/// at blocks of cycles, each of which lays its mesh at another depth: W, T and μ are 1.7 % off.
 #[test]
 fn cycles_run_in_as_those_of_one() {
     for (parameters, accuracy) in [(running_in(USUAL), 1e-9), (wearing(USUAL), 1.8e-2)] {

@@ -14,10 +14,7 @@ impl UnitMesh {
 
     /// z, by the parabolas that D̂ takes.
     pub(crate) fn images(&self, parts: usize, z: &[f64]) -> Vec<f64> {
-        let middle = |j: usize| {
-            let values = self.places().values(j, 0.5);
-            (0..3).filter(|k| j + k >= 1).map(|k| values[k] * z[j + k - 1]).sum()
-        };
+        let middle = |j: usize| self.places().weights(j, 0.5).map(|(k, weight)| weight * z[k]).sum();
         self.with_middles(parts, z, middle)
     }
 

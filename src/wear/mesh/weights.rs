@@ -62,7 +62,7 @@ impl Places {
     /// Values in cell j of what is 1 at one node of j − 1, j, j + 1 and 0 at the others, a share s
     /// of the cell from its inner end. The image may jump at the stick edge, so that it has its
     /// outer value in all of the first cell there.
-    pub(super) fn values(self, j: usize, s: f64) -> [f64; 3] {
+    fn values(self, j: usize, s: f64) -> [f64; 3] {
         if j == 0 && self.region == Region::Annulus {
             return [0.0, 0.0, 1.0];
         }
@@ -73,11 +73,16 @@ impl Places {
         [0.5 * s * (s - 1.0), (1.0 - s) * (1.0 + s), 0.5 * s * (s + 1.0)]
     }
 
+    /// The nodes that the value at a place of cell j depends on, with their weights.
+    pub(super) fn weights(self, j: usize, s: f64) -> impl Iterator<Item = (usize, f64)> {
+        let values = self.values(j, s).into_iter().enumerate();
+        // the first cell has no node before it
+        values.skip(usize::from(j == 0)).map(move |(k, value)| (j + k - 1, value))
+    }
+
     /// Adds `factor` times the value at a place of cell j to the weights of its nodes.
     fn add_value(self, row: &mut [f64], j: usize, s: f64, factor: f64) {
-        for (k, value) in self.values(j, s).into_iter().enumerate().skip(usize::from(j == 0)) {
-            row[j + k - 1] += factor * value;
-        }
+        self.weights(j, s).for_each(|(node, weight)| row[node] += factor * weight);
     }
 
     /// φ d/dφ at node i inside: the first of five nodes, and their weights, of fourth order in ξ

@@ -26,23 +26,19 @@ impl Patch {
         if a > self.body.profile().outer_radius() {
             return f64::INFINITY;
         }
-        let (depth, inner) = (self.edge_depth(a), self.inner_image(span));
-        let mesh = &self.mesh;
-        let z = sums.0 + mesh.edge_image.depth[end] * depth + mesh.edge_image.inner * inner;
+        let (depth, mesh) = (self.edge_depth(a), &self.mesh);
+        let z = sums.0 + mesh.edge_image[end] * depth;
         let h = z / self.scale(span, a);
         if !self.is_force() {
             return self.body.image(a) + h - self.motion.value;
         }
-        let mean = sums.1 + mesh.mean_image.depth[end] * depth + mesh.mean_image.inner * inner;
+        let mean = sums.1 + mesh.mean_image[end] * depth;
         self.body.load(a) + a * h - self.inside_width - span.sqrt() * mean - self.motion.value
     }
 
     fn edge_sums(&self, depth: &[f64]) -> (f64, f64) {
         let end = self.cells();
-        (
-            dot(&self.mesh.edge_image.depth[..end], &depth[..end]),
-            dot(&self.mesh.mean_image.depth[..end], &depth[..end]),
-        )
+        (dot(&self.mesh.edge_image[..end], &depth[..end]), dot(&self.mesh.mean_image[..end], &depth[..end]))
     }
 
     /// Slope of the residual in A, by a central difference, or from inside next to the end of the
@@ -115,10 +111,10 @@ impl Patch {
     ) -> EdgeCondition {
         let (n, span, a) = (self.cells(), self.span(radius_squared), radius_squared.sqrt());
         let mut row: Vec<f64> = if self.is_force() {
-            let edge = self.mesh.edge_image.depth.iter().zip(&self.mesh.mean_image.depth);
+            let edge = self.mesh.edge_image.iter().zip(&self.mesh.mean_image);
             edge.map(|(edge, mean)| a * edge / edge_scale - span.sqrt() * mean).collect()
         } else {
-            self.mesh.edge_image.depth.iter().map(|edge| edge / edge_scale).collect()
+            self.mesh.edge_image.iter().map(|edge| edge / edge_scale).collect()
         };
         row[n] = 0.0;
         EdgeCondition { depth: row, radius_squared: self.edge_slope(radius_squared, self.edge_sums(depth)) }

@@ -94,7 +94,7 @@ impl Patch {
                 }
             }
             for (sum, entry) in volume_row.iter_mut().zip(&*row) {
-                *sum += span * mesh.volume.depth[i] * entry;
+                *sum += span * mesh.volume[i] * entry;
             }
             if !self.rim && i > 0 {
                 for (k, weight) in mesh.drift_weights(i) {

@@ -92,7 +92,7 @@ impl Patch {
             growth[n] = 0.0;
         }
         let volume_rate = self.volume_rate((span, &scale), &overlap, &slip);
-        let share = volume_rate / (span * dot(&mesh.volume.depth, &growth));
+        let share = volume_rate / (span * dot(&mesh.volume, &growth));
         let share =
             if share.is_finite() { share.clamp(1.0 / (1.0 + MOST_SHARE), 1.0 + MOST_SHARE) } else { 1.0 };
         growth.iter_mut().for_each(|rate| *rate *= share);
@@ -102,7 +102,7 @@ impl Patch {
             for i in 1..n {
                 drift[i] = mesh.drift_of(&depth, i) / span;
             }
-            drift_share = self.drift_share((&depth, &image), span, &drift);
+            drift_share = self.drift_share(&depth, span, &drift);
             drift.iter_mut().for_each(|drift| *drift *= drift_share);
             let condition = self.edge_condition(&depth, radius_squared, scale[n]);
             area_rate =
@@ -133,10 +133,9 @@ impl Patch {
 
     /// Nodes that move along a depth at rest take no volume with them: ∫ (w + φ ∂w/∂φ) dφ is w at
     /// the contact edge. What the differences miss of it is in proportion to the drift.
-    fn drift_share(&self, (depth, image): (&[f64], &[f64]), span: f64, drift: &[f64]) -> f64 {
+    fn drift_share(&self, depth: &[f64], span: f64, drift: &[f64]) -> f64 {
         let volume = &self.mesh.volume;
-        let carried = dot(&volume.depth, depth) + volume.inner * image[0];
-        let share = (PI * depth[self.cells()] - carried) / (span * dot(&volume.depth, drift));
+        let share = (PI * depth[self.cells()] - dot(volume, depth)) / (span * dot(volume, drift));
         if (share - 1.0).abs() <= MOST_SHARE { share } else { 1.0 }
     }
 

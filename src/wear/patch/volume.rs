@@ -39,7 +39,7 @@ impl Patch {
         };
         let first = rising(&self.depth_outside(state, rate));
         let second = rising(&first);
-        let volume_of = |depth: &[f64]| self.span(rate.radius_squared) * dot(&self.mesh.volume.depth, depth);
+        let volume_of = |depth: &[f64]| self.span(rate.radius_squared) * dot(&self.mesh.volume, depth);
         let (alpha, beta) = if self.rim {
             (volume / volume_of(&first), 0.0)
         } else {
