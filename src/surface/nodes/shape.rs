@@ -33,7 +33,6 @@ impl CellLine {
     }
 
     /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
-    #[inline(always)]
     pub(crate) fn parts(&self, x: f64) -> (f64, f64) {
         let (x0, slope) = (self.ends.0, self.slope);
         let image = self.image + slope * (x - x0) * (x + x0);
@@ -96,7 +95,6 @@ impl Nodes {
 
     /// Radius in a cell at which the whole image takes a value; `None` where it does not rise
     /// through that.
-    #[inline(always)]
     pub(crate) fn radius_in_cell(&self, profile: &Profile, image: f64, j: usize) -> Option<f64> {
         let (x1, g1) = (*self.x.get(j + 1)?, self.whole[j + 1]);
         let (x0, g0, slope) = (self.x[j], self.whole[j], self.slope(j));
@@ -139,7 +137,6 @@ impl Nodes {
     }
 
     /// The worn image along a cell.
-    #[inline(always)]
     pub(crate) fn cell_line(&self, j: usize) -> CellLine {
         let ends = (self.x[j], self.x[j + 1]);
         CellLine { ends, image: self.worn_image[j], slope: self.slope(j), load: self.worn_load[j] }
@@ -161,13 +158,7 @@ impl Nodes {
     /// Worn parts at a radius in a given cell, or behind the last node.
     pub(super) fn worn_part_in(&self, cell: Option<usize>, x: f64) -> (f64, f64) {
         match cell {
-            // not by `cell_line`, which a single radius would wait for
-            Some(j) => {
-                let (x0, slope) = (self.x[j], self.slope(j));
-                let image = self.worn_image[j] + slope * (x - x0) * (x + x0);
-                let load = self.worn_load[j] + 2.0 / 3.0 * slope * (x - x0) * (x * x + x * x0 + x0 * x0);
-                (image, load)
-            }
+            Some(j) => self.cell_line(j).parts(x),
             None => {
                 let (end, ratio) = (self.last(), self.x[self.last()] / x);
                 let h = self.worn_image[end];
