@@ -2,6 +2,7 @@
 //! and how that changes.
 
 use super::Patch;
+use crate::surface::Region;
 use crate::transform::dot;
 
 /// Sensitivity of the condition that fixes the contact edge.
@@ -19,36 +20,48 @@ impl Patch {
         -self.depth_from_inside(a)
     }
 
-    /// Residual of the condition for the edge: g(a) − d, or what the load lacks, from Σ edge·w̃ and
-    /// Σ mean·w̃ over the nodes before the last.
-    fn edge_residual(&self, radius_squared: f64, sums: (f64, f64)) -> f64 {
+    /// The same, and its slope in A.
+    fn edge_depth_and_slope(&self, radius_squared: f64) -> (f64, f64) {
+        let (mut depth, mut slope) = (0.0, 0.0);
+        for (x2, weight) in &self.sources {
+            let room = radius_squared - x2;
+            let part = weight / room.sqrt();
+            depth -= part;
+            slope += 0.5 * part / room;
+        }
+        (depth, slope)
+    }
+
+    /// Residual of the condition for the edge, g(a) − d or what the load lacks, and its slope in A,
+    /// from Σ edge·w̃ and Σ mean·w̃ over the nodes before the last.
+    fn edge_residual(&self, radius_squared: f64, sums: (f64, f64)) -> (f64, f64) {
         let (a, span, end) = (radius_squared.sqrt(), self.span(radius_squared), self.cells());
         if a > self.body.profile().outer_radius() {
-            return f64::INFINITY;
+            return (f64::INFINITY, f64::NAN);
         }
-        let (depth, mesh) = (self.edge_depth(a), &self.mesh);
-        let z = sums.0 + mesh.edge_image[end] * depth;
-        let h = z / self.scale(span, a);
+        let (depth, depth_slope) = self.edge_depth_and_slope(radius_squared);
+        let (mesh, scale) = (&self.mesh, self.scale(span, a));
+        let h = (sums.0 + mesh.edge_image[end] * depth) / scale;
+        // 1/b is a/√L on an annulus
+        let stretch = match mesh.region {
+            Region::Annulus => 0.5 / radius_squared - 0.5 / span,
+            Region::Disc => 0.0,
+        };
+        let h_slope = mesh.edge_image[end] * depth_slope / scale + h * stretch;
+        let body_slope = self.body.image_slope(a);
         if !self.is_force() {
-            return self.body.image(a) + h - self.motion.value;
+            return (self.body.image(a) + h - self.motion.value, 0.5 * body_slope / a + h_slope);
         }
-        let mean = sums.1 + mesh.mean_image[end] * depth;
-        self.body.load(a) + a * h - self.inside_width - span.sqrt() * mean - self.motion.value
+        let (mean, root) = (sums.1 + mesh.mean_image[end] * depth, span.sqrt());
+        let worn = a * h - self.inside_width - root * mean;
+        let mean_slope = root * mesh.mean_image[end] * depth_slope + 0.5 * mean / root;
+        let worn_slope = 0.5 * h / a + a * h_slope - mean_slope;
+        (self.body.load(a) + worn - self.motion.value, 0.5 * body_slope + worn_slope)
     }
 
     fn edge_sums(&self, depth: &[f64]) -> (f64, f64) {
         let end = self.cells();
         (dot(&self.mesh.edge_image[..end], &depth[..end]), dot(&self.mesh.mean_image[..end], &depth[..end]))
-    }
-
-    /// Slope of the residual in A, by a central difference, or from inside next to the end of the
-    /// body.
-    fn edge_slope(&self, radius_squared: f64, sums: (f64, f64)) -> f64 {
-        let step = 1e-5 * self.span(radius_squared);
-        let outer = if self.is_inside(radius_squared + step) { step } else { 0.0 };
-        let rise = self.edge_residual(radius_squared + outer, sums)
-            - self.edge_residual(radius_squared - step, sums);
-        rise / (outer + step)
     }
 
     pub(super) fn is_inside(&self, radius_squared: f64) -> bool {
@@ -64,7 +77,8 @@ impl Patch {
         let sums = self.edge_sums(depth);
         let mut radius_squared = guess;
         for _ in 0..8 {
-            let change = -self.edge_residual(radius_squared, sums) / self.edge_slope(radius_squared, sums);
+            let (residual, slope) = self.edge_residual(radius_squared, sums);
+            let change = -residual / slope;
             if !(change.is_finite() && change.abs() <= 0.5 * self.span(radius_squared)) {
                 break;
             }
@@ -81,8 +95,9 @@ impl Patch {
         let inner = self.inner_radius * self.inner_radius;
         let span = self.span(guess);
         let (mut low, mut high) = (inner + 0.99 * span, inner + 1.01 * span);
+        let residual = |radius_squared: f64| self.edge_residual(radius_squared, sums).0;
         for _ in 0..60 {
-            let ends = (self.edge_residual(low, sums), self.edge_residual(high, sums));
+            let ends = (residual(low), residual(high));
             if ends.0 <= 0.0 && ends.1 >= 0.0 {
                 break;
             }
@@ -93,12 +108,12 @@ impl Patch {
                 high = inner + 1.5 * (high - inner);
             }
         }
-        if !(self.edge_residual(low, sums) <= 0.0 && self.edge_residual(high, sums) >= 0.0) {
+        if !(residual(low) <= 0.0 && residual(high) >= 0.0) {
             return None;
         }
         while high - low > 1e-13 * high {
             let middle = 0.5 * (low + high);
-            if self.edge_residual(middle, sums) > 0.0 { high = middle } else { low = middle }
+            if residual(middle) > 0.0 { high = middle } else { low = middle }
         }
         Some(high)
     }
@@ -117,6 +132,7 @@ impl Patch {
             self.mesh.edge_image.iter().map(|edge| edge / edge_scale).collect()
         };
         row[n] = 0.0;
-        EdgeCondition { depth: row, radius_squared: self.edge_slope(radius_squared, self.edge_sums(depth)) }
+        let (_, slope) = self.edge_residual(radius_squared, self.edge_sums(depth));
+        EdgeCondition { depth: row, radius_squared: slope }
     }
 }
