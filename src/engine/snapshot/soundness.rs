@@ -13,6 +13,9 @@ use nalgebra::Vector2;
 /// in the last digits of their elementary functions.
 const CLOSE: f64 = 1e-6;
 
+/// Rounding of a radius that a search has found.
+const ROUNDED: f64 = 1e-13;
+
 /// Share of the image at the farthest reach below which a depth is next to none: the search for it
 /// ends in the rounding of that.
 const NEXT_TO_NONE: f64 = 1e-9;
@@ -63,13 +66,17 @@ fn is_row(row: &Springs, surface: &Surface, outermost: &Place, most: usize) -> b
         && knots.iter().all(placed)
 }
 
-/// Whether a place lies on the surface, but for rounding.
+/// Whether a place lies on the surface, but for rounding: also of its radius, for behind a front the
+/// image rises in a cell that may be as narrow as 1e-12 of that.
 fn is_placed(place: &Place, surface: &Surface, outermost: &Place) -> bool {
     let Place { x, image, load, square } = *place;
     let on = surface.place(x);
+    let beside = [1.0 - ROUNDED, 1.0 + ROUNDED].map(|factor| surface.image(factor * x));
+    // `clamp` would panic at what is no number
+    let nearest = image.max(beside[0].min(beside[1])).min(beside[0].max(beside[1]));
     amount(x)
         && x <= outermost.x * (1.0 + CLOSE)
-        && near(on.image, image, outermost.image)
+        && (near(on.image, image, outermost.image) || near(nearest, image, outermost.image))
         && near(on.load, load, outermost.load)
         && near(on.square, square, outermost.square)
 }
