@@ -40,7 +40,8 @@ impl FrettingContact {
         let stored = self.stored_energy();
         let (force, before, deferred) = (self.normal_reaction(), self.state.contact, self.deferred_volume());
         change(self)?;
-        if self.state.wear.is_none() || self.state.counters.profile_updates == updates {
+        let updated = self.state.counters.profile_updates != updates;
+        if self.state.wear.is_none() || !updated && self.deferred_volume() == deferred {
             return Ok(());
         }
         let force = force.max(self.normal_reaction());

@@ -30,8 +30,8 @@ const SAMPLES_PER_CELL: usize = 2;
 const MOST_HALVINGS: u32 = 9;
 
 /// Ratio of what one line wears to what may wear between two updates at which it is refused without
-/// being tried.
-const MOST_WEAR: f64 = 1e4;
+/// being tried: by then the contact has grown so far that the updates take seconds.
+const MOST_WEAR: f64 = 1e3;
 
 /// Name of the displacement along y in messages.
 pub(super) const Y: &str = "tangential_displacement_y";
