@@ -10,14 +10,13 @@ use crate::error::Error;
 use crate::surface::{MeshPlace, Nodes, Surface};
 use std::sync::Arc;
 
-/// Most steps of one call: a whole life takes some fifty.
-const MOST_STEPS: u32 = 1000;
+/// Most steps of one call at the usual tolerance of 1e-3: a whole life takes some fifty.
+const MOST_STEPS: f64 = 1000.0;
 
-/// And behind a rig, at the usual tolerance: where a front hovers, stretches of constant amplitude
-/// come sooner to an end.
+/// And behind a rig: where a front hovers, stretches of constant amplitude come sooner to an end.
 const MOST_STEPS_BEHIND_A_RIG: f64 = 250.0;
 
-/// Most steps, at the usual tolerance of 1e-3, of what is but a small part of a life, which takes
+/// And of what is but a small part of a life, which takes
 /// one or two, and on a body already worn where the mesh does not carry it. The method is of third
 /// order: a thousandth of the tolerance takes ten times as many.
 const MOST_STEPS_OF_AN_UPDATE: f64 = 60.0;
@@ -39,6 +38,17 @@ const CORRECTIONS: usize = 2;
 /// How near to the work, relative, the volume has to be, as a share of the tolerance. Each
 /// correction makes the nodes again, a third of the time of a short update.
 const MET: f64 = 1e-3;
+
+/// Length of the next step as a share of that which should have an error of the tolerance. With
+/// 0.8, a life takes a seventh less systems, and V on the way is off by 3.9e-4 (cone, held) and
+/// 7.5e-4 (cone, at constant force) instead of 2.9e-4 and 4.7e-4.
+const SAFETY: f64 = 0.6;
+
+/// Least factor between two steps.
+const LEAST_FACTOR: f64 = 0.2;
+
+/// Least error of a step, over the tolerance, that tells a trend.
+const LEAST_ERROR: f64 = 1e-2;
 
 /// How finely to integrate.
 #[derive(Debug, Clone, Copy)]
@@ -102,7 +112,8 @@ pub(crate) fn integrate(
     let mut steps = 0;
     let tighter = (1e-3 / settings.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
     let most_of_an_update = (MOST_STEPS_OF_AN_UPDATE * tighter) as u32;
-    let most = if motion.rig.is_some() { (MOST_STEPS_BEHIND_A_RIG * tighter) as u32 } else { MOST_STEPS };
+    let most = if motion.rig.is_some() { MOST_STEPS_BEHIND_A_RIG } else { MOST_STEPS };
+    let most = (most * tighter) as u32;
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
@@ -118,6 +129,7 @@ pub(crate) fn integrate(
         // a front that has just been looked for is off by the error of a new mesh: one step is
         // always made
         let mut fresh = true;
+        let mut previous = None;
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
             let carried = patch.body.worn().is_none() && amount.known.is_none();
             if steps >= if carried { most } else { most_of_an_update } {
@@ -129,9 +141,10 @@ pub(crate) fn integrate(
             let trial = rosenbrock::step(&patch, &state, &rate, length, counters);
             let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error);
             let ratio = error / (settings.tolerance * rate.indentation.abs());
-            let factor = if ratio.is_finite() { (0.8 * ratio.cbrt().recip()).clamp(0.2, 4.0) } else { 0.2 };
+            let factor = step_factor((length, ratio), previous);
             match trial {
                 Some(trial) if ratio <= 1.0 => {
+                    previous = Some((length, ratio));
                     (state, rate) = (trial.state, trial.rate);
                     volume += trial.volume;
                     fresh = false;
@@ -162,6 +175,7 @@ pub(crate) fn integrate(
         if let (true, Some(known)) = (left <= 0.0, amount.known) {
             life.volume = known;
         }
+        let on_mesh = patch.volume(&rate);
         let nodes = if left > 0.0 {
             exported_nodes(&patch, &state, &rate, settings)
         } else {
@@ -170,20 +184,40 @@ pub(crate) fn integrate(
             life.defect += defect;
             nodes
         };
-        let on_profile = nodes.worn_volume();
-        if !(life.volume.is_finite() && life.defect.is_finite() && on_profile.is_finite()) {
+        if !(life.volume.is_finite() && life.defect.is_finite() && on_mesh.is_finite()) {
             return Err(edge_not_found(motion));
         }
         // on cells that do not follow the body at its edge the depths may carry a tenth of the
         // work's volume
         if let Some(body) = patch.body.worn()
-            && (on_profile - body.worn_volume() - volume).abs() > MISSING * volume
+            && (nodes.worn_volume() - body.worn_volume() - volume).abs() > MISSING * volume
         {
             return Err(edge_not_found(motion));
         }
         life.surface.set_worn(Some(nodes));
     }
+    // between two meshes nobody asks what lies beyond
+    if let Some(nodes) = life.surface.worn().filter(|nodes| nodes.ends_with_mesh()) {
+        let mut nodes = nodes.clone();
+        nodes.extend_beyond_mesh(life.surface.profile());
+        life.surface.set_worn(Some(nodes));
+    }
     Ok(life)
+}
+
+/// By what the step should change after one of some length and error (over the tolerance), for an
+/// error of third order. Where the error rises as time goes on, it is taken to go on rising
+/// (Gustafsson, ACM Trans. Math. Softw. 20, 1994, 496; with the bounds of RADAU5 by Hairer and
+/// Wanner): without that, one step in four of a life was rejected.
+fn step_factor((length, error): (f64, f64), previous: Option<(f64, f64)>) -> f64 {
+    if !error.is_finite() {
+        return LEAST_FACTOR;
+    }
+    let factor = SAFETY * error.cbrt().recip();
+    let ahead = previous.filter(|_| error <= 1.0).map_or(factor, |(before, last): (f64, f64)| {
+        factor * length / before * (last.max(LEAST_ERROR) / error).cbrt()
+    });
+    factor.min(ahead).clamp(LEAST_FACTOR, 4.0)
 }
 
 /// A first step that changes the image by about the size to which the method's error stays within
@@ -251,9 +285,12 @@ fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, settings: &Integrat
     image.extend(patch.worn_image(rate, parts, &radii));
     x.extend(radii);
     let place = MeshPlace { region: patch.mesh.region, cells, first, contact: patch.contact(rate) };
-    let nodes = Nodes::assembled(patch.body.profile(), settings.cells, (x, image, depth), place);
+    let mut nodes = Nodes::assembled(patch.body.profile(), settings.cells, (x, image, depth), place);
     match patch.body.worn() {
         None => nodes,
-        Some(base) => base.with(&nodes, THINNING * settings.tolerance, patch.body.profile()),
+        Some(base) => {
+            nodes.extend_beyond_mesh(patch.body.profile());
+            base.with(&nodes, THINNING * settings.tolerance, patch.body.profile())
+        }
     }
 }

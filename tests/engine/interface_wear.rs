@@ -94,7 +94,8 @@ fn a_long_slide_wears_by_archard() {
     close_to(joint.normal_reaction(), 500.0, 1e-11, "force");
 }
 
-/// Cycles in blocks of constant approach, against one contact at its share of the force.
+/// Cycles in blocks of constant approach, each of which lays its mesh at another depth, against one
+/// contact at its share of the force: measured 1.55 %.
 #[test]
 fn cycles_of_equal_contacts_are_those_of_one() {
     let parameters = Parameters { resolution: 64, ..worn(3.2e-2) };

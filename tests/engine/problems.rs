@@ -77,7 +77,8 @@ fn the_final_profile_is_the_closed_one_at_default_settings() {
 }
 
 /// Slip that just reaches the axis leaves a needle there, however many cycles: the volume is that
-/// of a front at the axis.
+/// of a front at the axis, but for the mesh, whose front stands at 1e-3 of the contact radius, and
+/// whose z rises towards it like 1/x (measured: 5e-4 for the ball, 1.6e-3 for the cone).
 #[test]
 fn slip_that_just_reaches_the_axis_wears_the_closed_volume() {
     for body in [PARABOLA, CONE] {
@@ -189,7 +190,8 @@ fn the_delivered_error_follows_the_tolerance() {
                 }
             }
             for pair in all.windows(2) {
-                // a front that moves is followed by new meshes, whose errors are those of the cells
+                // a front that moves is followed by new meshes, whose errors are those of the
+                // cells: below 1e-5 with 256
                 for (coarse, fine) in pair[0].iter().zip(pair[1]) {
                     assert!(fine < *coarse || fine < 1e-5, "{} at {life}: {all:?}", problem.name);
                 }

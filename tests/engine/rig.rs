@@ -379,13 +379,16 @@ fn a_life_behind_a_rig_takes_few_systems() {
             let off = contact.wear_volume() / fine.wear_volume() - 1.0;
             println!("{what}: V {off:+.1e}, {}", contact.counters());
             assert!(off.abs() < 1.5e-3, "{what}: V off by {off:e}");
-            assert!(contact.counters().factorisations <= 130, "{what}: {}", contact.counters());
+            // where a soft rig lets the front hover, nodes next to it come and go
+            let most = if ratio < 0.3 { 180 } else { 100 };
+            assert!(contact.counters().factorisations <= most, "{what}: {}", contact.counters());
             volumes_agree(&contact, &what);
         }
     }
 }
 
-/// The error falls with the cells; from 1e-4 on that of the tolerance counts, too.
+/// The error falls with the cells, by an order between those of the depth's root at the front and of
+/// the parabolas.
 #[test]
 fn a_life_behind_a_rig_converges() {
     for (profile, ratio) in [(BALL, 1.0), (CONE, 0.3)] {
@@ -393,7 +396,8 @@ fn a_life_behind_a_rig_converges() {
         let truth = volume(512);
         let errors = [48, 96, 192].map(|cells| (volume(cells) / truth - 1.0).abs());
         println!("{profile:?}, rig {ratio}: {errors:?}");
-        assert!(errors[0] < 1e-3 && errors[1] < 3e-4 && errors[2] < 6e-5, "{profile:?}: {errors:?}");
+        let order = 0.5 * (errors[0] / errors[2]).log2();
+        assert!(order > 1.5 && errors[0] < 5e-4, "{profile:?}: of order {order}, {errors:?}");
     }
 }
 

@@ -215,7 +215,7 @@ fn whole_cycles_at_constant_force_follow_the_tables() {
     }
 }
 
-/// On the way to the end the cells limit the error: twice as many take more than a third of it off.
+/// On the way to the end the cells limit the error: twice as many take two fifths of it off.
 #[test]
 fn the_volume_on_the_way_converges_with_the_cells() {
     for (control, table) in [
@@ -236,7 +236,7 @@ fn the_volume_on_the_way_converges_with_the_cells() {
         };
         let (usual, fine) = (off(64), off(128));
         println!("{control:?}: V on the way {usual:.1e}, with twice the cells {fine:.1e}");
-        assert!(usual < 7e-4 && fine < 4.5e-4 && fine < 0.9 * usual, "{control:?}: {usual:e}, {fine:e}");
+        assert!(usual < 5e-4 && fine < 2.5e-4 && fine < 0.6 * usual, "{control:?}: {usual:e}, {fine:e}");
     }
 }
 
@@ -522,9 +522,8 @@ fn the_counted_work_stays_bounded() {
     averaged.advance_cycles(scene.normal, scene.amplitude, 9.0 * LIFE as f64).expect("cycles");
     let counters = averaged.counters();
     println!("cycles: {counters}");
-    assert!(counters.profile_updates <= 60, "{counters}");
-    assert!(counters.rejected_steps <= 25, "{counters}");
-    assert!(counters.factorisations <= 80, "{counters}");
+    assert!(counters.rejected_steps <= 5, "{counters}");
+    assert!(counters.factorisations <= 70, "{counters}");
     assert!(counters.pressure_transforms <= 4 * counters.factorisations, "{counters}");
     assert_eq!(counters.transform_tables, 0, "{counters}");
 }

@@ -74,23 +74,28 @@ impl Nodes {
         nodes
     }
 
-    /// Nodes left by a moving mesh: radii, image of the wear and depth, m, with the mesh's place
-    /// among them. Nodes beyond the mesh keep their depth; their image is that which belongs to it.
+    /// Nodes left by a moving mesh, which ends with the last: radii, image of the wear and depth, m,
+    /// with the mesh's place among them.
     pub(crate) fn assembled(
         profile: &Profile,
         resolution: usize,
         (x, worn_image, depth): (Vec<f64>, Vec<f64>, Vec<f64>),
         mesh: MeshPlace,
     ) -> Self {
-        let end = mesh.first + mesh.cells;
         let mut nodes = Self::holding(x, worn_image, depth, resolution, Some(mesh));
-        nodes.extend_beyond(nodes.x[end], profile.outer_radius());
-        for k in end + 1..nodes.x.len() {
-            nodes.worn_image[k] =
-                transform::abel_last(&nodes.x[..=k], &nodes.worn_image[..=k], nodes.depth[k]);
-        }
         nodes.update_integrals(profile);
         nodes
+    }
+
+    /// Whether a moving mesh ends with the last node.
+    pub(crate) fn ends_with_mesh(&self) -> bool {
+        self.mesh.is_some_and(|mesh| mesh.first + mesh.cells == self.last())
+    }
+
+    /// Appends nodes beyond a moving mesh that ends with the last.
+    pub(crate) fn extend_beyond_mesh(&mut self, profile: &Profile) {
+        self.extend_beyond(self.x[self.last()], profile.outer_radius());
+        self.update_integrals(profile);
     }
 
     /// Nodes with what they carry; the integrals are still to be made.
