@@ -74,7 +74,7 @@ impl Path<'_> {
     /// State of a spring at the end, or where it leaves contact, before it slips.
     #[inline(always)]
     fn trial(&self, knot: Knot, rounding: f64, bulge: f64) -> Trial {
-        let leaves = knot.place.image > self.to.depth || self.to.is_open();
+        let leaves = knot.place.image > depth_in_contact(&self.to);
         let end = if leaves { self.displacement_at_touch(&knot.place) } else { self.end };
         let trial = Trial::new(knot, end, bound(self.bound_slope, &self.to, knot.place.image), rounding);
         if trial.slips() {
@@ -89,7 +89,7 @@ impl Path<'_> {
     #[inline(always)]
     fn mean_bound(&self, trial: &Trial, leaves: bool, bulge: f64) -> f64 {
         let (place, side) = (&trial.knot.place, trial.side());
-        let touches = place.image > self.from.depth || self.from.is_open();
+        let touches = place.image > depth_in_contact(&self.from);
         let bound = bound(self.start_slope, &self.from, place.image);
         let share = |place| share_at_touch(self.control, (&self.from, &self.to), place);
         // the part of the path on which it is in contact
@@ -114,7 +114,13 @@ impl Path<'_> {
 
 /// Friction bound b(g) = m (d − g) in a given contact, m of spring deflection.
 fn bound(bound_slope: f64, contact: &Contact, image: f64) -> f64 {
-    if contact.is_open() { 0.0 } else { bound_slope * (contact.depth - image).max(0.0) }
+    bound_slope * (depth_in_contact(contact) - image).max(0.0)
+}
+
+/// Largest image of a spring in contact, m; below all images where the bodies are apart.
+#[inline(always)]
+fn depth_in_contact(contact: &Contact) -> f64 {
+    if contact.is_open() { f64::NEG_INFINITY } else { contact.depth }
 }
 
 /// Share of a path after which a spring slips that has `margin` to its bound at the start and is
@@ -222,8 +228,9 @@ impl Springs {
         row.clear();
         row.reserve(self.knots.len() + 4);
         let rounding = rounding(path.bound_slope, &path.to, path.end);
-        let mut walk = Walk { path, row, rounding, bulge: path.bulge(), last: None, work: 0.0, slips };
-        self.reach(path, |knots| walk.take(knots));
+        let mut walk = Walk { path, row, rounding, bulge: path.bulge(), work: 0.0, slips };
+        let mut last = None;
+        self.reach(path, |knots| walk.take(&mut last, knots));
         if path.to.is_open() {
             walk.row.clear();
         }
@@ -291,8 +298,6 @@ struct Walk<'p> {
     rounding: f64,
     /// [`Path::bulge`].
     bulge: f64,
-    /// The last knot taken.
-    last: Option<Trial>,
     /// ∫ |u| |de| dx so far, m³.
     work: f64,
     slips: Option<&'p mut Vec<SlipPiece>>,
@@ -304,32 +309,31 @@ impl Walk<'_> {
         self.path.trial(knot, self.rounding, self.bulge)
     }
 
-    /// Takes the next knots to the end of the path.
-    fn take(&mut self, knots: &[Knot]) {
-        let mut last = self.last;
+    /// Takes the next knots to the end of the path, outside of the `last` one taken.
+    fn take(&mut self, last: &mut Option<Trial>, knots: &[Knot]) {
         for knot in knots {
             let outer = self.trial(*knot);
+            let slips = outer.slips();
             if let Some(inner) = last
-                && (inner.slips() || outer.slips())
+                && (slips || inner.slips())
             {
-                self.work += self.cross(inner, outer);
+                self.work += self.cross(inner, &outer);
             }
-            self.push(outer.clipped());
-            last = Some(outer);
+            self.push(if slips { outer.clipped() } else { outer.knot });
+            *last = Some(outer);
         }
-        self.last = last;
     }
 
     /// Work of an interval of which at least one end slips. Inserts the knots where its springs
     /// leave the side of the bound on which the inner end slips, and where they reach that on which
     /// the outer end does.
-    fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
-        if inner.slips_with(&outer) {
-            return self.slip_work(&inner, &outer);
+    fn cross(&mut self, inner: &Trial, outer: &Trial) -> f64 {
+        if inner.slips_with(outer) {
+            return self.slip_work(inner, outer);
         }
-        let (mut work, mut left, mut share) = (0.0, inner, 0.0);
+        let (mut work, mut left, mut share) = (0.0, *inner, 0.0);
         if inner.slips() {
-            share = share_at_bound(&inner, &outer, inner.side());
+            share = share_at_bound(inner, outer, inner.side());
             let end = between(self.path.surface, &inner.knot, &outer.knot, share);
             let at_bound = self.trial(end);
             work += self.slip_work(&left, &at_bound);
@@ -338,14 +342,14 @@ impl Walk<'_> {
         }
         if outer.slips() {
             // rounding must not turn the two ends of the sticking part round
-            share = share_at_bound(&inner, &outer, outer.side()).max(share);
+            share = share_at_bound(inner, outer, outer.side()).max(share);
             let start = between(self.path.surface, &inner.knot, &outer.knot, share);
             let at_bound = self.trial(start);
             work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
-        work + self.slip_work(&left, &outer)
+        work + self.slip_work(&left, outer)
     }
 
     #[inline(always)]
