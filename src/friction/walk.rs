@@ -70,51 +70,17 @@ impl Path<'_> {
         };
         self.bound_slope * bulge.clamp(0.0, rise)
     }
-
-    /// State of a spring at the end, or where it leaves contact, before it slips.
-    #[inline(always)]
-    fn trial(&self, knot: Knot, rounding: f64, bulge: f64) -> Trial {
-        let leaves = knot.place.image > self.to.depth || self.to.is_open();
-        let end = if leaves { self.displacement_at_touch(&knot.place) } else { self.end };
-        let trial = Trial::new(knot, end, bound(self.bound_slope, &self.to, knot.place.image), rounding);
-        if trial.slips() {
-            Trial { mean_bound: self.mean_bound(&trial, leaves, bulge), ..trial }
-        } else {
-            trial
-        }
-    }
-
-    /// Mean of the bound over what a spring slips, ∫ b |de| / ∫ |de|, m: exact for a bound that
-    /// is a parabola along the path, as [`Self::bulge`] has it.
-    #[inline(always)]
-    fn mean_bound(&self, trial: &Trial, leaves: bool, bulge: f64) -> f64 {
-        let (place, side) = (&trial.knot.place, trial.side());
-        let touches = place.image > self.from.depth || self.from.is_open();
-        let bound = bound(self.start_slope, &self.from, place.image);
-        let share = |place| share_at_touch(self.control, (&self.from, &self.to), place);
-        // the part of the path on which it is in contact
-        let (margin, part) = if touches {
-            (0.0, 1.0 - share(place))
-        } else {
-            let margin = (bound - side * (self.start - trial.knot.origin)).max(0.0);
-            (margin, if leaves { share(place) } else { 1.0 })
-        };
-        let bulge = bulge * part * part;
-        let onset = onset(margin, trial.excess, bulge);
-        let left = 1.0 - onset;
-        let onset_bound = bound + onset * (trial.bound - bound + bulge * left);
-        let mean = 0.5 * (onset_bound + trial.bound);
-        if bulge == 0.0 {
-            return mean;
-        }
-        let motion = side * (self.end - self.start) * part * left;
-        mean + bulge * left * left * motion / (6.0 * trial.excess)
-    }
 }
 
-/// Friction bound b(g) = m (d − g) in a given contact, m of spring deflection.
-fn bound(bound_slope: f64, contact: &Contact, image: f64) -> f64 {
-    if contact.is_open() { 0.0 } else { bound_slope * (contact.depth - image).max(0.0) }
+/// Friction bound b(g) = m (d − g), m of spring deflection, at a [`depth_in_contact`].
+#[inline(always)]
+fn bound(bound_slope: f64, depth: f64, image: f64) -> f64 {
+    bound_slope * (depth - image).max(0.0)
+}
+
+/// Largest image of a spring in contact, m; below all images where the bodies are apart.
+fn depth_in_contact(contact: &Contact) -> f64 {
+    if contact.is_open() { f64::NEG_INFINITY } else { contact.depth }
 }
 
 /// Share of a path after which a spring slips that has `margin` to its bound at the start and is
@@ -222,8 +188,10 @@ impl Springs {
         row.clear();
         row.reserve(self.knots.len() + 4);
         let rounding = rounding(path.bound_slope, &path.to, path.end);
-        let mut walk = Walk { path, row, rounding, bulge: path.bulge(), last: None, work: 0.0, slips };
-        self.reach(path, |knots| walk.take(knots));
+        let depths = (depth_in_contact(&path.from), depth_in_contact(&path.to));
+        let mut walk = Walk { path, depths, row, rounding, bulge: path.bulge(), work: 0.0, slips };
+        let mut last = None;
+        self.reach(path, |knots| walk.take(&mut last, knots));
         if path.to.is_open() {
             walk.row.clear();
         }
@@ -287,49 +255,85 @@ fn is_smooth(last_rise: f64, next_rise: f64) -> bool {
 /// A walk under way, knot by knot from the axis outward.
 struct Walk<'p> {
     path: &'p Path<'p>,
+    /// [`depth_in_contact`] at the start and at the end, m.
+    depths: (f64, f64),
     row: Vec<Knot>,
     rounding: f64,
     /// [`Path::bulge`].
     bulge: f64,
-    /// The last knot taken.
-    last: Option<Trial>,
     /// ∫ |u| |de| dx so far, m³.
     work: f64,
     slips: Option<&'p mut Vec<SlipPiece>>,
 }
 
 impl Walk<'_> {
+    /// State of a spring at the end, or where it leaves contact, before it slips.
     #[inline(always)]
     fn trial(&self, knot: Knot) -> Trial {
-        self.path.trial(knot, self.rounding, self.bulge)
+        let (path, (_, depth)) = (self.path, self.depths);
+        let leaves = knot.place.image > depth;
+        let end = if leaves { path.displacement_at_touch(&knot.place) } else { path.end };
+        let bound = bound(path.bound_slope, depth, knot.place.image);
+        let mut trial = Trial::new(knot, end, bound, self.rounding);
+        if trial.slips() {
+            trial.mean_bound = self.mean_bound(&trial, leaves);
+        }
+        trial
     }
 
-    /// Takes the next knots to the end of the path.
-    fn take(&mut self, knots: &[Knot]) {
-        let mut last = self.last;
+    /// Mean of the bound over what a spring slips, ∫ b |de| / ∫ |de|, m: exact for a bound that
+    /// is a parabola along the path, as [`Path::bulge`] has it.
+    #[inline(always)]
+    fn mean_bound(&self, trial: &Trial, leaves: bool) -> f64 {
+        let (path, (depth, _)) = (self.path, self.depths);
+        let (place, side) = (&trial.knot.place, trial.side());
+        let touches = place.image > depth;
+        let bound = bound(path.start_slope, depth, place.image);
+        let share = |place| share_at_touch(path.control, (&path.from, &path.to), place);
+        // the part of the path on which it is in contact
+        let (margin, part) = if touches {
+            (0.0, 1.0 - share(place))
+        } else {
+            let margin = (bound - side * (path.start - trial.knot.origin)).max(0.0);
+            (margin, if leaves { share(place) } else { 1.0 })
+        };
+        let bulge = self.bulge * part * part;
+        let onset = onset(margin, trial.excess, bulge);
+        let left = 1.0 - onset;
+        let onset_bound = bound + onset * (trial.bound - bound + bulge * left);
+        let mean = 0.5 * (onset_bound + trial.bound);
+        if bulge == 0.0 {
+            return mean;
+        }
+        let motion = side * (path.end - path.start) * part * left;
+        mean + bulge * left * left * motion / (6.0 * trial.excess)
+    }
+
+    /// Takes the next knots to the end of the path, outside of the `last` one taken.
+    fn take(&mut self, last: &mut Option<Trial>, knots: &[Knot]) {
         for knot in knots {
             let outer = self.trial(*knot);
+            let slips = outer.slips();
             if let Some(inner) = last
-                && (inner.slips() || outer.slips())
+                && (slips || inner.slips())
             {
-                self.work += self.cross(inner, outer);
+                self.work += self.cross(inner, &outer);
             }
-            self.push(outer.clipped());
-            last = Some(outer);
+            self.push(if slips { outer.clipped() } else { outer.knot });
+            *last = Some(outer);
         }
-        self.last = last;
     }
 
     /// Work of an interval of which at least one end slips. Inserts the knots where its springs
     /// leave the side of the bound on which the inner end slips, and where they reach that on which
     /// the outer end does.
-    fn cross(&mut self, inner: Trial, outer: Trial) -> f64 {
-        if inner.slips_with(&outer) {
-            return self.slip_work(&inner, &outer);
+    fn cross(&mut self, inner: &Trial, outer: &Trial) -> f64 {
+        if inner.slips_with(outer) {
+            return self.slip_work(inner, outer);
         }
-        let (mut work, mut left, mut share) = (0.0, inner, 0.0);
+        let (mut work, mut left, mut share) = (0.0, *inner, 0.0);
         if inner.slips() {
-            share = share_at_bound(&inner, &outer, inner.side());
+            share = share_at_bound(inner, outer, inner.side());
             let end = between(self.path.surface, &inner.knot, &outer.knot, share);
             let at_bound = self.trial(end);
             work += self.slip_work(&left, &at_bound);
@@ -338,14 +342,14 @@ impl Walk<'_> {
         }
         if outer.slips() {
             // rounding must not turn the two ends of the sticking part round
-            share = share_at_bound(&inner, &outer, outer.side()).max(share);
+            share = share_at_bound(inner, outer, outer.side()).max(share);
             let start = between(self.path.surface, &inner.knot, &outer.knot, share);
             let at_bound = self.trial(start);
             work += self.slip_work(&left, &at_bound);
             self.push(at_bound.at_front(self.rounding));
             left = at_bound;
         }
-        work + self.slip_work(&left, &outer)
+        work + self.slip_work(&left, outer)
     }
 
     #[inline(always)]
