@@ -4,15 +4,17 @@ use crate::check::{self, Archive};
 use crate::libclang::{self, Environment};
 use crate::library::OldGlibc;
 use crate::platform::Platform;
-use crate::process::{run_lines, run_quietly, run_shown};
+use crate::process::{self, run_quietly, run_shown};
 use crate::python::Venv;
 use crate::totals::Totals;
 use crate::workspace::Workspace;
 use crate::{emulate, examples, library, package, presets, progress};
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::mpsc;
+use std::thread;
 use std::time::Instant;
 
 /// What the Python side needs.
@@ -199,15 +201,57 @@ impl Setup<'_> {
         })
     }
 
-    /// Runs the tests of Rust and Python, the second also after a failure of the first.
+    /// Runs the tests of Rust, and at the same time those of Python, which take one core; their
+    /// output follows.
     pub(crate) fn test(&self, fmu: &Path) -> Result<()> {
         let started = Instant::now();
-        let mut cargo = self.cargo("test");
-        cargo.args(["--workspace", "--locked", "--no-fail-fast"]);
-        let mut rust = Totals::default();
-        let rust_result =
-            progress::shown("Rust tests", || run_tests(cargo, &mut rust, Totals::add_rust_line));
+        let mut python_tests = process::command(std::env::current_exe()?);
+        python_tests.arg("test-python").arg(fmu);
+        let (sender, python_lines) = mpsc::channel();
+        // a program of its own, with all its output in one stream
+        let python_program = thread::spawn(move || {
+            process::run_all_lines(python_tests, |line| {
+                // nobody listens any more after a failure, which is reported there
+                let _ = sender.send(line.to_owned());
+            })
+        });
 
+        let mut rust = Totals::default();
+        let rust_result = progress::shown("Rust tests", || {
+            // without the examples, which `cargo fmu lint` compiles
+            let programs = self.rust_tests(&["--lib", "--bins", "--tests"], &mut rust);
+            programs.and(self.rust_tests(&["--doc"], &mut rust))
+        });
+        let mut python = Totals::default();
+        for line in python_lines {
+            println!("{line}");
+            python.add_pytest_line(&line);
+        }
+        let status =
+            python_program.join().map_err(|_| anyhow!("the reader of the Python tests failed"))??;
+        python.finish(status.success());
+
+        println!("Rust: {rust}. Python: {python}. Time: {}.", progress::seconds(started.elapsed()));
+        rust_result?;
+        ensure!(python.passed(), "tests failed: see above");
+        Ok(())
+    }
+
+    /// Runs the tests of Rust that these arguments of cargo choose.
+    fn rust_tests(&self, which: &[&str], totals: &mut Totals) -> Result<()> {
+        let mut cargo = self.cargo("test");
+        cargo.args(["--workspace", "--locked", "--no-fail-fast"]).args(which);
+        let status = process::run_lines(cargo, |line| {
+            println!("{line}");
+            totals.add_rust_line(line);
+        })?;
+        totals.finish(status.success());
+        ensure!(totals.passed(), "tests failed: see above");
+        Ok(())
+    }
+
+    /// Runs the tests of Python.
+    pub(crate) fn test_python(&self, fmu: &Path) -> Result<()> {
         for extra in EXTRAS {
             self.install_if_possible(extra);
         }
@@ -224,12 +268,7 @@ impl Setup<'_> {
         // skipped tests are listed by name
         pytest.arg("-rs").env("FRETTING_FMU_BUILD", std::env::current_exe()?);
         pytest.env("FRETTING_FMU", fmu).env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
-        let mut python = Totals::default();
-        let python_result =
-            progress::shown("Python tests", || run_tests(pytest, &mut python, Totals::add_pytest_line));
-
-        println!("Rust: {rust}. Python: {python}. Time: {}.", progress::seconds(started.elapsed()));
-        rust_result.and(python_result)
+        progress::shown("Python tests", || run_shown(pytest))
     }
 
     /// Installs requirements for which not every machine has wheels. Without them the parts that
@@ -242,9 +281,10 @@ impl Setup<'_> {
         installed.is_ok()
     }
 
-    /// Builds the master in Rust; returns its path.
+    /// Builds the master in Rust, among the products of the workspace: the tools that its
+    /// dependencies need are the same; returns its path.
     fn rust_master(&self) -> Result<PathBuf> {
-        let directory = self.workspace.product("rust-master");
+        let directory = self.workspace.product("");
         progress::shown("Building the master in Rust", || {
             let mut cargo = self.cargo("build");
             cargo.args(["--locked", "--manifest-path", RUST_MASTER, "--target-dir"]).arg(&directory);
@@ -259,15 +299,4 @@ impl Setup<'_> {
         cargo.arg(subcommand).envs(self.environment.iter().map(|(name, value)| (name, value)));
         cargo
     }
-}
-
-/// Runs tests with their output shown and counted; an error if any fails, or if there is none.
-fn run_tests(command: Command, totals: &mut Totals, count: fn(&mut Totals, &str)) -> Result<()> {
-    let status = run_lines(command, |line| {
-        println!("{line}");
-        count(totals, line);
-    })?;
-    totals.finish(status.success());
-    ensure!(totals.passed(), "tests failed: see above");
-    Ok(())
 }

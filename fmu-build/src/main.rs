@@ -97,6 +97,11 @@ enum Task {
         #[arg(long, value_delimiter = ',', value_name = "FOLDER")]
         platforms: Vec<String>,
     },
+    /// Run the Python tests on an FMU
+    TestPython {
+        /// The FMU; target/fmu/FrettingContact.fmu if not given
+        path: Option<PathBuf>,
+    },
     /// Load and step the libraries of an FMU that are for other machines, under their emulators
     Try {
         /// The FMU; target/fmu/FrettingContact.fmu if not given
@@ -190,6 +195,10 @@ fn run(task: Task) -> Result<()> {
             let platforms = Platform::requested(&platforms)?;
             let setup = commands::set_up(&workspace)?;
             setup.test(&setup.build(&platforms)?)?;
+        }
+        Task::TestPython { path } => {
+            let path = std::path::absolute(path.unwrap_or_else(|| workspace.fmu()))?;
+            commands::set_up(&workspace)?.test_python(&path)?;
         }
         Task::Try { path } => {
             let path = std::path::absolute(path.unwrap_or_else(|| workspace.fmu()))?;

@@ -57,20 +57,28 @@ pub(crate) fn run_quietly(step: &Step, command: Command) -> Result<String> {
 }
 
 /// Runs to the end with stdout and stderr collected in one text, in the order they were written.
-pub(crate) fn capture(step: &Step, mut command: Command) -> Result<(ExitStatus, String)> {
+pub(crate) fn capture(step: &Step, command: Command) -> Result<(ExitStatus, String)> {
+    let mut output = String::new();
+    let status = run_all_lines(command, |line| {
+        step.detail(line.trim());
+        output.push_str(line);
+        output.push('\n');
+    })?;
+    Ok((status, output))
+}
+
+/// Runs to the end with the lines of stdout and stderr handed to `each_line`, in the order they
+/// were written.
+pub(crate) fn run_all_lines(mut command: Command, mut each_line: impl FnMut(&str)) -> Result<ExitStatus> {
     let name = describe(&command);
     let (reader, writer) = std::io::pipe()?;
     command.stdin(Stdio::null()).stdout(writer.try_clone()?).stderr(writer);
     let mut child = command.spawn().with_context(|| format!("cannot start `{name}`"))?;
     drop(command); // holds the writing end; the reader would wait for it for ever
-    let mut output = String::new();
     for line in lines(reader) {
-        let line = line?;
-        step.detail(line.trim());
-        output.push_str(&line);
-        output.push('\n');
+        each_line(&line?);
     }
-    Ok((child.wait()?, output))
+    Ok(child.wait()?)
 }
 
 /// Runs to the end with its output on the terminal; an error if it fails.

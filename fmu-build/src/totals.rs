@@ -8,8 +8,8 @@ pub(crate) struct Totals {
     passed: u64,
     failed: u64,
     skipped: u64,
-    /// Whether the program that ran them succeeded.
-    ended_well: bool,
+    /// Whether one of the programs that ran them failed.
+    ended_badly: bool,
 }
 
 impl Totals {
@@ -31,14 +31,14 @@ impl Totals {
         }
     }
 
-    /// Notes how the program ended.
+    /// Notes how a program ended.
     pub(crate) fn finish(&mut self, ended_well: bool) {
-        self.ended_well = ended_well;
+        self.ended_badly |= !ended_well;
     }
 
     /// Whether tests were run and none failed.
     pub(crate) fn passed(&self) -> bool {
-        self.ended_well && self.failed == 0 && self.passed > 0
+        !self.ended_badly && self.failed == 0 && self.passed > 0
     }
 
     fn add_counts(&mut self, counts: &str, separator: char) {
@@ -58,7 +58,7 @@ impl Totals {
 impl fmt::Display for Totals {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} passed, {} failed, {} skipped", self.passed, self.failed, self.skipped)?;
-        if !self.ended_well && self.failed == 0 {
+        if self.ended_badly && self.failed == 0 {
             write!(f, ", stopped by an error")?;
         }
         Ok(())
@@ -79,7 +79,7 @@ mod tests {
         ] {
             totals.add_rust_line(line);
         }
-        assert_eq!(totals, Totals { passed: 5, failed: 1, skipped: 1, ended_well: false });
+        assert_eq!(totals, Totals { passed: 5, failed: 1, skipped: 1, ended_badly: false });
         totals.finish(false);
         assert!(!totals.passed());
     }
@@ -91,7 +91,7 @@ mod tests {
         {
             totals.add_pytest_line(line);
         }
-        assert_eq!(totals, Totals { passed: 30, failed: 2, skipped: 2, ended_well: false });
+        assert_eq!(totals, Totals { passed: 30, failed: 2, skipped: 2, ended_badly: false });
     }
 
     #[test]
