@@ -4,6 +4,20 @@
 use crate::common::*;
 use fretting_contact::{FrettingContact, Gradient, Interface, Parameters, Summit};
 
+/// An output of an interface, with its gradient.
+pub(crate) type Output = (&'static str, fn(&Interface) -> f64, fn(&Interface) -> Gradient);
+
+pub(crate) const OUTPUTS: [Output; 4] = [
+    ("tangential_force", Interface::tangential_force, |i| {
+        i.total_gradient(FrettingContact::tangential_force_gradient)
+    }),
+    ("moment", Interface::moment, Interface::moment_gradient),
+    ("indentation_depth", Interface::indentation_depth, Interface::indentation_depth_gradient),
+    ("normal_reaction", Interface::normal_reaction, |i| {
+        i.total_gradient(FrettingContact::normal_reaction_gradient)
+    }),
+];
+
 /// Contacts on the y axis: a rotation moves them along x.
 fn on_a_line() -> Vec<Summit> {
     let at = |k: u32| {
@@ -33,27 +47,16 @@ fn gradients_on_worn_profiles_are_differences() {
     let (mut here, down) = (joint.clone(), -1e-8);
     here.advance_to(force, [u + 40.0 * down, 0.0], turn).unwrap();
     let u = here.displacement();
-    type Read = (&'static str, fn(&Interface) -> f64, fn(&Interface) -> Gradient);
-    let outputs: [Read; 5] = [
-        ("tangential_force", Interface::tangential_force, |i| {
-            i.total_gradient(FrettingContact::tangential_force_gradient)
-        }),
-        ("moment", Interface::moment, Interface::moment_gradient),
-        ("indentation_depth", Interface::indentation_depth, Interface::indentation_depth_gradient),
-        ("normal_reaction", Interface::normal_reaction, |i| {
-            i.total_gradient(FrettingContact::normal_reaction_gradient)
-        }),
-        ("dissipated_energy", Interface::dissipated_energy, |i| {
-            i.total_gradient(FrettingContact::dissipated_energy_gradient)
-        }),
-    ];
+    let work: Output = ("dissipated_energy", Interface::dissipated_energy, |i| {
+        i.total_gradient(FrettingContact::dissipated_energy_gradient)
+    });
     let moved = |[normal, along, turned]: [f64; 3]| {
         let mut moved = here.clone();
         moved.advance_to(force + normal, [u + along, 0.0], turn + turned).unwrap();
         moved
     };
     let base = moved([0.0, 1e-3 * down, 0.0]);
-    for (name, read, gradient) in outputs {
+    for (name, read, gradient) in OUTPUTS.into_iter().chain([work]) {
         let given = gradient(&here);
         // scales of what each input changes, so that a derivative of 0 is one
         let ways = [

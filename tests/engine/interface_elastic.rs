@@ -3,9 +3,9 @@
 use crate::common::{
     BALL, CONE, E_STAR, FORCE, G_STAR, MU, PUNCH, close, close_to, seeded, uniform, without_wear,
 };
+use crate::interface_derivatives::{OUTPUTS, Output};
 use fretting_contact::{
-    Error, FrettingContact, Gradient, Interface, NormalControl, Parameters, Profile, ProfileTable, SlipState,
-    Summit,
+    Error, FrettingContact, Interface, NormalControl, Parameters, Profile, ProfileTable, SlipState, Summit,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -272,24 +272,15 @@ fn gradients_are_those_of_differences() {
     let mut joint = Interface::new(Parameters { resolution: 512, ..without_wear(BALL) }, &summits).unwrap();
     joint.start_at(400.0, [0.0; 2], 0.0).unwrap();
     joint.advance_to(400.0, [0.7e-6, 0.4e-6], 1e-4).unwrap();
-    type Read = (&'static str, fn(&Interface) -> f64, fn(&Interface) -> Gradient);
-    let outputs: [Read; 6] = [
-        ("tangential_force", Interface::tangential_force, |i| {
-            i.total_gradient(FrettingContact::tangential_force_gradient)
-        }),
+    let more: [Output; 2] = [
         ("tangential_force_y", Interface::tangential_force_y, |i| {
             i.total_gradient(FrettingContact::tangential_force_y_gradient)
         }),
-        ("moment", Interface::moment, Interface::moment_gradient),
-        ("indentation_depth", Interface::indentation_depth, Interface::indentation_depth_gradient),
         ("normal_stiffness", Interface::normal_stiffness, |i| {
             i.total_gradient(FrettingContact::normal_stiffness_gradient)
         }),
-        ("normal_reaction", Interface::normal_reaction, |i| {
-            i.total_gradient(FrettingContact::normal_reaction_gradient)
-        }),
     ];
-    for (name, read, gradient) in outputs {
+    for (name, read, gradient) in OUTPUTS.into_iter().chain(more) {
         let expected = gradient(&joint);
         let given = [expected.normal, expected.displacement, expected.displacement_y, expected.rotation];
         for (k, step) in [(0, 1e-3), (1, 1e-11), (2, 1e-11), (3, 1e-8)] {

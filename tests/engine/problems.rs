@@ -77,8 +77,8 @@ fn the_final_profile_is_the_closed_one_at_default_settings() {
 }
 
 /// Slip that just reaches the axis leaves a needle there, however many cycles: the volume is that
-/// of a front at the axis, but for the mesh, whose front stands at 1e-3 of the contact radius, and
-/// whose z rises towards it like 1/x (measured: 5e-4 for the ball, 1.6e-3 for the cone).
+/// of a front at the axis, except for the mesh: its front stands at 1e-3 of the contact radius, and
+/// its z rises towards it like 1/x (measured: 5e-4 for the ball, 1.6e-3 for the cone).
 #[test]
 fn slip_that_just_reaches_the_axis_wears_the_closed_volume() {
     for body in [PARABOLA, CONE] {

@@ -387,8 +387,8 @@ fn a_life_behind_a_rig_takes_few_systems() {
     }
 }
 
-/// The error falls with the cells, by an order between those of the depth's root at the front and of
-/// the parabolas.
+/// The error falls with the cells, by an order between those of the depth's root at the front and
+/// of the parabolas.
 #[test]
 fn a_life_behind_a_rig_converges() {
     for (profile, ratio) in [(BALL, 1.0), (CONE, 0.3)] {
