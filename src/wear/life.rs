@@ -53,7 +53,8 @@ const LEAST_ERROR: f64 = 1e-2;
 /// How finely to integrate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct IntegrationSettings {
-    /// Cells across the slipping region that the nodes give; the mesh of an annulus has half as many.
+    /// Cells across the slipping region that the nodes give; the mesh of an annulus has five
+    /// eighths of them.
     pub(crate) cells: usize,
     /// Largest error of the image in a step, over the indentation depth.
     pub(crate) tolerance: f64,

@@ -121,8 +121,8 @@ impl UnitMesh {
         (*first..=self.cells).zip(weights.iter().copied())
     }
 
-    /// First node whose image is unknown: on an annulus the image at the inner edge is given, and no
-    /// depth depends on it.
+    /// First node whose image is unknown: on an annulus the image at the inner edge is given, and
+    /// no depth depends on it.
     pub(crate) fn first(&self) -> usize {
         match self.region {
             Region::Annulus => 1,

@@ -156,8 +156,8 @@ pub(super) fn check_end_of_body(
 }
 
 /// Cells of the mesh at a resolution: five eighths where they carry parabolas. With half, a life
-/// takes two thirds of the time, and V on the way is off by 3.3e-4 (cone, held) and 5.8e-4 (cone, at
-/// constant force) instead of 2.9e-4 and 4.7e-4.
+/// takes two thirds of the time, and V on the way is off by 3.3e-4 (cone, held) and 5.8e-4 (cone,
+/// at constant force) instead of 2.9e-4 and 4.7e-4.
 fn mesh_cells(region: Region, resolution: usize) -> usize {
     match region {
         Region::Annulus => (5 * resolution / 8).max(FEWEST_CELLS),

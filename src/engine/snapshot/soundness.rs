@@ -66,8 +66,8 @@ fn is_row(row: &Springs, surface: &Surface, outermost: &Place, most: usize) -> b
         && knots.iter().all(placed)
 }
 
-/// Whether a place lies on the surface, but for rounding: also of its radius, for behind a front the
-/// image rises in a cell that may be as narrow as 1e-12 of that.
+/// Whether a place lies on the surface, except for rounding: also of its radius, for behind a front
+/// the image rises in a cell that may be as narrow as 1e-12 of that.
 fn is_placed(place: &Place, surface: &Surface, outermost: &Place) -> bool {
     let Place { x, image, load, square } = *place;
     let on = surface.place(x);

@@ -74,8 +74,8 @@ impl Nodes {
         nodes
     }
 
-    /// Nodes left by a moving mesh, which ends with the last: radii, image of the wear and depth, m,
-    /// with the mesh's place among them.
+    /// Nodes left by a moving mesh, which ends with the last: radii, image of the wear and depth,
+    /// m, with the mesh's place among them.
     pub(crate) fn assembled(
         profile: &Profile,
         resolution: usize,
