@@ -4,14 +4,13 @@ The FMU is found by the environment variable FRETTING_FMU, or where `cargo fmu b
 """
 
 import os
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
+from scripts import DEMO, run_script
 
 ROOT = Path(__file__).resolve().parents[2]
-DEMO = ROOT / "examples" / "demo"
 sys.path.insert(0, str(DEMO))
 PACKAGE = str(ROOT / "python")
 sys.path.insert(0, PACKAGE)
@@ -45,18 +44,8 @@ def fmu(fmu_path):
 def demo(fmu_path, tmp_path_factory):
     """The worked example in its short form: the folder that it wrote, and what it said."""
     out = tmp_path_factory.mktemp("demo")
-    command = [
-        sys.executable,
-        str(DEMO / "demo.py"),
-        "--fmu",
-        str(fmu_path),
-        "--out",
-        str(out),
-        "--quick",
-    ]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
-    assert done.returncode == 0, done.stderr
-    return out, done.stdout
+    said = run_script(DEMO / "demo.py", "--fmu", fmu_path, "--out", out, "--quick")
+    return out, said
 
 
 @pytest.fixture

@@ -12,8 +12,10 @@ import numpy as np
 import pytest
 from closed_forms import Sphere, Tangential
 from conftest import ROOT
+from scripts import run_script
 
 EXAMPLES = ROOT / "examples"
+PYTHON = EXAMPLES / "python"
 BALL = Tangential(Sphere(), 100.0)
 NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:e[-+]?\d+)?")
 
@@ -26,8 +28,8 @@ def run(*command, **options):
     return done.stdout
 
 
-def run_python(name, fmu_path):
-    said = run(sys.executable, EXAMPLES / "python" / name, fmu_path)
+def run_python(name, fmu_path, *arguments):
+    said = run_script(PYTHON / name, fmu_path, *arguments)
     assert "missing input" not in said
     return said
 
@@ -55,6 +57,12 @@ def test_every_example_is_listed():
         for path in (EXAMPLES / folder).glob("*"):
             if path.is_file() and not path.name.startswith(("make_", "measured_")):
                 assert f"({folder}/{path.name})" in page, path
+
+
+def test_every_python_example_is_run():
+    here = Path(__file__).read_text(encoding="utf-8")
+    for path in PYTHON.glob("*.py"):
+        assert path.name.startswith("make_") or f'run_python("{path.name}"' in here, path
 
 
 def test_loop(fmu_path):
@@ -104,7 +112,7 @@ def test_coated_connector(fmu_path):
 def test_groove(fmu_path, tmp_path):
     """A ball in a groove against Hertz' formulas, with the integrals by the midpoint rule."""
     picture = tmp_path / "groove.png"
-    text = run(sys.executable, EXAMPLES / "python" / "groove.py", fmu_path, picture)
+    text = run_python("groove.py", fmu_path, picture)
     assert picture.read_bytes().startswith(b"\x89PNG")
     across, along, force, friction = (
         1 / (1 / 4e-3 - 1 / 4.16e-3),
@@ -158,6 +166,16 @@ def test_oscillator(fmu_path):
     )  # it still swings in
 
 
+def test_running_in(fmu_path):
+    text = run_python("running_in.py", fmu_path)
+    rows = re.findall(r"friction (\S+), force +(\S+) N, worn +(\S+) µm³", text)
+    (friction, _, volume), (_, greased, most), (_, dry, least) = np.array(rows, dtype=float)
+    # from the work that the worn volume tells, by the law of running in
+    assert friction == pytest.approx(0.7 - 0.55 * np.exp(-volume * 1e-18 / 4e-14 / 0.15), abs=1e-3)
+    assert greased == pytest.approx(0.15 * 100.0)  # gross slip
+    assert dry < 0.7 * 100.0 and least < volume < most
+
+
 def test_joint(fmu_path):
     """The trapezium rule is of second order: errors of a doubled number of steps fall to a
     quarter.
@@ -208,10 +226,10 @@ def test_noisy_displacement(fmu_path):
 
 def test_the_measured_loop_is_made_as_it_says(tmp_path):
     script = tmp_path / "make_measured_loop.py"
-    shutil.copy(EXAMPLES / "python" / script.name, script)
+    shutil.copy(PYTHON / script.name, script)
     run(sys.executable, script)
     made = (tmp_path / "measured_loop.csv").read_text(encoding="utf-8")
-    assert made == (EXAMPLES / "python" / "measured_loop.csv").read_text(encoding="utf-8")
+    assert made == (PYTHON / "measured_loop.csv").read_text(encoding="utf-8")
 
 
 PAGES = [
@@ -294,7 +312,7 @@ def test_c(fmu_path, tmp_path):
 
 def test_bedding_in(fmu_path, tmp_path):
     picture = tmp_path / "bedding_in.png"
-    text = run(sys.executable, EXAMPLES / "python" / "bedding_in.py", fmu_path, picture)
+    text = run_python("bedding_in.py", fmu_path, picture)
     rows = numbers(text, "after")
     cycles, touching, approach, depth, _, force = np.array(
         [[row[k] for k in (0, 1, 2, 3, 4, 6)] for row in rows]
