@@ -4,7 +4,7 @@ use crate::common::*;
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
 
 /// Scenes and lines of each.
-const SCENES: u64 = 54;
+const SCENES: u64 = 36;
 const LINES: usize = 12;
 
 /// A contact under [`FORCE`] that is worn through in 20 to 300 cycles of 0.6 u_max, with u_max (m)

@@ -194,14 +194,15 @@ fn a_varying_load_is_followed_in_second_order() {
     let pressed = [(60.0, 0.5), (150.0, 0.6), (120.0, 0.3), (180.0, 0.35), (90.0, 0.3), (160.0, 0.4)];
     let touching = [(60.0, 0.5), (0.0, 0.9), (80.0, 0.6), (100.0, 0.7)];
     for ratio in RATIOS {
-        let error = |targets: &[(f64, f64)], steps, resolution| {
+        let errors = |targets: &[(f64, f64)], resolution, counts: &[usize]| -> Vec<f64> {
             let off = |(a, b): (&f64, &f64)| (a - b).abs() / LIMIT;
-            let truth = forces(ratio, targets, 4000, resolution);
-            forces(ratio, targets, steps, resolution).iter().zip(&truth).map(off).fold(0.0, f64::max)
+            let truth = forces(ratio, targets, 1000, resolution);
+            let error = |forces: Vec<f64>| forces.iter().zip(&truth).map(off).fold(0.0, f64::max);
+            counts.iter().map(|&steps| error(forces(ratio, targets, steps, resolution))).collect()
         };
-        let [one, coarse, fine] =
-            [(1, 512), (40, 256), (80, 512)].map(|(steps, cells)| error(&pressed, steps, cells));
-        let touch = error(&touching, 1, 512);
+        let [one, fine] = errors(&pressed, 512, &[1, 80])[..] else { unreachable!("two counts") };
+        let coarse = errors(&pressed, 256, &[40])[0];
+        let touch = errors(&touching, 512, &[1])[0];
         println!(
             "rig {ratio}: {one:.1e} in whole steps, {coarse:.1e} in 40, {fine:.1e} in 80; {touch:.1e} from touch"
         );

@@ -83,7 +83,7 @@ fn an_energy_that_is_next_to_nothing_is_run_in_at_once() {
 /// that the size of the step changes a little.
 #[test]
 fn one_step_runs_in_like_a_thousand() {
-    for energy in [1e-4, 1e-5, 1e-6, 1e-7, 1e-8] {
+    for energy in [1e-4, 1e-6, 1e-8] {
         for (first, last, accuracy) in [(START, END, 5e-4), (END, START, 3e-2)] {
             let ends = [1, 1000].map(|steps| {
                 let parameters = Parameters {
@@ -154,13 +154,13 @@ fn random_histories_keep_every_invariant() {
     let energy = usual_energy();
     let mut steepest: f64 = 0.0;
     for (seed, (start, end)) in
-        (0..6).map(|seed| (seed, if seed % 2 == 0 { (START, END) } else { (END, START) }))
+        (0..4).map(|seed| (seed, if seed % 2 == 0 { (START, END) } else { (END, START) }))
     {
         let mut random = seeded(seed);
         let parameters = Parameters {
             friction_coefficient: start,
             friction_coefficient_final: end,
-            normal_control: if seed < 3 { NormalControl::Force } else { NormalControl::Indentation },
+            normal_control: if seed < 2 { NormalControl::Force } else { NormalControl::Indentation },
             ..running_in(energy)
         };
         let held = parameters.normal_control == NormalControl::Indentation;
