@@ -5,6 +5,7 @@ use crate::libclang::{self, Environment};
 use crate::library::OldGlibc;
 use crate::platform::Platform;
 use crate::process::{self, run_quietly, run_shown};
+use crate::progress::Step;
 use crate::python::Venv;
 use crate::totals::Totals;
 use crate::workspace::Workspace;
@@ -42,6 +43,12 @@ const SWEEP: (&str, &str) = ("The sweep", "examples/sweep/sweep-requirements.txt
 /// of its own.
 pub(crate) const RUST_MASTER: &str = "tests/python/masters/rust/Cargo.toml";
 
+/// Where the program is, for the tests of Python.
+const RUST_MASTER_VARIABLE: &str = "FRETTING_RUST_MASTER";
+
+/// The tests of Rust without those in documentation, which cargo runs by themselves.
+const PROGRAMS: [&str; 3] = ["--lib", "--bins", "--tests"];
+
 /// Runs `python/fretting_contact/profile.py` with these arguments, in the caller's working
 /// directory.
 pub(crate) fn profile(workspace: &Workspace, arguments: &[OsString]) -> Result<()> {
@@ -50,7 +57,7 @@ pub(crate) fn profile(workspace: &Workspace, arguments: &[OsString]) -> Result<(
     python.args(["-m", "fretting_contact.profile"]).args(arguments);
     python.current_dir(std::env::current_dir()?).env("PYTHONPATH", workspace.file("python"));
     // the matrices are small: threads would only wait for each other
-    python.env("OPENBLAS_NUM_THREADS", "1").env("PYTHONDONTWRITEBYTECODE", "1");
+    python.env("OPENBLAS_NUM_THREADS", "1");
     ensure!(python.status()?.success(), "no profile was written: see above");
     Ok(())
 }
@@ -58,27 +65,29 @@ pub(crate) fn profile(workspace: &Workspace, arguments: &[OsString]) -> Result<(
 /// What every command works with, set up on first use.
 pub(crate) struct Setup<'a> {
     pub(crate) workspace: &'a Workspace,
-    venv: Venv<'a>,
     /// For every call of cargo that compiles fmi-sys.
     pub(crate) environment: Environment,
 }
 
-/// Python with its packages, and libclang.
+/// libclang, from a wheel where the system has none. What the Python side needs is installed when
+/// it is used.
 pub(crate) fn set_up(workspace: &Workspace) -> Result<Setup<'_>> {
-    let mut requirements = vec![workspace.file(REQUIREMENTS)];
-    let of_system = libclang::of_system();
-    if of_system.is_none() {
-        requirements.push(workspace.file("fmu-build/libclang-requirements.txt"));
-    }
-    let venv = Venv::with(workspace, &requirements)?;
-    let environment = match of_system {
+    let environment = match libclang::of_system() {
         Some(environment) => environment,
-        None => libclang::of_wheel(&venv.site_packages()?)?,
+        None => {
+            let venv = Venv::with(workspace, &[workspace.file("fmu-build/libclang-requirements.txt")])?;
+            libclang::of_wheel(&venv.site_packages()?)?
+        }
     };
-    Ok(Setup { workspace, venv, environment })
+    Ok(Setup { workspace, environment })
 }
 
 impl Setup<'_> {
+    /// Python with its packages.
+    fn venv(&self) -> Result<Venv<'_>> {
+        Venv::with(self.workspace, &[self.workspace.file(REQUIREMENTS)])
+    }
+
     /// Builds, packages and checks the FMU for some platforms; returns its path. A faulty package
     /// is kept beside it under another name. Libraries for other machines are loaded and stepped
     /// under an emulator, if there is one.
@@ -126,8 +135,9 @@ impl Setup<'_> {
             }
             Ok(())
         })?;
+        let venv = self.venv()?;
         progress::quiet("Checking with `fmpy validate`", |step| {
-            let mut fmpy = self.venv.python();
+            let mut fmpy = venv.python();
             fmpy.args(["-m", "fmpy", "validate"]).arg(fmu);
             run_quietly(step, fmpy)?;
             Ok(())
@@ -145,10 +155,11 @@ impl Setup<'_> {
 
     /// Drives the FMU through the worked example.
     pub(crate) fn demo(&self, fmu: &Path) -> Result<()> {
+        let venv = self.venv()?;
         self.install_if_possible(PAGE);
         let output = self.workspace.product("demo");
         progress::shown("Running the worked example", || {
-            let mut demo = self.venv.python();
+            let mut demo = venv.python();
             demo.arg("examples/demo/demo.py").arg("--fmu").arg(fmu).arg("--out").arg(&output);
             demo.env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
             run_shown(demo)
@@ -161,7 +172,7 @@ impl Setup<'_> {
     pub(crate) fn examples(&self, fmu: &Path) -> Result<()> {
         let sweep = self.install_if_possible(SWEEP);
         examples::build_rust(self.workspace)?;
-        examples::run(examples::all(self.workspace, &self.venv, fmu, sweep)?)
+        examples::run(examples::all(self.workspace, &self.venv()?, fmu, sweep)?)
     }
 
     /// Measures what the pages under `reports` state, and draws their pictures: some five minutes,
@@ -193,43 +204,62 @@ impl Setup<'_> {
 
     /// Runs a script of the reports on their folder.
     fn report_script(&self, title: &str, script: &str) -> Result<()> {
+        let venv = self.venv()?;
         progress::shown(title, || {
-            let mut python = self.venv.python();
+            let mut python = venv.python();
             python.args([&format!("reports/harness/{script}"), "reports"]);
             python.env("MPLBACKEND", "Agg");
             run_shown(python)
         })
     }
 
-    /// Runs the tests of Rust, and at the same time those of Python, which take one core; their
-    /// output follows.
-    pub(crate) fn test(&self, fmu: &Path) -> Result<()> {
+    /// Builds the FMU for some platforms and runs all tests. On two cores most of the time is
+    /// compiling, so that nothing waits: the master in Rust and the tests of Rust are compiled
+    /// beside the library; the tests of Python, which take one core, run beside those of Rust, and
+    /// their output follows.
+    pub(crate) fn test(&self, platforms: &[&Platform]) -> Result<()> {
         let started = Instant::now();
-        let mut python_tests = process::command(std::env::current_exe()?);
-        python_tests.arg("test-python").arg(fmu);
-        let (sender, python_lines) = mpsc::channel();
-        // a program of its own, with all its output in one stream
-        let python_program = thread::spawn(move || {
-            process::run_all_lines(python_tests, |line| {
-                // nobody listens any more after a failure, which is reported there
-                let _ = sender.send(line.to_owned());
-            })
-        });
+        let (mut rust, mut python) = (Totals::default(), Totals::default());
+        let rust_result = thread::scope(|scope| {
+            let (sender, rust_master) = mpsc::channel();
+            let compiler = scope.spawn(move || {
+                // nobody listens any more where there is no FMU
+                let _ = sender.send(self.rust_master());
+                // what cannot be compiled is reported where the tests are run
+                let _ = run_quietly(&Step::hidden(), self.rust_tests_command(&PROGRAMS, &["--no-run"]));
+            });
+            let fmu = self.build(platforms)?;
 
-        let mut rust = Totals::default();
-        let rust_result = progress::shown("Rust tests", || {
-            // without the examples, which `cargo fmu lint` compiles
-            let programs = self.rust_tests(&["--lib", "--bins", "--tests"], &mut rust);
-            programs.and(self.rust_tests(&["--doc"], &mut rust))
-        });
-        let mut python = Totals::default();
-        for line in python_lines {
-            println!("{line}");
-            python.add_pytest_line(&line);
-        }
-        let status =
-            python_program.join().map_err(|_| anyhow!("the reader of the Python tests failed"))??;
-        python.finish(status.success());
+            let mut python_tests = process::command(std::env::current_exe()?);
+            python_tests.arg("test-python").arg(&fmu);
+            if let Ok(Ok(program)) = rust_master.recv() {
+                python_tests.env(RUST_MASTER_VARIABLE, program);
+            }
+            let (sender, python_lines) = mpsc::channel();
+            // a program of its own, with all its output in one stream
+            let python_program = scope.spawn(move || {
+                process::run_all_lines(python_tests, |line| {
+                    // nobody listens any more after a failure, which is reported there
+                    let _ = sender.send(line.to_owned());
+                })
+            });
+            let compiled = compiler.join();
+
+            let rust_result = progress::shown("Rust tests", || {
+                // without the examples, which `cargo fmu lint` compiles
+                let programs = self.rust_tests(&PROGRAMS, &mut rust);
+                programs.and(self.rust_tests(&["--doc"], &mut rust))
+            });
+            for line in python_lines {
+                println!("{line}");
+                python.add_pytest_line(&line);
+            }
+            let status =
+                python_program.join().map_err(|_| anyhow!("the reader of the Python tests failed"))??;
+            python.finish(status.success());
+            compiled.map_err(|_| anyhow!("the thread that compiles failed"))?;
+            anyhow::Ok(rust_result)
+        })?;
 
         println!("Rust: {rust}. Python: {python}. Time: {}.", progress::seconds(started.elapsed()));
         rust_result?;
@@ -239,9 +269,8 @@ impl Setup<'_> {
 
     /// Runs the tests of Rust that these arguments of cargo choose.
     fn rust_tests(&self, which: &[&str], totals: &mut Totals) -> Result<()> {
-        let mut cargo = self.cargo("test");
-        cargo.args(["--workspace", "--locked", "--no-fail-fast"]).args(which);
-        let status = process::run_lines(cargo, |line| {
+        let command = self.rust_tests_command(which, &["--no-fail-fast"]);
+        let status = process::run_lines(command, |line| {
             println!("{line}");
             totals.add_rust_line(line);
         })?;
@@ -250,20 +279,30 @@ impl Setup<'_> {
         Ok(())
     }
 
+    fn rust_tests_command(&self, which: &[&str], options: &[&str]) -> Command {
+        let mut cargo = self.cargo("test");
+        cargo.args(["--workspace", "--locked"]).args(which).args(options);
+        cargo
+    }
+
     /// Runs the tests of Python.
     pub(crate) fn test_python(&self, fmu: &Path) -> Result<()> {
+        let venv = self.venv()?;
         for extra in EXTRAS {
             self.install_if_possible(extra);
         }
-        let rust_master = self.rust_master();
+        let rust_master = match std::env::var_os(RUST_MASTER_VARIABLE) {
+            Some(program) => Ok(PathBuf::from(program)),
+            None => self.rust_master(),
+        };
         if let Err(problem) = &rust_master {
             eprintln!("The master in Rust: not tested, since it cannot be built: {problem:#}");
         }
-        let mut pytest = self.venv.python();
+        let mut pytest = venv.python();
         let cache = self.workspace.product("pytest");
         pytest.args(["-m", "pytest", "tests/python", "-o"]).arg(format!("cache_dir={}", cache.display()));
         if let Ok(program) = rust_master {
-            pytest.env("FRETTING_RUST_MASTER", program);
+            pytest.env(RUST_MASTER_VARIABLE, program);
         }
         // skipped tests are listed by name
         pytest.arg("-rs").env("FRETTING_FMU_BUILD", std::env::current_exe()?);
@@ -285,11 +324,9 @@ impl Setup<'_> {
     /// dependencies need are the same; returns its path.
     fn rust_master(&self) -> Result<PathBuf> {
         let directory = self.workspace.product("");
-        progress::shown("Building the master in Rust", || {
-            let mut cargo = self.cargo("build");
-            cargo.args(["--locked", "--manifest-path", RUST_MASTER, "--target-dir"]).arg(&directory);
-            run_shown(cargo)
-        })?;
+        let mut cargo = self.cargo("build");
+        cargo.args(["--locked", "--manifest-path", RUST_MASTER, "--target-dir"]).arg(&directory);
+        run_quietly(&Step::hidden(), cargo)?;
         Ok(directory.join("debug").join(format!("rust-master{}", std::env::consts::EXE_SUFFIX)))
     }
 

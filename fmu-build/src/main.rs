@@ -193,8 +193,7 @@ fn run(task: Task) -> Result<()> {
         Task::Report => commands::set_up(&workspace)?.report()?,
         Task::Test { platforms } => {
             let platforms = Platform::requested(&platforms)?;
-            let setup = commands::set_up(&workspace)?;
-            setup.test(&setup.build(&platforms)?)?;
+            commands::set_up(&workspace)?.test(&platforms)?;
         }
         Task::TestPython { path } => {
             let path = std::path::absolute(path.unwrap_or_else(|| workspace.fmu()))?;

@@ -16,8 +16,7 @@ impl Step {
         self.bar.set_message(text.to_owned());
     }
 
-    /// A step that shows nothing.
-    #[cfg(test)]
+    /// A step that shows nothing: one beside another, which is shown.
     pub(crate) fn hidden() -> Self {
         Self { bar: ProgressBar::hidden() }
     }

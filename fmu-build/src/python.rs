@@ -66,6 +66,9 @@ impl<'a> Venv<'a> {
     pub(crate) fn python(&self) -> Command {
         let mut command = self.workspace.command(self.interpreter());
         command.env("VIRTUAL_ENV", &self.directory).env_remove("PYTHONHOME");
+        // pip compiles nothing: what is imported is compiled once
+        command.env("PYTHONPYCACHEPREFIX", self.workspace.product("pycache"));
+        command.env_remove("PYTHONDONTWRITEBYTECODE");
         command
     }
 
@@ -126,8 +129,8 @@ impl<'a> Venv<'a> {
 
     fn install(&self, step: &Step, requirements: &Path) -> Result<()> {
         let mut pip = self.python();
-        pip.args(["-m", "pip", "install", "--no-input", "--disable-pip-version-check", "-r"])
-            .arg(requirements);
+        pip.args(["-m", "pip", "install", "--no-input", "--no-compile", "--disable-pip-version-check"]);
+        pip.arg("-r").arg(requirements);
         run_quietly(step, pip)?;
         Ok(())
     }
