@@ -7,7 +7,7 @@
 #![allow(missing_docs, reason = "a benchmark")]
 
 use criterion::{BenchmarkId, Criterion};
-use fretting_contact::transform::{DenseAbel, Density, FastAbel, Scratch};
+use fretting_contact::transform::{DenseAbel, FastAbel, Scratch};
 use fretting_contact::{FrettingContact, Parameters, Profile, ProfileTable};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -68,7 +68,7 @@ fn table(criterion: &mut Criterion) {
         let mut group = criterion.benchmark_group("table");
         group.bench_function(BenchmarkId::new("transforms of even cells prepared", points), |b| {
             let x: Vec<f64> = (0..points).map(|i| i as f64).collect();
-            b.iter(|| FastAbel::new(black_box(&x), Density::Quotient));
+            b.iter(|| FastAbel::new(black_box(&x)));
         });
         group.bench_function(BenchmarkId::new("built", points), |b| {
             b.iter(|| ProfileTable::new(black_box(given.clone())).unwrap());
@@ -144,14 +144,14 @@ fn main() {
     for cells in [32, 64, 96, 128, 160, 192, 256, 384, 512, 1024, 2048, 4096, 8192, 16384] {
         let x = nodes(cells);
         if cells <= MOST_DENSE {
-            let dense = DenseAbel::new(&x, Density::Quotient);
+            let dense = DenseAbel::new(&x);
             measure(&mut criterion, &mut figures, "dense", cells, |which, v, out, scratch| match which {
                 "inverse_abel" => dense.inverse_abel(v, out, scratch),
                 "abel" => dense.abel(v, out, scratch),
                 _ => dense.pressure(v, out, scratch),
             });
         }
-        let fast = FastAbel::new(&x, Density::Quotient);
+        let fast = FastAbel::new(&x);
         measure(&mut criterion, &mut figures, "fast", cells, |which, v, out, scratch| match which {
             "inverse_abel" => fast.inverse_abel(v, out, scratch),
             "abel" => fast.abel(v, out, scratch),

@@ -23,7 +23,6 @@ mod sweep;
 mod tree;
 
 pub use abel::{Abel, CROSSOVER, Scratch};
-pub use cell::Density;
 pub use dense::DenseAbel;
 pub use fast::FastAbel;
 pub(crate) use fixed::FixedImage;

@@ -1,7 +1,7 @@
 //! The transforms between image, profile and pressure at the nodes of a surface.
 
 use super::Nodes;
-use crate::transform::{Abel, Density, Scratch};
+use crate::transform::{Abel, Scratch};
 use std::sync::Arc;
 
 /// The transforms of one set of nodes.
@@ -18,7 +18,7 @@ impl NodeTransforms {
     pub(crate) fn new(x: &[f64]) -> Self {
         let per_metre = (-x[x.len() - 1].log2().floor()).clamp(-1000.0, 1000.0).exp2();
         let squares: Vec<f64> = x.iter().map(|x| (x * per_metre).powi(2)).collect();
-        Self { abel: Abel::new(&squares, Density::Image), per_metre, nodes: x.len() }
+        Self { abel: Abel::new(&squares), per_metre, nodes: x.len() }
     }
 
     /// Depth (m) of the profile that belongs to an image (m), or slip to that of the springs. Zero

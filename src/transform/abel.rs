@@ -1,6 +1,5 @@
 //! Dense or fast, whichever is quicker for the number of nodes.
 
-use super::cell::Density;
 use super::dense::DenseAbel;
 use super::fast::FastAbel;
 use super::sweep::Expansions;
@@ -37,16 +36,15 @@ impl Scratch {
 }
 
 impl Abel {
-    /// Prepares the transforms for nodes X (m² or any unit), rising strictly; for
-    /// [`Density::Image`] from X = 0.
+    /// Prepares the transforms for nodes X (m² or any unit), rising strictly from 0.
     ///
     /// # Panics
     /// For fewer than two nodes.
-    pub fn new(nodes: &[f64], density: Density) -> Self {
+    pub fn new(nodes: &[f64]) -> Self {
         if nodes.len() < CROSSOVER {
-            Self::Dense(DenseAbel::new(nodes, density))
+            Self::Dense(DenseAbel::new(nodes))
         } else {
-            Self::Fast(FastAbel::new(nodes, density))
+            Self::Fast(FastAbel::new(nodes))
         }
     }
 
@@ -91,25 +89,23 @@ mod tests {
     fn both_forms_give_the_same_on_either_side_of_the_crossover() {
         for nodes in [2, 3, CROSSOVER - 1, CROSSOVER] {
             let x: Vec<f64> = (0..nodes).map(|i| (i as f64 / (nodes - 1) as f64).powi(2)).collect();
-            for density in [Density::Quotient, Density::Image] {
-                let (chosen, dense) = (Abel::new(&x, density), DenseAbel::new(&x, density));
-                assert_eq!(matches!(chosen, Abel::Fast(_)), nodes >= CROSSOVER);
-                let v: Vec<f64> = x.iter().map(|x| 1.0 + x.sin()).collect();
-                let mut scratch = Scratch::default();
-                let mut results = |transforms: &Abel| {
-                    let (mut s, mut p, mut back) = (vec![0.0; nodes], vec![0.0; nodes], vec![v[0]; nodes]);
-                    transforms.inverse_abel(&v, &mut s, &mut scratch);
-                    transforms.pressure(&v, &mut p, &mut scratch);
-                    transforms.abel(&s, &mut back, &mut scratch);
-                    [s, p, back]
-                };
-                let (chosen, dense) = (results(&chosen), results(&Abel::Dense(dense)));
-                for (a, b) in chosen.iter().flatten().zip(dense.iter().flatten()) {
-                    assert!((a - b).abs() < 1e-12, "{nodes} nodes, {density:?}: {a} {b}");
-                }
-                for (a, b) in chosen[2].iter().zip(&v) {
-                    assert!((a - b).abs() < 1e-12, "{nodes} nodes, {density:?}: {a} back from {b}");
-                }
+            let (chosen, dense) = (Abel::new(&x), DenseAbel::new(&x));
+            assert_eq!(matches!(chosen, Abel::Fast(_)), nodes >= CROSSOVER);
+            let v: Vec<f64> = x.iter().map(|x| 1.0 + x.sin()).collect();
+            let mut scratch = Scratch::default();
+            let mut results = |transforms: &Abel| {
+                let (mut s, mut p, mut back) = (vec![0.0; nodes], vec![0.0; nodes], vec![0.0; nodes]);
+                transforms.inverse_abel(&v, &mut s, &mut scratch);
+                transforms.pressure(&v, &mut p, &mut scratch);
+                transforms.abel(&s, &mut back, &mut scratch);
+                [s, p, back]
+            };
+            let (chosen, dense) = (results(&chosen), results(&Abel::Dense(dense)));
+            for (a, b) in chosen.iter().flatten().zip(dense.iter().flatten()) {
+                assert!((a - b).abs() < 1e-12, "{nodes} nodes: {a} {b}");
+            }
+            for (a, b) in chosen[2].iter().zip(&v) {
+                assert!((a - b).abs() < 1e-12, "{nodes} nodes: {a} back from {b}");
             }
         }
     }
@@ -119,20 +115,16 @@ mod tests {
         // what lets the tables of a unit mesh serve all meshes of its shape
         let share: Vec<f64> = (0..=300).map(|i| (f64::from(i) / 300.0).powi(2)).collect();
         let v: Vec<f64> = share.iter().map(|x| 1.0 + x.sin()).collect();
-        let (shift, width) = (0.5, 2.25);
-        for (density, shift, factor) in
-            [(Density::Quotient, shift, f64::sqrt(width)), (Density::Image, 0.0, 1.0)]
-        {
-            let x: Vec<f64> = share.iter().map(|x| shift + width * x).collect();
-            let (unit, wide) = (Abel::new(&share, density), Abel::new(&x, density));
-            let (mut a, mut b) = (vec![0.0; 301], vec![0.0; 301]);
-            unit.inverse_abel(&v, &mut a, &mut Scratch::default());
-            wide.inverse_abel(&v, &mut b, &mut Scratch::default());
-            assert!(a.iter().zip(&b).all(|(a, b)| (factor * a - b).abs() < 1e-12), "{density:?}");
-            unit.pressure(&v, &mut a, &mut Scratch::default());
-            wide.pressure(&v, &mut b, &mut Scratch::default());
-            let root = f64::sqrt(width);
-            assert!(a.iter().zip(&b).all(|(a, b)| (a / root - b).abs() < 1e-10), "{density:?}");
-        }
+        let width = 2.25;
+        let x: Vec<f64> = share.iter().map(|x| width * x).collect();
+        let (unit, wide) = (Abel::new(&share), Abel::new(&x));
+        let (mut a, mut b) = (vec![0.0; 301], vec![0.0; 301]);
+        unit.inverse_abel(&v, &mut a, &mut Scratch::default());
+        wide.inverse_abel(&v, &mut b, &mut Scratch::default());
+        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-12));
+        unit.pressure(&v, &mut a, &mut Scratch::default());
+        wide.pressure(&v, &mut b, &mut Scratch::default());
+        let root = f64::sqrt(width);
+        assert!(a.iter().zip(&b).all(|(a, b)| (a / root - b).abs() < 1e-10));
     }
 }

@@ -4,59 +4,20 @@
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 use std::ops::Range;
 
-/// What is piecewise linear in X = x² between the nodes of an inverse Abel transform.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Density {
-    /// k = v/x, with v = 0 inside the first node: for an annulus.
-    Quotient,
-    /// v itself: for a disc, whose first node is X = 0.
-    Image,
-}
-
-impl Density {
-    /// What is taken off all values before an inverse transform and added after it: that of a
-    /// constant v is v, and so it is to the last digit.
-    pub(super) fn base(self, first: f64) -> f64 {
-        match self {
-            Self::Quotient => 0.0,
-            Self::Image => first,
-        }
-    }
-}
-
-/// Adds the weights of k or v at the nodes `cells.start..=cells.end` in (1/π) ∫ k dX/√(Z − X), k =
-/// v/√X, over these cells, all of them below Z. `square` are the nodes X, `root` their square
-/// roots; one weight per node.
-pub(super) fn add_inverse(
-    density: Density,
-    square: &[f64],
-    root: &[f64],
-    z: f64,
-    cells: Range<usize>,
-    weights: &mut [f64],
-) {
+/// Adds the weights of v at the nodes `cells.start..=cells.end` in (1/π) ∫ v dX/√(X (Z − X)) over
+/// these cells, all of them below Z. `square` are the nodes X, `root` their square roots; one
+/// weight per node.
+pub(super) fn add_inverse(square: &[f64], root: &[f64], z: f64, cells: Range<usize>, weights: &mut [f64]) {
     let mut far = (z - square[cells.start]).sqrt();
     let first = cells.start;
     for j in cells {
         let near = (z - square[j + 1]).sqrt();
         let width = square[j + 1] - square[j];
-        let (inner, outer) = match density {
-            Density::Quotient => quotient_weights(width, far, near),
-            Density::Image => image_weights(width, (root[j], far), (root[j + 1], near)),
-        };
+        let (inner, outer) = image_weights(width, (root[j], far), (root[j + 1], near));
         weights[j - first] += inner;
         weights[j - first + 1] += outer;
         far = near;
     }
-}
-
-/// (1/π) ∫ k dX/√(Z − X) over a cell of the given width for k linear in X: weights of its inner and
-/// outer end, whose distances from Z are far² and near².
-pub(super) fn quotient_weights(width: f64, far: f64, near: f64) -> (f64, f64) {
-    let sum = far + near;
-    let whole = FRAC_2_PI * width / sum;
-    let outer = whole * (2.0 * far + near) / (3.0 * sum);
-    (whole - outer, outer)
 }
 
 /// (1/π) ∫ v dX/√(X (Z − X)) over a cell for v linear in X: weights of its ends, each given as (x,
@@ -126,22 +87,6 @@ mod tests {
         ] {
             let (far, near) = (leg(1.0, x0), leg(1.0, x1));
             let width = (x1 - x0) * (x1 + x0);
-            // X = Z − t²: ∫ dX/√(Z − X) = 2 ∫ dt
-            let outer = |t: f64| (far - t) * (far + t) / width;
-            let whole = FRAC_2_PI * (far - near);
-            let exact = (
-                composite(near, far, |t| FRAC_2_PI * (1.0 - outer(t))),
-                composite(near, far, |t| FRAC_2_PI * outer(t)),
-            );
-            let close = |a: f64, b: f64, what: &str| {
-                // what the quadrature loses in far − near
-                let allowed = 1e-14 + 1e-15 * far / (far - near);
-                assert!((a / b - 1.0).abs() < allowed, "{what} of {x0} to {x1}: {a:e} {b:e}");
-            };
-            let weights = quotient_weights(width, far, near);
-            close(weights.0, exact.0, "inner end");
-            close(weights.1, exact.1, "outer end");
-            close(weights.0 + weights.1, whole, "both ends");
             // x = sin φ: ∫ dX/√(X (Z − X)) = 2 ∫ dφ; sin² φ − sin² φ₀ = sin(φ + φ₀) sin(φ − φ₀)
             let (from, to) = (x0.atan2(far), x1.atan2(near));
             let outer = |phi: f64| (phi + from).sin() * (phi - from).sin() / width;
@@ -152,7 +97,7 @@ mod tests {
             );
             let close = |a: f64, b: f64, what: &str| {
                 let allowed = 1e-14 + 4e-16 * to / (to - from);
-                assert!((a / b - 1.0).abs() < allowed, "{what} of {x0} to {x1}, disc: {a:e} {b:e}");
+                assert!((a / b - 1.0).abs() < allowed, "{what} of {x0} to {x1}: {a:e} {b:e}");
             };
             let weights = image_weights(width, (x0, far), (x1, near));
             close(weights.0, exact.0, "inner end");

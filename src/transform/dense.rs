@@ -1,16 +1,13 @@
 //! The Abel transforms by triangular matrices of exact weights: n²/2 numbers each, read in order.
 //!
-//! Under X → α + λX the inverse transform of [`Density::Quotient`] grows by √λ, the pressure by
-//! 1/√λ and the inverse transform of [`Density::Image`] (where α = 0) not at all, so the tables of
-//! a mesh of unit width serve all that have its shape.
+//! Under X → λX the inverse transform stays what it is and the pressure falls by 1/√λ, so the
+//! tables of a disc of unit width serve all that have its shape.
 
-use super::cell::{self, Density};
-use super::{Scratch, dot};
+use super::{Scratch, cell, dot};
 
 /// Transforms on fixed nodes by full tables, O(n²).
 #[derive(Debug, Clone)]
 pub struct DenseAbel {
-    density: Density,
     nodes: usize,
     /// Row i: weights of the values at nodes 0 … i, from i = 1 on.
     inverse: Vec<f64>,
@@ -19,9 +16,8 @@ pub struct DenseAbel {
 }
 
 impl DenseAbel {
-    /// Tabulates the weights for nodes X (m² or any unit), rising strictly; for [`Density::Image`]
-    /// from X = 0.
-    pub fn new(nodes: &[f64], density: Density) -> Self {
+    /// Tabulates the weights for nodes X (m² or any unit), rising strictly from 0.
+    pub fn new(nodes: &[f64]) -> Self {
         let last = nodes.len() - 1;
         let root: Vec<f64> = nodes.iter().map(|x| x.max(0.0).sqrt()).collect();
         let mut inverse = vec![0.0; last * (last + 3) / 2];
@@ -29,7 +25,7 @@ impl DenseAbel {
         let (mut rows, mut drops) = (&mut inverse[..], &mut pressure[..]);
         for i in 1..=last {
             let (row, rest) = rows.split_at_mut(i + 1);
-            cell::add_inverse(density, nodes, &root, nodes[i], 0..i, row);
+            cell::add_inverse(nodes, &root, nodes[i], 0..i, row);
             rows = rest;
         }
         for i in 0..last {
@@ -37,7 +33,7 @@ impl DenseAbel {
             cell::pressure(nodes, nodes[i], i..last, row);
             drops = rest;
         }
-        Self { density, nodes: nodes.len(), inverse, pressure }
+        Self { nodes: nodes.len(), inverse, pressure }
     }
 
     /// Multiplications of one Abel transform or its inverse, and of one pressure.
@@ -55,7 +51,7 @@ impl DenseAbel {
 
     /// As [`super::FastAbel::inverse_abel`].
     pub fn inverse_abel(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
-        let base = self.density.base(values[0]);
+        let base = values[0];
         let (shifted, _) = scratch.parts(self.nodes);
         for (shifted, value) in shifted.iter_mut().zip(values) {
             *shifted = value - base;
@@ -68,12 +64,10 @@ impl DenseAbel {
 
     /// As [`super::FastAbel::abel`].
     pub fn abel(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
-        if self.density == Density::Image {
-            out[0] = s[0];
-        }
-        let base = self.density.base(out[0]);
+        let base = s[0];
+        out[0] = base;
         let (values, _) = scratch.parts(self.nodes);
-        values[0] = out[0] - base;
+        values[0] = 0.0;
         for (i, row) in self.inverse_rows().enumerate() {
             let target = i + 1;
             let known = dot(&row[..target], &values[..target]);

@@ -12,32 +12,28 @@
 //! does neither the disc nor single radii.
 
 use super::Scratch;
-use super::cell::Density;
 use super::sweep::Sweep;
 use super::tree::Tree;
 
 /// Transforms on fixed nodes in O(n).
 #[derive(Debug, Clone)]
 pub struct FastAbel {
-    density: Density,
     nodes: usize,
     outward: Sweep,
     inward: Sweep,
 }
 
 impl FastAbel {
-    /// Prepares the transforms for nodes X (m² or any unit), rising strictly; for
-    /// [`Density::Image`] from X = 0.
+    /// Prepares the transforms for nodes X (m² or any unit), rising strictly from 0.
     ///
     /// # Panics
     /// For fewer than two nodes.
-    pub fn new(nodes: &[f64], density: Density) -> Self {
+    pub fn new(nodes: &[f64]) -> Self {
         let tree = Tree::new(nodes);
         let pairs = tree.pairs();
         Self {
-            density,
             nodes: nodes.len(),
-            outward: Sweep::inverse(&tree, &pairs, density),
+            outward: Sweep::inverse(&tree, &pairs),
             inward: Sweep::pressure(&tree, &pairs),
         }
     }
@@ -47,10 +43,11 @@ impl FastAbel {
         (self.outward.work(), self.inward.work())
     }
 
-    /// Descent s(Zᵢ) = (1/π) ∫ k dX/√(Zᵢ − X) from X₀ to Zᵢ = Xᵢ, with k = v/x
-    /// ([`Density::Quotient`]) or v/√X ([`Density::Image`]) of the values given at the nodes.
+    /// Inverse transform s(Zᵢ) = (1/π) ∫ v dX/√(X (Zᵢ − X)) from 0 to Zᵢ = Xᵢ, for v linear in X
+    /// between the values given at the nodes.
     pub fn inverse_abel(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
-        let base = self.density.base(values[0]);
+        // a constant is its own transform, and so it is to the last digit
+        let base = values[0];
         let (shifted, expansions) = scratch.parts(self.nodes);
         for (shifted, value) in shifted.iter_mut().zip(values) {
             *shifted = value - base;
@@ -62,16 +59,12 @@ impl FastAbel {
     }
 
     /// The inverse of [`Self::inverse_abel`] by forward substitution: values whose inverse
-    /// transform is `s` at the nodes. For [`Density::Quotient`], whose inverse transform at the
-    /// first node is 0 whatever the value there, `out[0]` has to be set before and `s[0]` is not
-    /// read; for [`Density::Image`] `out[0]` becomes `s[0]`.
+    /// transform is `s` at the nodes.
     pub fn abel(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
-        if self.density == Density::Image {
-            out[0] = s[0];
-        }
-        let base = self.density.base(out[0]);
+        let base = s[0];
+        out[0] = base;
         let (values, expansions) = scratch.parts(self.nodes);
-        values[0] = out[0] - base;
+        values[0] = 0.0;
         self.outward.run(values, expansions, |target, values| {
             values[target.index] = target.solve(s[target.index] - base, values);
             out[target.index] = base + values[target.index];

@@ -3,7 +3,7 @@
 //! Blocks of a tree that lie at least their own width from the radius act through their moments
 //! (see [`super::fast`]), the few cells next to it by exact weights.
 
-use super::cell::{Density, image_weights};
+use super::cell::image_weights;
 use super::interpolation::{ORDER, POINTS, Row, add_scaled, product};
 use super::leg;
 use super::sweep::{Expansions, Sweep};
@@ -43,14 +43,12 @@ impl FixedImage {
         let square: Vec<f64> = x.iter().map(|x| x * x).collect();
         let tree = Tree::new(&square);
         let mut image = vec![0.0; heights.len()];
-        Sweep::inverse(&tree, &tree.pairs(), Density::Image).run(
-            &mut image,
-            &mut Expansions::default(),
-            |target, image| image[target.index] = target.solve(heights[target.index] - heights[0], image),
-        );
+        Sweep::inverse(&tree, &tree.pairs()).run(&mut image, &mut Expansions::default(), |target, image| {
+            image[target.index] = target.solve(heights[target.index] - heights[0], image)
+        });
         let outside = tree.gather(Edge::Outer, |block, sums| {
             let mut values = image[tree.blocks[block].start..].iter();
-            tree.inverse_moments(Density::Image, block, |row| {
+            tree.inverse_moments(block, |row| {
                 add_scaled(values.next().copied().unwrap_or_default(), &row, sums);
             });
         });

@@ -6,10 +6,9 @@
 //! needs is known when it is reached, whether the values at the sources were given or are computed
 //! on the way. What is zero up to a target adds exactly nothing.
 
-use super::cell::{self, Density};
-use super::dot;
 use super::interpolation::{ORDER, Row, add_scaled, product};
 use super::tree::{Block, Edge, Pairs, Tree};
+use super::{cell, dot};
 
 /// Moments and far fields of all blocks during a pass.
 #[derive(Debug, Clone, Default)]
@@ -86,7 +85,7 @@ impl Target<'_> {
 
 impl Sweep {
     /// The inverse Abel transform, from inside outward; values at the nodes.
-    pub(super) fn inverse(tree: &Tree, pairs: &Pairs, density: Density) -> Self {
+    pub(super) fn inverse(tree: &Tree, pairs: &Pairs) -> Self {
         let pair = |&(outer, inner): &(usize, usize)| (outer, inner);
         Builder {
             tree,
@@ -97,9 +96,9 @@ impl Sweep {
             sweep: Self::empty(tree.blocks.len(), 1),
         }
         .build(
-            |block, sink| tree.inverse_moments(density, block, sink),
+            |block, sink| tree.inverse_moments(block, sink),
             |target, cells, weights| {
-                cell::add_inverse(density, &tree.square, &tree.root, tree.square[target], cells, weights);
+                cell::add_inverse(&tree.square, &tree.root, tree.square[target], cells, weights);
             },
         )
     }

@@ -7,7 +7,7 @@ struct Nodal(DenseAbel, usize);
 impl Nodal {
     fn new(x: &[f64]) -> Self {
         let squares: Vec<f64> = x.iter().map(|x| x * x).collect();
-        Self(DenseAbel::new(&squares, Density::Image), x.len())
+        Self(DenseAbel::new(&squares), x.len())
     }
 
     fn inverse_abel(&self, v: &[f64]) -> Vec<f64> {

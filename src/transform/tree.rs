@@ -1,7 +1,6 @@
 //! The cells of a row of nodes in a binary tree, and which pairs of its blocks see each other
 //! smoothly.
 
-use super::cell::Density;
 use super::interpolation::{ORDER, POINTS, Row, add_scaled, lagrange, of_lagrange, polynomials};
 use crate::quadrature::gauss_legendre;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
@@ -157,9 +156,9 @@ impl Tree {
         move |g| start + slope * g
     }
 
-    /// Moments (1/π) ∫ L(τ) k dX of a block, seen from outside it, for each of its nodes' values,
+    /// Moments (1/π) ∫ L(τ) v dX/√X of a block, seen from outside it, for each of its nodes' values,
     /// in rising order.
-    pub(super) fn inverse_moments(&self, density: Density, block: usize, mut sink: impl FnMut(Row)) {
+    pub(super) fn inverse_moments(&self, block: usize, mut sink: impl FnMut(Row)) {
         let mut inner = [0.0; ORDER];
         for j in self.blocks[block].start..self.blocks[block].end {
             let mut outer = [0.0; ORDER];
@@ -170,21 +169,12 @@ impl Tree {
                 add_scaled(weight * (1.0 - share), &row, &mut inner);
                 add_scaled(weight * share, &row, &mut outer);
             };
-            match density {
-                Density::Quotient => {
-                    for &(g, weight) in rule(cell / self.width(block)) {
-                        add(g, FRAC_1_PI * cell * weight);
-                    }
-                }
-                Density::Image => {
-                    // dX/√X = 2 dx
-                    let (x0, x1) = (self.root[j], self.root[j + 1]);
-                    let length = cell / (x0 + x1);
-                    let rule = if length < 0.1 * x1 { rule(cell / self.width(block)) } else { &RULES.0 };
-                    for &(g, weight) in rule {
-                        add(g * (2.0 * x0 + g * length) / (x0 + x1), FRAC_2_PI * length * weight);
-                    }
-                }
+            // dX/√X = 2 dx
+            let (x0, x1) = (self.root[j], self.root[j + 1]);
+            let length = cell / (x0 + x1);
+            let rule = if length < 0.1 * x1 { rule(cell / self.width(block)) } else { &RULES.0 };
+            for &(g, weight) in rule {
+                add(g * (2.0 * x0 + g * length) / (x0 + x1), FRAC_2_PI * length * weight);
             }
             sink(of_lagrange(&inner));
             inner = outer;

@@ -63,7 +63,7 @@ fn the_image_is_that_of_the_direct_solution() {
         let fixed = FixedImage::through(&radii, &heights);
         let square: Vec<f64> = radii.iter().map(|r| r * r).collect();
         let mut direct = vec![f64::NAN; points];
-        DenseAbel::new(&square, Density::Image).abel(&heights, &mut direct, &mut Scratch::default());
+        DenseAbel::new(&square).abel(&heights, &mut direct, &mut Scratch::default());
         let error = difference(fixed.values(), &direct);
         assert!(error < 1e-11, "{points} points: {error:e}");
     }
