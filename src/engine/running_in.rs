@@ -35,8 +35,8 @@ const RUN_IN: f64 = 1e-9;
 /// a bound.
 const DRIFT: f64 = 0.02;
 
-/// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds are halved
-/// instead.
+/// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds
+/// are halved instead.
 const MOST_ITERATIONS: u32 = 8;
 
 /// Relative change of μ that ends these iterations.

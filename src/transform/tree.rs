@@ -156,8 +156,8 @@ impl Tree {
         move |g| start + slope * g
     }
 
-    /// Moments (1/π) ∫ L(τ) v dX/√X of a block, seen from outside it, for each of its nodes' values,
-    /// in rising order.
+    /// Moments (1/π) ∫ L(τ) v dX/√X of a block, seen from outside it, for each of its nodes'
+    /// values, in rising order.
     pub(super) fn inverse_moments(&self, block: usize, mut sink: impl FnMut(Row)) {
         let mut inner = [0.0; ORDER];
         for j in self.blocks[block].start..self.blocks[block].end {
