@@ -196,7 +196,7 @@ fn a_step_may_be_split() {
                 );
                 assert!(worst < 3e-4, "{profile:?}, rig {ratio}, ±{swing}: {worst:e}");
                 let walks = whole.counters().spring_walks / whole.counters().steps;
-                assert!(walks <= 80, "{profile:?}, rig {ratio}, ±{swing}: {walks} walks a step");
+                assert!(walks <= 50, "{profile:?}, rig {ratio}, ±{swing}: {walks} walks a step");
                 assert!(work.abs() < 1.5e-3, "{profile:?}, rig {ratio}, ±{swing}: W {work:e}");
             }
         }

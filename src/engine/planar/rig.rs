@@ -58,6 +58,20 @@ fn distance(point: Vector2<f64>, (from, to): (Vector2<f64>, Vector2<f64>)) -> f6
     if length > 0.0 { way.perp(&aside).abs() / length } else { size(aside) }
 }
 
+/// Where the body is in balance with the drive, or a guess of it.
+#[derive(Debug, Clone, Copy)]
+struct Equilibrium {
+    place: Vector2<f64>,
+    /// By how much the drive goes on with the body, where it is known.
+    slope: Option<Matrix2<f64>>,
+}
+
+impl Equilibrium {
+    fn near(place: Vector2<f64>) -> Self {
+        Self { place, slope: None }
+    }
+}
+
 impl FrettingContact {
     /// Displacement of the drive along y: U_y + T_y/k_rig, m. It is [`Self::displacement_y`] where
     /// the rig is rigid.
@@ -82,32 +96,38 @@ impl FrettingContact {
         if self.state.planar.is_none() {
             self.enter_plane()?;
         }
-        let place = self.balance(value, drive)?;
-        self.follow_to(value, (drive, place), MOST_HALVINGS)
+        let found = self.balance(value, drive, Equilibrium::near(self.place()))?;
+        self.follow_to(value, drive, found, MOST_HALVINGS)
     }
 
-    /// The same where the body is known to come to a place.
+    /// The same where it is known how the body comes to a place.
     fn follow_to(
         &mut self,
         value: f64,
-        (drive, place): (Vector2<f64>, Vector2<f64>),
+        drive: Vector2<f64>,
+        found: Equilibrium,
         halvings: u32,
     ) -> Result<(), Error> {
         let (from, here) = (self.drive_place(), self.place());
         let halfway = 0.5 * (self.state.contact.control + value);
         if halvings > 0 && halfway > self.touch_control() && drive != from {
             let half = from + 0.5 * (drive - from);
-            let between = self.balance(halfway, half)?;
             let near = BENT * self.model.bound_slope * self.state.contact.depth.abs()
                 + ROUNDING * self.scale_of(drive, &self.state.contact);
-            if distance(between, (here, place)) > near {
-                self.follow_to(halfway, (half, between), halvings - 1)?;
-                let place = self.balance(value, drive)?;
-                return self.follow_to(value, (drive, place), halvings - 1);
+            let middle = Equilibrium::near(0.5 * (here + found.place));
+            let between = self.balance_nearly(halfway, half, middle, 0.1 * near)?;
+            let bent = distance(between.place, (here, found.place));
+            if bent > near {
+                // each half bends by a quarter of it
+                let halvings = if bent > 4.0 * near { halvings - 1 } else { 0 };
+                let between = self.balance(halfway, half, between)?;
+                self.follow_to(halfway, half, between, halvings)?;
+                let found = self.balance(value, drive, Equilibrium::near(found.place))?;
+                return self.follow_to(value, drive, found, halvings);
             }
         }
         let updates = self.state.counters.profile_updates;
-        self.walk_in_plane(value, place)?;
+        self.walk_in_plane(value, found.place)?;
         for _ in 0..MOST_MORE {
             if self.state.counters.profile_updates == updates || self.state.planar.is_none() {
                 break;
@@ -116,8 +136,8 @@ impl FrettingContact {
             if off.dot(&self.direction_in_plane()) <= NEARLY * self.scale_of(drive, &self.state.contact) {
                 break;
             }
-            let place = self.balance(value, drive)?;
-            self.walk_in_plane(value, place)?;
+            let found = self.balance(value, drive, Equilibrium::near(self.place()))?;
+            self.walk_in_plane(value, found.place)?;
         }
         Ok(())
     }
@@ -128,72 +148,94 @@ impl FrettingContact {
         size(drive) + size(self.place()) + self.model.compliance * limit
     }
 
-    /// Place of the body that balances the drive after a straight way to it and to another load.
-    fn balance(&mut self, value: f64, drive: Vector2<f64>) -> Result<Vector2<f64>, Error> {
+    /// Place of the body that balances the drive after a straight way to it and to another load,
+    /// looked for from a first guess.
+    fn balance(&mut self, value: f64, drive: Vector2<f64>, guess: Equilibrium) -> Result<Equilibrium, Error> {
+        self.balance_nearly(value, drive, guess, 0.0)
+    }
+
+    /// The same up to a distance from equilibrium, m, where that is more than rounding.
+    fn balance_nearly(
+        &mut self,
+        value: f64,
+        drive: Vector2<f64>,
+        guess: Equilibrium,
+        distance: f64,
+    ) -> Result<Equilibrium, Error> {
         let to =
             if value == self.state.contact.control { self.state.contact } else { self.contact_at(value)? };
         if to.is_open() {
-            return Ok(drive);
+            return Ok(Equilibrium::near(drive));
         }
-        let least = BALANCED * self.scale_of(drive, &to);
+        let least = distance.max(BALANCED * self.scale_of(drive, &to));
         let mut spare = take(&mut self.memory.get().planar);
-        let mut place = self.place();
-        let (mut off, mut slope) = self.pull_in_plane((drive, place), &to, &mut spare);
+        let ahead = drive - self.drive_place();
+        let Equilibrium { mut place, slope } = guess;
+        let mut off = drive - self.drive_after(place, &to, &mut spare);
+        let mut slope = slope.unwrap_or_else(|| self.slope_after(place, &to, ahead, &spare));
         let mut walks = 1;
         while size(off) > least && walks < MOST_WALKS {
             let Some(step) = solved(&slope, off) else { break };
             let mut share = 1.0;
             let next = loop {
                 let next = place + share * step;
-                let (left, fresh) = self.pull_in_plane((drive, next), &to, &mut spare);
+                let left = drive - self.drive_after(next, &to, &mut spare);
                 walks += 1;
                 if size(left) < size(off) {
-                    let moved = next - place;
                     // the fresh tangent where the trial had to be cut, else by the secant
-                    slope = if share < 1.0 { fresh } else { secant(slope, moved, off - left) };
+                    slope = if share < 1.0 {
+                        self.slope_after(next, &to, ahead, &spare)
+                    } else {
+                        secant(slope, next - place, off - left)
+                    };
                     off = left;
                     break Some(next);
                 }
                 if walks >= MOST_WALKS {
                     break None;
                 }
-                (share, slope) = (0.5 * share, fresh);
+                share *= 0.5;
             };
             let Some(next) = next.filter(|next| *next != place) else { break };
             place = next;
         }
         self.state.counters.spring_walks += u64::from(walks);
         self.memory.get().planar = spare;
-        Ok(place)
+        Ok(Equilibrium { place, slope: Some(slope) })
     }
 
-    /// How far the drive is ahead of equilibrium after a straight way of the body, **D** − **U** −
-    /// **T**/k_rig, m, and by how much that falls with **U**: 1 + K/k_rig with the contact's
-    /// stiffness K.
-    fn pull_in_plane(
-        &self,
-        (drive, place): (Vector2<f64>, Vector2<f64>),
-        to: &Contact,
-        spare: &mut PlanarRow,
-    ) -> (Vector2<f64>, Matrix2<f64>) {
+    /// Where the drive stands after a straight way of the body, **U** + **T**/k_rig, m, and the row
+    /// then.
+    fn drive_after(&self, place: Vector2<f64>, to: &Contact, row: &mut PlanarRow) -> Vector2<f64> {
         let path = self.planar_path(*to, place);
-        let (row, _) = self.walked_in_plane(&path, take(spare), None);
-        let modulus = self.model.compliance * 2.0 * self.model.constants.tangential_modulus;
-        let springs_at = self.model.axes.for_springs(place);
-        let force = row.deflection_integral(springs_at);
-        let ahead = drive - self.drive_place();
+        *row = self.walked_in_plane(&path, take(row), None).0;
+        let force = row.deflection_integral(self.model.axes.for_springs(place));
+        place + self.compliance_of_row() * force
+    }
+
+    /// By how much the drive goes on with the body after that way, where it is `ahead` of the
+    /// present: 1 + K/k_rig with the contact's stiffness K.
+    fn slope_after(
+        &self,
+        place: Vector2<f64>,
+        to: &Contact,
+        ahead: Vector2<f64>,
+        row: &PlanarRow,
+    ) -> Matrix2<f64> {
         let standing = Standing {
-            row: &row,
+            row,
             surface: &self.surface,
             contact: to,
             bound_slope: self.model.bound_slope,
             stiffness_ratio: self.model.axes.stiffness_ratio,
-            displacement: springs_at,
+            displacement: self.model.axes.for_springs(place),
         };
-        let stiffness = standing.tangent(ahead).stiffness;
-        let off = drive - place - modulus * force;
-        *spare = row;
-        (off, Matrix2::identity() + modulus * stiffness)
+        Matrix2::identity() + self.compliance_of_row() * standing.tangent(ahead).stiffness
+    }
+
+    /// Displacement of the rig over the integral of the springs' deflection, 1/m.
+    fn compliance_of_row(&self) -> f64 {
+        self.model.compliance * 2.0 * self.model.constants.tangential_modulus
     }
 
     /// The derivatives of a quantity by the drive where those by the body are given: d**U** = (1 +
