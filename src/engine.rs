@@ -37,6 +37,7 @@ mod line;
 mod member;
 mod memory;
 mod model;
+mod save_point;
 mod slide;
 mod state;
 mod steady;
@@ -47,6 +48,7 @@ pub use derivatives::Gradient;
 pub(crate) use member::unworn_load;
 pub(crate) use memory::Memory;
 pub(crate) use model::Model;
+pub(crate) use save_point::SavePoints;
 pub use snapshot::Snapshot;
 pub(crate) use state::Mark;
 

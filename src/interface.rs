@@ -96,7 +96,7 @@ pub struct Interface {
     /// The approach (m) under a force (N) that a step is about to ask for, on the profiles as they
     /// are.
     ahead: Option<(f64, f64)>,
-    /// Pose, control and block before the present call, where the contacts have their marks.
+    /// Pose, control and block before the present call, where the contacts have their save points.
     before: (Pose, f64, f64),
 }
 
@@ -192,19 +192,20 @@ impl Interface {
 
     /// Returns to the state before the present call.
     fn roll_back(&mut self) {
-        self.members.return_to_marks();
+        self.members.roll_back();
         (self.pose, self.control, self.block) = self.before;
     }
 
     /// Runs a change of all contacts; where it fails, the state is as before.
     fn transaction(&mut self, change: impl FnOnce(&mut Self) -> Result<(), Error>) -> Result<(), Error> {
         self.ahead = None;
-        self.members.mark();
+        self.members.begin_change();
         self.before = (self.pose, self.control, self.block);
         let result = change(self);
         if result.is_err() {
             self.roll_back();
         }
+        self.members.end_change();
         result
     }
 }

@@ -122,7 +122,7 @@ impl FrettingContact {
         if wear.backlog.is_empty() {
             return Ok(());
         }
-        let backlog = std::mem::take(&mut wear.backlog);
+        let backlog = wear.backlog.take();
         self.view.forget();
         let law = backlog.law();
         let old = self.surface.clone();

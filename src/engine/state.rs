@@ -91,16 +91,19 @@ impl State {
         springs.copy_from(&other.springs);
         stroke.copy_from(&other.stroke);
         let planar = copied(self.planar.take(), &other.planar, Planar::copy_from);
-        let wear = copied(self.wear.take(), &other.wear, |to, from| {
-            let mut backlog = take(&mut to.backlog);
-            copy_backlog(&mut backlog, &from.backlog);
-            *to = WearState { backlog, ..*from };
-        });
+        let wear = copied(self.wear.take(), &other.wear, |to, from| to.copy_from(from, &copy_backlog));
         *self = Self { springs, stroke, planar, wear, ..*other };
     }
 }
 
 impl WearState {
+    /// Takes over another one, and its backlog by a given copy.
+    pub(super) fn copy_from(&mut self, other: &Self, copy_backlog: impl Fn(&mut WearBacklog, &WearBacklog)) {
+        let mut backlog = take(&mut self.backlog);
+        copy_backlog(&mut backlog, &other.backlog);
+        *self = Self { backlog, ..*other };
+    }
+
     /// As much of the deferred work as may add to an update of some work, J.
     pub(super) fn deferred_share(&self, work: f64) -> f64 {
         let most = PLACED_WITH * work.abs();
@@ -132,13 +135,6 @@ impl FrettingContact {
     /// A mark of the present state.
     pub(crate) fn mark(&self) -> Mark {
         Mark { model: self.model.clone(), surface: self.surface.clone(), state: self.state.clone() }
-    }
-
-    /// Marks the present state in the memory of an older mark.
-    pub(crate) fn renew(&self, mark: &mut Mark) {
-        (mark.model, mark.surface) = (self.model.clone(), self.surface.clone());
-        mark.state.copy_from(&self.state, WearBacklog::share_from);
-        mark.state.springs.trim();
     }
 
     /// Goes back to a mark of this contact.

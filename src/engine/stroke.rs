@@ -33,7 +33,7 @@ const SHARE: f64 = 3e-2;
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct StrokeStart {
     /// Radii with the origins of their springs, m; none where all were relaxed or out of contact.
-    origins: Vec<(f64, Vector2<f64>)>,
+    pub(super) origins: Vec<(f64, Vector2<f64>)>,
     /// Displacement, m.
     place: Vector2<f64>,
     /// Indentation depth, m.

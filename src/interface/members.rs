@@ -5,7 +5,7 @@
 
 use super::Pose;
 use super::summit::Summit;
-use crate::engine::{FrettingContact, Mark, Memory, Model, unworn_load};
+use crate::engine::{FrettingContact, Mark, Memory, Model, SavePoints, unworn_load};
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
@@ -19,8 +19,8 @@ const CHUNK: usize = 32;
 /// A contact that has touched, or its place.
 type Slot = Option<Box<FrettingContact>>;
 
-/// States to return to, of all contacts.
-pub(super) type Marks = Vec<Option<Box<Mark>>>;
+/// States to return to, of those contacts that have touched, by rising number.
+pub(super) type Marks = Vec<(usize, Mark)>;
 
 /// All contacts.
 #[derive(Debug, Clone)]
@@ -32,8 +32,8 @@ pub(super) struct Members {
     order: Arc<[u32]>,
     profiles: Arc<[Arc<Profile>]>,
     slots: Vec<Slot>,
-    /// States before a change that may fail.
-    marks: Marks,
+    /// States before a change under way that may fail.
+    save_points: SavePoints,
     /// Whether several threads advance the contacts.
     #[cfg(feature = "threads")]
     pub(super) in_threads: bool,
@@ -72,7 +72,7 @@ impl Members {
             order: order.into(),
             profiles: profiles.into(),
             slots: vec![None; summits.len()],
-            marks: Marks::new(),
+            save_points: SavePoints::default(),
             summits: summits.into(),
             #[cfg(feature = "threads")]
             in_threads: true,
@@ -151,35 +151,39 @@ impl Members {
         order.iter().try_for_each(|index| load(index).map(|load| loads.push(load)))
     }
 
-    /// Marks the present state of every contact, to return to.
-    pub(super) fn mark(&mut self) {
-        self.marks.resize_with(self.slots.len(), || None);
-        for (mark, slot) in self.marks.iter_mut().zip(&self.slots) {
-            match (&mut *mark, slot) {
-                (Some(mark), Some(contact)) => contact.renew(mark),
-                (_, slot) => *mark = slot.as_ref().map(|contact| Box::new(contact.mark())),
+    /// Begins a change that may fail.
+    pub(super) fn begin_change(&mut self) {
+        self.save_points = SavePoints::with_capacity(self.touched().count());
+        for (index, slot) in self.slots.iter_mut().enumerate() {
+            if let Some(contact) = slot {
+                self.save_points.save(index, contact);
             }
         }
     }
 
+    /// Takes the change under way back.
+    pub(super) fn roll_back(&mut self) {
+        self.save_points.return_to(self.slots.iter_mut());
+    }
+
+    /// Ends the change under way, and keeps nothing of the states before.
+    pub(super) fn end_change(&mut self) {
+        self.save_points = SavePoints::default();
+        self.slots.iter_mut().flatten().for_each(|contact| contact.forget_save_point());
+    }
+
     /// Marks of the present state of every contact.
     pub(super) fn marks(&self) -> Marks {
-        self.slots.iter().map(|slot| slot.as_ref().map(|contact| Box::new(contact.mark()))).collect()
+        self.touched().map(|(index, contact)| (index, contact.mark())).collect()
     }
 
-    /// Goes back to the marks.
-    pub(super) fn return_to_marks(&mut self) {
-        let marks = std::mem::take(&mut self.marks);
-        self.return_to(&marks);
-        self.marks = marks;
-    }
-
-    /// Goes back to other marks.
+    /// Goes back to marks.
     pub(super) fn return_to(&mut self, marks: &Marks) {
-        for (slot, mark) in self.slots.iter_mut().zip(marks) {
-            match (slot, mark) {
-                (Some(contact), Some(mark)) => contact.return_to(mark),
-                (slot, _) => *slot = None,
+        let mut marks = marks.iter().peekable();
+        for (index, slot) in self.slots.iter_mut().enumerate() {
+            match (marks.next_if(|(marked, _)| *marked == index), slot) {
+                (Some((_, mark)), Some(contact)) => contact.return_to(mark),
+                (_, slot) => *slot = None,
             }
         }
     }

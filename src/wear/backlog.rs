@@ -12,7 +12,7 @@ use super::Sliding;
 use crate::friction::SlipPiece;
 use crate::surface::Contact;
 use serde::{Deserialize, Serialize};
-use std::sync::Arc;
+use std::mem::{replace, take};
 
 /// Bins of lengths whose widths grow with the length.
 #[derive(Debug, Clone, Copy)]
@@ -66,12 +66,24 @@ pub(super) struct Level {
 pub(crate) struct WearBacklog {
     /// Depth at the first slip, m: images are counted from here.
     reference: f64,
-    /// In the order of their bins. Copies of a backlog share those that have not changed since.
-    levels: Vec<Arc<Level>>,
+    /// In the order of their bins.
+    levels: Vec<Level>,
     /// Friction work, J.
     pub(crate) work: f64,
     /// Largest contact radius, m.
     pub(crate) radius: f64,
+    /// What returns the levels to the last [`Self::save_point`].
+    #[serde(skip)]
+    former: Option<Former>,
+}
+
+/// Levels as they were at a save point.
+#[derive(Debug, Clone, PartialEq)]
+enum Former {
+    /// Those that have changed since; one that did not exist has no slip.
+    Changed(Vec<Level>),
+    /// All of them: the backlog has been worn off since.
+    All(Vec<Level>),
 }
 
 /// A motion that repeats at constant load, and how much of it.
@@ -120,39 +132,56 @@ impl WearBacklog {
         self.levels.is_empty()
     }
 
-    /// Becomes a copy of another backlog in its own memory.
+    /// Becomes a copy of another backlog in its own memory. Its save point stays.
     pub(crate) fn copy_from(&mut self, other: &Self) {
-        let mut levels = std::mem::take(&mut self.levels);
+        let (mut levels, former) = (take(&mut self.levels), self.former.take());
         levels.truncate(other.levels.len());
         for (level, from) in levels.iter_mut().zip(&other.levels) {
-            match Arc::get_mut(level) {
-                Some(level) => {
-                    let mut hinges = std::mem::take(&mut level.hinges);
-                    hinges.clone_from(&from.hinges);
-                    *level = Level { hinges, ..**from };
-                }
-                None => *level = from.clone(),
-            }
+            let mut hinges = take(&mut level.hinges);
+            hinges.clone_from(&from.hinges);
+            *level = Level { hinges, ..*from };
         }
-        let kept = levels.len();
-        levels.extend_from_slice(&other.levels[kept..]);
-        *self = Self { levels, ..*other };
-    }
-
-    /// Becomes another backlog, and shares all of its levels.
-    pub(crate) fn share_from(&mut self, other: &Self) {
-        let mut levels = std::mem::take(&mut self.levels);
-        levels.truncate(other.levels.len());
-        levels.iter_mut().zip(&other.levels).for_each(|(level, from)| {
-            // counting one that is shared already would take longer than all else
-            if !Arc::ptr_eq(level, from) {
-                *level = from.clone();
-            }
-        });
         let kept = levels.len();
         levels.reserve_exact(other.levels.len() - kept);
         levels.extend_from_slice(&other.levels[kept..]);
-        *self = Self { levels, ..*other };
+        *self = Self { levels, former, ..*other };
+    }
+
+    /// The backlog without its levels. From now on it keeps what returns them to what they are.
+    pub(crate) fn save_point(&mut self) -> Self {
+        self.former = Some(Former::Changed(Vec::new()));
+        Self { levels: Vec::new(), former: None, ..*self }
+    }
+
+    /// Returns to the last save point, which stays. `saved` is what that gave.
+    pub(crate) fn return_to_save_point(&mut self, saved: &Self) {
+        match self.former.take() {
+            Some(Former::Changed(former)) => restore(&mut self.levels, former),
+            Some(Former::All(levels)) => self.levels = levels,
+            None => {}
+        }
+        let former = Some(Former::Changed(Vec::new()));
+        *self = Self { levels: take(&mut self.levels), former, ..*saved };
+    }
+
+    /// Forgets the last save point.
+    pub(crate) fn forget_save_point(&mut self) {
+        self.former = None;
+    }
+
+    /// Takes everything out, to be worn off.
+    pub(crate) fn take(&mut self) -> Self {
+        let Some(former) = self.former.take() else { return take(self) };
+        let taken = take(self);
+        self.former = Some(match former {
+            Former::Changed(changed) => {
+                let mut levels = taken.levels.clone();
+                restore(&mut levels, changed);
+                Former::All(levels)
+            }
+            all => all,
+        });
+        taken
     }
 
     /// Whether all slip was under one depth (m).
@@ -169,7 +198,7 @@ impl WearBacklog {
         let amount = |value: f64| value >= 0.0 && value.is_finite();
         fn rises(mut bins: impl Iterator<Item = i64>) -> bool {
             let mut last = i64::MIN;
-            bins.all(|bin| std::mem::replace(&mut last, bin) < bin)
+            bins.all(|bin| replace(&mut last, bin) < bin)
         }
         let level = |level: &Level| {
             let numbers = [level.moment, level.constant, level.slope];
@@ -190,7 +219,7 @@ impl WearBacklog {
             && self.reference.is_finite()
             && self.levels.len() < MOST_BINS as usize
             && rises(self.levels.iter().map(|level| level.bin))
-            && self.levels.iter().map(|level| &**level).all(level)
+            && self.levels.iter().all(level)
     }
 
     /// Adds the slip of a straight line between two contacts and its friction work, J; says whether
@@ -226,11 +255,17 @@ impl WearBacklog {
             Err(place) => {
                 // there are many backlogs with few levels and hinges: no room that may stay empty
                 self.levels.reserve_exact(1);
-                self.levels.insert(place, Arc::new(Level::new(index)));
+                self.levels.insert(place, Level::new(index));
                 place
             }
         };
-        let level = Arc::make_mut(&mut self.levels[place]);
+        let level = &mut self.levels[place];
+        if let Some(Former::Changed(former)) = &mut self.former
+            && former.iter().all(|former| former.bin != index)
+        {
+            former.reserve_exact(1);
+            former.push(level.clone());
+        }
         level.slip += slip;
         level.moment += slip * depth;
         // the slope of E between knots, and the hinges where it changes
@@ -262,12 +297,24 @@ impl WearBacklog {
     }
 
     pub(super) fn levels(&self) -> impl Iterator<Item = &Level> {
-        self.levels.iter().map(|level| &**level)
+        self.levels.iter()
     }
 
     /// The slip path under one depth, in memory that is there.
     pub(super) fn law_into(&self, level: &Level, law: &mut SlipAtDepth) {
         level.law_into(self.reference, law);
+    }
+}
+
+/// Puts former levels in the place of those that they have become.
+fn restore(levels: &mut Vec<Level>, former: Vec<Level>) {
+    for level in former {
+        match (levels.binary_search_by_key(&level.bin, |level| level.bin), level.slip > 0.0) {
+            (Ok(place), true) => levels[place] = level,
+            (Ok(place), false) => drop(levels.remove(place)),
+            (Err(place), true) => levels.insert(place, level),
+            (Err(_), false) => {}
+        }
     }
 }
 
