@@ -30,7 +30,7 @@ pub(crate) struct Nodes {
     /// Cells across the contact that the nodes are meant to give.
     resolution: usize,
     /// The moving mesh among the nodes, where one has left its state here.
-    mesh: Option<MeshPlace>,
+    mesh: Option<Box<MeshPlace>>,
     /// Where one has done so before other motion: from which radius on (m) cells narrower than the
     /// second number (m) are its remains.
     remains: Option<(f64, f64)>,
@@ -82,7 +82,7 @@ impl Nodes {
 
     /// Place of the moving mesh whose state the nodes hold.
     pub(crate) fn mesh(&self) -> Option<MeshPlace> {
-        self.mesh
+        self.mesh.as_deref().copied()
     }
 
     /// Takes new image values with the depths they belong to, and brings the integrals up to date.
@@ -182,7 +182,7 @@ impl Nodes {
             let end = mesh.first.checked_add(mesh.cells);
             numbers && radius >= 0.0 && load >= 0.0 && mesh.cells > 0 && end.is_some_and(|end| end < count)
         };
-        if !(sized && placed && self.resolution == resolution && self.mesh.iter().all(meshed)) {
+        if !(sized && placed && self.resolution == resolution && self.mesh.as_deref().is_none_or(meshed)) {
             return false;
         }
         let mut same = self.clone();

@@ -89,7 +89,7 @@ impl Nodes {
 
     /// Whether a moving mesh ends with the last node.
     pub(crate) fn ends_with_mesh(&self) -> bool {
-        self.mesh.is_some_and(|mesh| mesh.first + mesh.cells == self.last())
+        self.mesh().is_some_and(|mesh| mesh.first + mesh.cells == self.last())
     }
 
     /// Appends nodes beyond a moving mesh that ends with the last.
@@ -108,6 +108,7 @@ impl Nodes {
     ) -> Self {
         let worn_load = vec![f64::NAN; x.len()];
         let (whole, square) = (Vec::new(), Vec::new());
+        let mesh = mesh.map(Box::new);
         Self { x, worn_image, depth, whole, worn_load, square, resolution, mesh, remains: None }
     }
 
@@ -119,7 +120,7 @@ impl Nodes {
     /// stay lines between its own nodes: more of them would change the volume.
     pub(crate) fn with(&self, others: &Self, share: f64, profile: &Profile) -> Self {
         let end = self.x[self.last()];
-        let edge = match others.mesh {
+        let edge = match others.mesh() {
             Some(mesh) if self.depth[self.last()] > 0.0 => others.x[mesh.first + mesh.cells],
             _ => f64::INFINITY,
         };
@@ -231,7 +232,7 @@ impl Nodes {
     /// rest: an even one of its own, or half an even one of the contact unless that would leave
     /// less than sixteen.
     fn remains_of_mesh(&self) -> Option<(f64, f64)> {
-        let mesh = self.mesh?;
+        let mesh = self.mesh()?;
         let (inner, edge) = (self.x[mesh.first], self.x[mesh.first + mesh.cells]);
         let (span, even) = (edge - inner, edge / self.resolution as f64);
         Some((0.5 * (inner + edge), (span / mesh.cells as f64).max((0.5 * even).min(span / 16.0))))
