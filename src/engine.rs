@@ -93,7 +93,8 @@ pub enum SlipState {
 /// ```
 #[derive(Debug, Clone)]
 pub struct FrettingContact {
-    model: Model,
+    /// That of many contacts, where they are equal.
+    model: Arc<Model>,
     surface: Surface,
     state: State,
     view: view::View,
@@ -103,7 +104,7 @@ pub struct FrettingContact {
 }
 
 impl FrettingContact {
-    fn on_surface(model: Model, surface: Surface) -> Self {
+    fn on_surface(model: Arc<Model>, surface: Surface) -> Self {
         let state = State::apart(&surface, &model);
         Self { model, surface, state, view: view::View::default(), memory: Memory::default(), mesh: None }
     }

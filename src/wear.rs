@@ -40,7 +40,7 @@ use crate::surface::{Contact, Surface};
 use std::f64::consts::PI;
 
 /// Constants that the update needs.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Constants {
     /// E*, Pa.
     pub(crate) normal_modulus: f64,

@@ -8,6 +8,7 @@ use crate::friction::Springs;
 use crate::parameters::Parameters;
 use crate::range;
 use crate::surface::{Contact, Surface};
+use std::sync::Arc;
 
 /// Construction and start.
 impl FrettingContact {
@@ -18,7 +19,7 @@ impl FrettingContact {
     pub fn new(parameters: Parameters) -> Result<Self, Error> {
         parameters.validate()?;
         let (model, body) = Model::new(parameters)?;
-        Ok(Self::on_surface(model, Surface::new(body)))
+        Ok(Self::on_surface(Arc::new(model), Surface::new(body)))
     }
 
     /// What the contact was built from.

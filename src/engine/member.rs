@@ -24,13 +24,17 @@ fn load_of(surface: &Surface, model: &Model, depth: f64) -> Result<(f64, f64), E
 
 impl FrettingContact {
     /// A contact of a model, with its own body in place of that of the parameters.
-    pub(crate) fn with_profile(model: &Model, profile: &Arc<Profile>) -> Self {
+    pub(crate) fn with_profile(model: &Arc<Model>, profile: &Arc<Profile>) -> Self {
         Self::on_surface(model.clone(), Surface::shared(profile.clone()))
     }
 
     /// Parameters that are equal to those of other contacts but for what the contact has itself.
-    pub(crate) fn share_parameters(&mut self, model: &Model) {
-        self.model.parameters = model.parameters.clone();
+    pub(crate) fn share_parameters(&mut self, model: &Arc<Model>) {
+        if *self.model == **model {
+            self.model = model.clone();
+        } else {
+            Arc::make_mut(&mut self.model).parameters = model.parameters.clone();
+        }
     }
 
     /// Places a body that has not touched yet, at a depth (m) above the other body.

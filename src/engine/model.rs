@@ -8,7 +8,7 @@ use crate::profile::Profile;
 use crate::wear::Constants;
 use std::sync::Arc;
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Model {
     pub(super) parameters: Arc<Parameters>,
     pub(super) constants: Constants,

@@ -69,9 +69,9 @@ impl FrettingContact {
             let mixed = this.state.former.mixed
                 || (former_wear_per_work != constants.wear_per_work && this.wear_volume() > 0.0);
             this.state.former = FormerWear { volumes: this.wear_volumes(), work: this.state.work, mixed };
-            this.model.parameters = Arc::new(new);
-            (this.model.constants, this.model.bound_slope, this.model.start_slope) =
-                (constants, bound_slope, bound_slope);
+            let model = Arc::make_mut(&mut this.model);
+            model.parameters = Arc::new(new);
+            (model.constants, model.bound_slope, model.start_slope) = (constants, bound_slope, bound_slope);
             let work = if this.state.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
             this.state.counters.spring_walks += 1;
             if let Some(wear) = &mut this.state.wear {

@@ -12,6 +12,7 @@ use crate::error::Error;
 use crate::parameters::Parameters;
 use crate::wear::Constants;
 use nalgebra::Vector2;
+use std::sync::Arc;
 
 /// Relative error of μ in a part of a line, or of cycles, at most.
 const ACCURACY: f64 = 1e-7;
@@ -78,7 +79,7 @@ impl FrettingContact {
     pub(super) fn follow_running_in(&mut self) {
         if self.runs_in() {
             self.set_friction(self.model.parameters.friction_coefficient_after(self.state.work));
-            self.model.start_slope = self.model.bound_slope;
+            self.keep_bound_slope();
         }
     }
 
@@ -89,8 +90,15 @@ impl FrettingContact {
     }
 
     fn set_friction(&mut self, coefficient: f64) {
-        self.model.constants.friction_coefficient = coefficient;
-        self.model.bound_slope = self.model.constants.bound_slope();
+        let model = Arc::make_mut(&mut self.model);
+        model.constants.friction_coefficient = coefficient;
+        model.bound_slope = model.constants.bound_slope();
+    }
+
+    /// The next line begins with the present bound.
+    fn keep_bound_slope(&mut self) {
+        let model = Arc::make_mut(&mut self.model);
+        model.start_slope = model.bound_slope;
     }
 
     /// Energy (J) that a part of a line may dissipate: x = ΔW/W_r of (μ_end − μ) x²/12 = ε μ, the
@@ -242,7 +250,7 @@ impl FrettingContact {
         let middle = self.without_wear().run_in_part(None, half)?.model.constants.friction_coefficient;
         let mut next = self.clone();
         next.set_friction(middle);
-        next.model.start_slope = next.model.bound_slope;
+        next.keep_bound_slope();
         advance(&mut next, cycles)?;
         next.follow_running_in();
         Ok(next)

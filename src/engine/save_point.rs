@@ -12,6 +12,7 @@ use crate::wear::WearBacklog;
 use nalgebra::Vector2;
 use std::mem::take;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// States to return to of some contacts.
 #[derive(Debug, Clone, Default)]
@@ -27,7 +28,7 @@ pub(crate) struct SavePoints {
 #[derive(Debug, Clone)]
 struct SavePoint {
     contact: usize,
-    model: Model,
+    model: Arc<Model>,
     surface: Surface,
     /// Without the arrays that follow.
     state: State,

@@ -18,6 +18,7 @@ use crate::surface::{Contact, Surface};
 use crate::wear::{Sliding, WearBacklog};
 use serde::{Deserialize, Serialize};
 use std::mem::take;
+use std::sync::Arc;
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct State {
@@ -126,7 +127,7 @@ fn copied<T: Clone>(to: Option<Box<T>>, from: &Option<Box<T>>, copy: impl Fn(&mu
 /// contact.
 #[derive(Debug, Clone)]
 pub(crate) struct Mark {
-    model: Model,
+    model: Arc<Model>,
     surface: Surface,
     state: State,
 }

@@ -26,7 +26,7 @@ pub(super) type Marks = Vec<(usize, Mark)>;
 #[derive(Debug, Clone)]
 pub(super) struct Members {
     /// That of every contact, under depth control; bodies are apart.
-    model: Model,
+    model: Arc<Model>,
     summits: Arc<[Summit]>,
     /// Contacts by rising offset.
     order: Arc<[u32]>,
@@ -68,7 +68,7 @@ impl Members {
         let mut order: Vec<u32> = (0..summits.len() as u32).collect();
         order.sort_by(|a, b| summits[*a as usize].offset.total_cmp(&summits[*b as usize].offset));
         Ok(Self {
-            model,
+            model: Arc::new(model),
             order: order.into(),
             profiles: profiles.into(),
             slots: vec![None; summits.len()],
@@ -117,7 +117,7 @@ impl Members {
     /// # Errors
     /// Those of [`FrettingContact::new`].
     pub(super) fn share(&mut self, parameters: &Parameters) -> Result<(), Error> {
-        (self.model, _) = Model::new(at_depth(parameters))?;
+        self.model = Arc::new(Model::new(at_depth(parameters))?.0);
         for contact in self.slots.iter_mut().flatten() {
             contact.share_parameters(&self.model);
         }
@@ -283,7 +283,7 @@ fn at_depth(parameters: &Parameters) -> Parameters {
     Parameters { normal_control: NormalControl::Indentation, ..parameters.clone() }
 }
 
-fn untouched(model: &Model, profile: &Arc<Profile>, summit: &Summit, pose: &Pose) -> FrettingContact {
+fn untouched(model: &Arc<Model>, profile: &Arc<Profile>, summit: &Summit, pose: &Pose) -> FrettingContact {
     let mut contact = FrettingContact::with_profile(model, profile);
     let depth = (pose.approach - summit.offset).min(contact.touch_depth());
     contact.place_apart(depth, summit.displacement(pose.displacement, pose.rotation));
