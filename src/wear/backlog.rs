@@ -8,9 +8,12 @@
 //! place, so a repeated motion stays exact, and the slip of a stroke does not depend on the steps
 //! that it is made of.
 
+mod levels;
+
 use super::Sliding;
 use crate::friction::SlipPiece;
 use crate::surface::Contact;
+use levels::{Level, Levels};
 use serde::{Deserialize, Serialize};
 use std::mem::{replace, take};
 
@@ -36,7 +39,7 @@ const MOST_BINS: i64 = 2048 << BITS;
 
 /// Hinges of one bin, which is that of their places.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Hinge {
+pub(super) struct Hinge {
     /// Σ C.
     sum: f64,
     /// Σ C y of their places y = reference − g, m.
@@ -45,29 +48,12 @@ struct Hinge {
     range: (f64, f64),
 }
 
-/// Slip under one indentation depth.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct Level {
-    pub(super) bin: i64,
-    /// Σ ∫ e dx, m².
-    pub(super) slip: f64,
-    /// Σ d ∫ e dx, m³.
-    moment: f64,
-    /// Slip of a spring at the reference depth, m, as the innermost springs go on.
-    constant: f64,
-    /// dE/dg of the innermost springs.
-    slope: f64,
-    /// In the order of their bins.
-    hinges: Vec<Hinge>,
-}
-
 /// Slip and friction work since the last profile update.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(crate) struct WearBacklog {
     /// Depth at the first slip, m: images are counted from here.
     reference: f64,
-    /// In the order of their bins.
-    levels: Vec<Level>,
+    levels: Levels,
     /// Friction work, J.
     pub(crate) work: f64,
     /// Largest contact radius, m.
@@ -79,11 +65,11 @@ pub(crate) struct WearBacklog {
 
 /// Levels as they were at a save point.
 #[derive(Debug, Clone, PartialEq)]
-enum Former {
+struct Former {
     /// Those that have changed since; one that did not exist has no slip.
-    Changed(Vec<Level>),
-    /// All of them: the backlog has been worn off since.
-    All(Vec<Level>),
+    levels: Levels,
+    /// Whether these are all: the backlog has been worn off since.
+    all: bool,
 }
 
 /// A motion that repeats at constant load, and how much of it.
@@ -135,33 +121,26 @@ impl WearBacklog {
     /// Becomes a copy of another backlog in its own memory. Its save point stays.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         let (mut levels, former) = (take(&mut self.levels), self.former.take());
-        levels.truncate(other.levels.len());
-        for (level, from) in levels.iter_mut().zip(&other.levels) {
-            let mut hinges = take(&mut level.hinges);
-            hinges.clone_from(&from.hinges);
-            *level = Level { hinges, ..*from };
-        }
-        let kept = levels.len();
-        levels.reserve_exact(other.levels.len() - kept);
-        levels.extend_from_slice(&other.levels[kept..]);
+        levels.copy_from(&other.levels);
         *self = Self { levels, former, ..*other };
     }
 
     /// The backlog without its levels. From now on it keeps what returns them to what they are.
     pub(crate) fn save_point(&mut self) -> Self {
-        self.former = Some(Former::Changed(Vec::new()));
-        Self { levels: Vec::new(), former: None, ..*self }
+        self.former = Some(Former { levels: Levels::default(), all: false });
+        Self { levels: Levels::default(), former: None, ..*self }
     }
 
     /// Returns to the last save point, which stays. `saved` is what that gave.
     pub(crate) fn return_to_save_point(&mut self, saved: &Self) {
+        let mut levels = take(&mut self.levels);
         match self.former.take() {
-            Some(Former::Changed(former)) => restore(&mut self.levels, former),
-            Some(Former::All(levels)) => self.levels = levels,
+            Some(Former { levels: former, all: false }) => levels.restore(&former),
+            Some(Former { levels: former, all: true }) => levels = former,
             None => {}
         }
-        let former = Some(Former::Changed(Vec::new()));
-        *self = Self { levels: take(&mut self.levels), former, ..*saved };
+        let former = Some(Former { levels: Levels::default(), all: false });
+        *self = Self { levels, former, ..*saved };
     }
 
     /// Forgets the last save point.
@@ -171,44 +150,42 @@ impl WearBacklog {
 
     /// Takes everything out, to be worn off.
     pub(crate) fn take(&mut self) -> Self {
-        let Some(former) = self.former.take() else { return take(self) };
+        let former = self.former.take();
         let taken = take(self);
-        self.former = Some(match former {
-            Former::Changed(changed) => {
-                let mut levels = taken.levels.clone();
-                restore(&mut levels, changed);
-                Former::All(levels)
+        self.former = former.map(|former| {
+            if former.all {
+                return former;
             }
-            all => all,
+            let mut levels = taken.levels.clone();
+            levels.restore(&former.levels);
+            Former { levels, all: true }
         });
         taken
     }
 
     /// Whether all slip was under one depth (m).
     pub(crate) fn is_at(&self, depth: f64) -> bool {
-        match &self.levels[..] {
-            [] => true,
-            [level] => (level.moment - depth * level.slip).abs() <= SAME * (depth * level.slip).abs(),
-            _ => false,
-        }
+        let is_at =
+            |level: &Level| (level.moment - depth * level.slip).abs() <= SAME * (depth * level.slip).abs();
+        self.levels.len() <= 1 && self.levels().all(|(level, _)| is_at(level))
     }
 
     /// Numbers that a backlog can have.
     pub(crate) fn is_sound(&self) -> bool {
         let amount = |value: f64| value >= 0.0 && value.is_finite();
-        fn rises(mut bins: impl Iterator<Item = i64>) -> bool {
-            let mut last = i64::MIN;
+        fn rises(mut bins: impl Iterator<Item = i32>) -> bool {
+            let mut last = i32::MIN;
             bins.all(|bin| replace(&mut last, bin) < bin)
         }
-        let level = |level: &Level| {
+        let level = |(level, hinges): (&Level, &[Hinge])| {
             let numbers = [level.moment, level.constant, level.slope];
             amount(level.slip)
                 && level.slip > 0.0
                 && numbers.iter().all(|value| value.is_finite())
-                && level.bin.abs() < MOST_BINS
-                && level.hinges.len() < MOST_BINS as usize
-                && level.hinges.windows(2).all(|pair| pair[0].range.1 < pair[1].range.0)
-                && level.hinges.iter().all(|h| {
+                && i64::from(level.bin).abs() < MOST_BINS
+                && hinges.len() < MOST_BINS as usize
+                && hinges.windows(2).all(|pair| pair[0].range.1 < pair[1].range.0)
+                && hinges.iter().all(|h| {
                     let numbers = [h.sum, h.moment, h.range.0, h.range.1];
                     h.range.0 <= h.range.1 && numbers.iter().all(|value| value.is_finite())
                 })
@@ -218,8 +195,8 @@ impl WearBacklog {
             && amount(self.radius)
             && self.reference.is_finite()
             && self.levels.len() < MOST_BINS as usize
-            && rises(self.levels.iter().map(|level| level.bin))
-            && self.levels.iter().all(level)
+            && rises(self.levels().map(|(level, _)| level.bin))
+            && self.levels().all(level)
     }
 
     /// Adds the slip of a straight line between two contacts and its friction work, J; says whether
@@ -249,23 +226,15 @@ impl WearBacklog {
         }
         let reference = self.reference;
         let least = OF_PLACES.least(reference - tip);
-        let index = OF_DEPTHS.index(depth - tip, OF_DEPTHS.least(reference - tip));
-        let place = match self.levels.binary_search_by_key(&index, |level| level.bin) {
-            Ok(place) => place,
-            Err(place) => {
-                // there are many backlogs with few levels and hinges: no room that may stay empty
-                self.levels.reserve_exact(1);
-                self.levels.insert(place, Level::new(index));
-                place
-            }
-        };
-        let level = &mut self.levels[place];
-        if let Some(Former::Changed(former)) = &mut self.former
-            && former.iter().all(|former| former.bin != index)
-        {
-            former.reserve_exact(1);
-            former.push(level.clone());
+        let index = OF_DEPTHS.index(depth - tip, OF_DEPTHS.least(reference - tip)) as i32;
+        let at = self.levels.find(index).unwrap_or_else(|place| {
+            self.levels.insert(place, Level::new(index), &[]);
+            place
+        });
+        if let Some(Former { levels: former, all: false }) = &mut self.former {
+            former.keep(&self.levels, at);
         }
+        let level = self.levels.level(at);
         level.slip += slip;
         level.moment += slip * depth;
         // the slope of E between knots, and the hinges where it changes
@@ -275,14 +244,15 @@ impl WearBacklog {
             let ((g0, g1), (e0, e1)) = (piece.image, piece.slip);
             let next = if g1 - g0 > flat { (e1 - e0) / (g1 - g0) } else { 0.0 };
             if k == 0 && g0 <= tip + flat {
+                let level = self.levels.level(at);
                 level.constant += e0 + next * (reference - g0);
                 level.slope += next;
             } else {
                 if k > 0 && g0 > end + flat {
-                    level.hinge(-slope, reference - end, least);
+                    self.levels.add_hinge(at, -slope, reference - end, least);
                     slope = 0.0;
                 }
-                level.hinge(next - slope, reference - g0, least);
+                self.levels.add_hinge(at, next - slope, reference - g0, least);
             }
             (slope, end) = (next, g1);
         }
@@ -292,68 +262,29 @@ impl WearBacklog {
     /// The slip path under each depth, m, as functions of g.
     pub(crate) fn law(&self) -> Vec<SlipAtDepth> {
         let mut law = vec![SlipAtDepth::default(); self.levels.len()];
-        law.iter_mut().zip(&self.levels).for_each(|(law, level)| self.law_into(level, law));
+        law.iter_mut().zip(self.levels()).for_each(|(law, level)| self.law_into(level, law));
         law
     }
 
-    pub(super) fn levels(&self) -> impl Iterator<Item = &Level> {
+    /// The levels, each with its hinges.
+    pub(super) fn levels(&self) -> impl Iterator<Item = (&Level, &[Hinge])> {
         self.levels.iter()
     }
 
     /// The slip path under one depth, in memory that is there.
-    pub(super) fn law_into(&self, level: &Level, law: &mut SlipAtDepth) {
-        level.law_into(self.reference, law);
-    }
-}
-
-/// Puts former levels in the place of those that they have become.
-fn restore(levels: &mut Vec<Level>, former: Vec<Level>) {
-    for level in former {
-        match (levels.binary_search_by_key(&level.bin, |level| level.bin), level.slip > 0.0) {
-            (Ok(place), true) => levels[place] = level,
-            (Ok(place), false) => drop(levels.remove(place)),
-            (Err(place), true) => levels.insert(place, level),
-            (Err(_), false) => {}
-        }
+    pub(super) fn law_into(&self, (level, hinges): (&Level, &[Hinge]), law: &mut SlipAtDepth) {
+        level.law_into(hinges, self.reference, law);
     }
 }
 
 impl Level {
-    fn new(bin: i64) -> Self {
-        Self { bin, slip: 0.0, moment: 0.0, constant: 0.0, slope: 0.0, hinges: Vec::new() }
-    }
-
-    fn hinge(&mut self, slope: f64, place: f64, least: i64) {
-        if slope == 0.0 {
-            return;
-        }
-        let index = OF_PLACES.index(place, least);
-        match self.hinges.binary_search_by_key(&index, |hinge| OF_PLACES.index(hinge.range.0, least)) {
-            Ok(k) => {
-                let hinge = &mut self.hinges[k];
-                hinge.sum += slope;
-                hinge.moment += slope * place;
-                let (low, high) = hinge.range;
-                hinge.range = (low.min(place), high.max(place));
-                // a knot of the springs bends what slips one way, and unbends it on the way back
-                if hinge.range.0 == hinge.range.1 && hinge.sum.abs() <= CANCELLED * slope.abs() {
-                    self.hinges.remove(k);
-                }
-            }
-            Err(k) => {
-                self.hinges.reserve_exact(1);
-                self.hinges.insert(k, Hinge { sum: slope, moment: slope * place, range: (place, place) });
-            }
-        }
-    }
-
-    fn law_into(&self, reference: f64, law: &mut SlipAtDepth) {
+    fn law_into(&self, hinges: &[Hinge], reference: f64, law: &mut SlipAtDepth) {
         let knots = &mut law.knots;
         knots.clear();
         // what strokes that cancel leave in their bins is rounding
-        let largest = self.hinges.iter().map(|hinge| hinge.sum.abs()).fold(self.slope.abs(), f64::max);
+        let largest = hinges.iter().map(|hinge| hinge.sum.abs()).fold(self.slope.abs(), f64::max);
         let rounding = CANCELLED * largest;
-        for hinge in &self.hinges {
+        for hinge in hinges {
             let (low, high) = hinge.range;
             let mean = hinge.moment / hinge.sum;
             let slack = SAME * low.abs().max(high.abs());

@@ -10,7 +10,7 @@ use crate::transform::Scratch;
 /// The wear of the slip under one depth.
 #[derive(Debug)]
 struct LevelWear {
-    bin: i64,
+    bin: i32,
     /// Σ ∫ e dx of the slip in the law, m².
     slip: f64,
     law: SlipAtDepth,
@@ -41,14 +41,14 @@ impl FirstOrderWear {
     /// (m) of the innermost spring that has slipped.
     pub(crate) fn read(&mut self, backlog: &WearBacklog) -> f64 {
         let mut front = f64::INFINITY;
-        for (k, level) in backlog.levels().enumerate() {
+        for (k, (level, hinges)) in backlog.levels().enumerate() {
             if self.levels.get(k).is_none_or(|known| known.bin != level.bin) {
                 self.levels.insert(k, LevelWear::new(level.bin));
             }
             let known = &mut self.levels[k];
             if known.slip != level.slip {
                 (known.slip, known.is_stale) = (level.slip, true);
-                backlog.law_into(level, &mut known.law);
+                backlog.law_into((level, hinges), &mut known.law);
             }
             front = front.min(known.law.front());
         }
@@ -105,7 +105,7 @@ impl FirstOrderWear {
 }
 
 impl LevelWear {
-    fn new(bin: i64) -> Self {
+    fn new(bin: i32) -> Self {
         Self {
             bin,
             slip: 0.0,

@@ -142,20 +142,23 @@ fn a_save_point_returns_the_levels() {
 /// is not kept, and the law is as without it.
 #[test]
 fn hinges_that_cancel_leave_the_backlog() {
+    let mut levels = Levels::default();
     let mut level = Level::new(0);
-    let least = OF_PLACES.least(DEPTH);
-    level.hinge(-2.0, 0.5 * DEPTH, least);
-    let one = level.hinges.clone();
-    for slope in [0.7, 0.1, -0.8] {
-        level.hinge(slope, 0.25 * DEPTH, least);
-    }
-    assert_eq!(level.hinges, one);
-    // two places in one bin that cancel are a step of the slip
-    level.hinge(2.0, 0.5001 * DEPTH, least);
-    assert_eq!(level.hinges.len(), 1);
     (level.slip, level.moment) = (1.0, DEPTH);
+    levels.insert(0, level, &[]);
+    let least = OF_PLACES.least(DEPTH);
+    levels.add_hinge(0, -2.0, 0.5 * DEPTH, least);
+    let one = levels.clone();
+    for slope in [0.7, 0.1, -0.8] {
+        levels.add_hinge(0, slope, 0.25 * DEPTH, least);
+    }
+    assert_eq!(levels, one);
+    // two places in one bin that cancel are a step of the slip
+    levels.add_hinge(0, 2.0, 0.5001 * DEPTH, least);
+    let (level, hinges) = levels.iter().next().expect("there is a level");
+    assert_eq!(hinges.len(), 1);
     let mut law = SlipAtDepth::default();
-    level.law_into(DEPTH, &mut law);
+    level.law_into(hinges, DEPTH, &mut law);
     let (step, slip) = (2e-4 * DEPTH, law.at(0.9 * DEPTH).0);
     assert!((slip / step - 1.0).abs() < 1e-9, "{slip:e} {step:e}");
 }
@@ -184,7 +187,7 @@ fn a_random_history_leaves_a_bounded_backlog() {
     };
     let ends: Vec<f64> = (0..4000).map(|_| (1.6 * random() - 0.8) * M * DEPTH).collect();
     let entries =
-        |count: usize| strokes(&ends[..count], 3).levels.iter().map(|l| l.hinges.len()).sum::<usize>();
+        |count: usize| strokes(&ends[..count], 3).levels().map(|(_, hinges)| hinges.len()).sum::<usize>();
     let (short, long) = (entries(2000), entries(4000));
     assert!(long <= (OF_PLACES.octaves << BITS) as usize && long <= short + 16, "{short} {long}");
 }

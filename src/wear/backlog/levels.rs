@@ -1,0 +1,182 @@
+//! The levels of a backlog and their hinges, each in one array: there are many backlogs, and few
+//! hinges at each level.
+
+use super::{CANCELLED, Hinge, OF_PLACES};
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// Slip under one indentation depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::wear) struct Level {
+    pub(in crate::wear) bin: i32,
+    /// Number of hinges.
+    hinges: u32,
+    /// Σ ∫ e dx, m².
+    pub(in crate::wear) slip: f64,
+    /// Σ d ∫ e dx, m³.
+    pub(super) moment: f64,
+    /// Slip of a spring at the reference depth, m, as the innermost springs go on.
+    pub(super) constant: f64,
+    /// dE/dg of the innermost springs.
+    pub(super) slope: f64,
+}
+
+/// Levels in the order of their bins.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(from = "Vec<SavedLevel>", into = "Vec<SavedLevel>")]
+pub(super) struct Levels {
+    levels: Vec<Level>,
+    /// Those of all levels in turn, at each in the order of their bins.
+    hinges: Vec<Hinge>,
+}
+
+/// A level in a saved state.
+#[derive(Serialize, Deserialize)]
+#[serde(rename = "Level")]
+struct SavedLevel {
+    bin: i64,
+    slip: f64,
+    moment: f64,
+    constant: f64,
+    slope: f64,
+    hinges: Vec<Hinge>,
+}
+
+impl From<Vec<SavedLevel>> for Levels {
+    fn from(saved: Vec<SavedLevel>) -> Self {
+        let mut levels = Self::default();
+        for SavedLevel { bin, slip, moment, constant, slope, hinges } in saved {
+            // a number beyond all bins is refused with the state
+            let bin = i32::try_from(bin).unwrap_or(i32::MAX);
+            let level = Level { slip, moment, constant, slope, ..Level::new(bin) };
+            levels.insert(levels.len(), level, &hinges);
+        }
+        levels
+    }
+}
+
+impl From<Levels> for Vec<SavedLevel> {
+    fn from(levels: Levels) -> Self {
+        let saved = |(level, hinges): (&Level, &[Hinge])| {
+            let Level { bin, slip, moment, constant, slope, .. } = *level;
+            SavedLevel { bin: bin.into(), slip, moment, constant, slope, hinges: hinges.to_vec() }
+        };
+        levels.iter().map(saved).collect()
+    }
+}
+
+impl Level {
+    pub(super) fn new(bin: i32) -> Self {
+        Self { bin, hinges: 0, slip: 0.0, moment: 0.0, constant: 0.0, slope: 0.0 }
+    }
+}
+
+impl Levels {
+    pub(super) fn len(&self) -> usize {
+        self.levels.len()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.levels.is_empty()
+    }
+
+    /// The levels, each with its hinges.
+    pub(super) fn iter(&self) -> impl Iterator<Item = (&Level, &[Hinge])> {
+        let mut others = &self.hinges[..];
+        self.levels.iter().map(move |level| {
+            let (own, rest) = others.split_at(level.hinges as usize);
+            others = rest;
+            (level, own)
+        })
+    }
+
+    /// Place of a bin, or where it would be.
+    pub(super) fn find(&self, bin: i32) -> Result<usize, usize> {
+        self.levels.binary_search_by_key(&bin, |level| level.bin)
+    }
+
+    pub(super) fn level(&mut self, place: usize) -> &mut Level {
+        &mut self.levels[place]
+    }
+
+    /// Places of the hinges of a level.
+    fn hinges_of(&self, place: usize) -> Range<usize> {
+        let first = self.levels[..place].iter().map(|level| level.hinges as usize).sum();
+        first..first + self.levels.get(place).map_or(0, |level| level.hinges as usize)
+    }
+
+    /// Puts a level with its hinges in a place, before those from there on.
+    pub(super) fn insert(&mut self, place: usize, level: Level, hinges: &[Hinge]) {
+        let first = self.hinges_of(place).start;
+        // no room that may stay empty
+        self.levels.reserve_exact(1);
+        self.levels.insert(place, Level { hinges: hinges.len() as u32, ..level });
+        self.hinges.reserve_exact(hinges.len());
+        self.hinges.splice(first..first, hinges.iter().copied());
+    }
+
+    fn remove(&mut self, place: usize) {
+        self.hinges.drain(self.hinges_of(place));
+        self.levels.remove(place);
+    }
+
+    /// Becomes a copy of other levels in its own memory.
+    pub(super) fn copy_from(&mut self, other: &Self) {
+        self.levels.clone_from(&other.levels);
+        self.hinges.clone_from(&other.hinges);
+    }
+
+    /// Adds a copy of another's level in a place, unless there is one of its bin.
+    pub(super) fn keep(&mut self, other: &Self, place: usize) {
+        let level = other.levels[place];
+        if let Err(free) = self.find(level.bin) {
+            self.insert(free, level, &other.hinges[other.hinges_of(place)]);
+        }
+    }
+
+    /// Puts former levels in the place of those that they have become; one without slip did not
+    /// exist.
+    pub(super) fn restore(&mut self, former: &Self) {
+        for (level, hinges) in former.iter() {
+            let found = self.find(level.bin);
+            if let Ok(place) = found {
+                self.remove(place);
+            }
+            if level.slip > 0.0 {
+                let place = found.unwrap_or_else(|place| place);
+                self.insert(place, *level, hinges);
+            }
+        }
+    }
+
+    /// Adds a hinge to a level: a slope that begins at a place, m. `least` is the lowest bin.
+    pub(super) fn add_hinge(&mut self, level: usize, slope: f64, place: f64, least: i64) {
+        if slope == 0.0 {
+            return;
+        }
+        let own = self.hinges_of(level);
+        let count = &mut self.levels[level].hinges;
+        let index = OF_PLACES.index(place, least);
+        let bin_of = |hinge: &Hinge| OF_PLACES.index(hinge.range.0, least);
+        match self.hinges[own.clone()].binary_search_by_key(&index, bin_of) {
+            Ok(k) => {
+                let hinge = &mut self.hinges[own.start + k];
+                hinge.sum += slope;
+                hinge.moment += slope * place;
+                let (low, high) = hinge.range;
+                hinge.range = (low.min(place), high.max(place));
+                // a knot of the springs bends what slips one way, and unbends it on the way back
+                if hinge.range.0 == hinge.range.1 && hinge.sum.abs() <= CANCELLED * slope.abs() {
+                    self.hinges.remove(own.start + k);
+                    *count -= 1;
+                }
+            }
+            Err(k) => {
+                let hinge = Hinge { sum: slope, moment: slope * place, range: (place, place) };
+                self.hinges.reserve_exact(1);
+                self.hinges.insert(own.start + k, hinge);
+                *count += 1;
+            }
+        }
+    }
+}
