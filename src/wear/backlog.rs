@@ -234,9 +234,9 @@ impl WearBacklog {
         if let Some(Former { levels: former, all: false }) = &mut self.former {
             former.keep(&self.levels, at);
         }
-        let level = self.levels.level(at);
-        level.slip += slip;
-        level.moment += slip * depth;
+        let mut at_depth = self.levels.level(at);
+        at_depth.level.slip += slip;
+        at_depth.level.moment += slip * depth;
         // the slope of E between knots, and the hinges where it changes
         let (mut slope, mut end) = (0.0, f64::NEG_INFINITY);
         let flat = 1e-13 * (reference - tip).abs();
@@ -244,15 +244,14 @@ impl WearBacklog {
             let ((g0, g1), (e0, e1)) = (piece.image, piece.slip);
             let next = if g1 - g0 > flat { (e1 - e0) / (g1 - g0) } else { 0.0 };
             if k == 0 && g0 <= tip + flat {
-                let level = self.levels.level(at);
-                level.constant += e0 + next * (reference - g0);
-                level.slope += next;
+                at_depth.level.constant += e0 + next * (reference - g0);
+                at_depth.level.slope += next;
             } else {
                 if k > 0 && g0 > end + flat {
-                    self.levels.add_hinge(at, -slope, reference - end, least);
+                    at_depth.add_hinge(-slope, reference - end, least);
                     slope = 0.0;
                 }
-                self.levels.add_hinge(at, next - slope, reference - g0, least);
+                at_depth.add_hinge(next - slope, reference - g0, least);
             }
             (slope, end) = (next, g1);
         }

@@ -168,6 +168,30 @@ fn a_step_that_wears_too_much_changes_nothing() {
     joint.advance_to(400.0, [motion(150).1, 0.0], 0.0).unwrap();
 }
 
+/// One contact that is pressed beyond its profile takes back what another has slipped and worn: the
+/// interface goes on as one that was never asked.
+#[test]
+fn a_step_beyond_a_profile_takes_the_slip_of_others_back() {
+    // the second body is known up to 0.1 mm only
+    let summits = [1.0, 0.25].map(|radius_factor| Summit { radius_factor, ..Summit::at_offset(0.0) });
+    let parameters = Parameters {
+        profile: Profile::Table(crate::common::sampled_sphere(100)),
+        normal_control: NormalControl::Indentation,
+        ..worn(3.2e-1)
+    };
+    let mut joint = Interface::new(parameters, &summits).unwrap();
+    let mut unasked = joint.clone();
+    for k in 0..300 {
+        let (load, u) = motion(k);
+        for joint in [&mut joint, &mut unasked] {
+            joint.advance_to(2.5e-6 * load, [u, 0.0], 0.0).unwrap();
+        }
+        joint.advance_to(6e-6, [-u, 0.0], 0.0).unwrap_err();
+    }
+    assert!(joint.counters().profile_updates > 10, "{}", joint.counters());
+    assert_eq!(joint.snapshot(), unasked.snapshot());
+}
+
 #[test]
 fn a_saved_state_with_wear_goes_on_to_the_same_bits() {
     let summits = rough(15, 3e-6);

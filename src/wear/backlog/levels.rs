@@ -95,8 +95,10 @@ impl Levels {
         self.levels.binary_search_by_key(&bin, |level| level.bin)
     }
 
-    pub(super) fn level(&mut self, place: usize) -> &mut Level {
-        &mut self.levels[place]
+    /// The level in a place, to be changed.
+    pub(super) fn level(&mut self, place: usize) -> LevelMut<'_> {
+        let first = self.hinges_of(place).start;
+        LevelMut { level: &mut self.levels[place], first, hinges: &mut self.hinges }
     }
 
     /// Places of the hinges of a level.
@@ -148,34 +150,44 @@ impl Levels {
             }
         }
     }
+}
 
-    /// Adds a hinge to a level: a slope that begins at a place, m. `least` is the lowest bin.
-    pub(super) fn add_hinge(&mut self, level: usize, slope: f64, place: f64, least: i64) {
+/// A level and its hinges, to be changed.
+pub(super) struct LevelMut<'a> {
+    pub(super) level: &'a mut Level,
+    /// Place of its first hinge.
+    first: usize,
+    /// Those of all levels.
+    hinges: &'a mut Vec<Hinge>,
+}
+
+impl LevelMut<'_> {
+    /// Adds a hinge: a slope that begins at a place, m. `least` is the lowest bin.
+    pub(super) fn add_hinge(&mut self, slope: f64, place: f64, least: i64) {
         if slope == 0.0 {
             return;
         }
-        let own = self.hinges_of(level);
-        let count = &mut self.levels[level].hinges;
+        let own = self.first..self.first + self.level.hinges as usize;
         let index = OF_PLACES.index(place, least);
         let bin_of = |hinge: &Hinge| OF_PLACES.index(hinge.range.0, least);
-        match self.hinges[own.clone()].binary_search_by_key(&index, bin_of) {
+        match self.hinges[own].binary_search_by_key(&index, bin_of) {
             Ok(k) => {
-                let hinge = &mut self.hinges[own.start + k];
+                let hinge = &mut self.hinges[self.first + k];
                 hinge.sum += slope;
                 hinge.moment += slope * place;
                 let (low, high) = hinge.range;
                 hinge.range = (low.min(place), high.max(place));
                 // a knot of the springs bends what slips one way, and unbends it on the way back
                 if hinge.range.0 == hinge.range.1 && hinge.sum.abs() <= CANCELLED * slope.abs() {
-                    self.hinges.remove(own.start + k);
-                    *count -= 1;
+                    self.hinges.remove(self.first + k);
+                    self.level.hinges -= 1;
                 }
             }
             Err(k) => {
                 let hinge = Hinge { sum: slope, moment: slope * place, range: (place, place) };
                 self.hinges.reserve_exact(1);
-                self.hinges.insert(own.start + k, hinge);
-                *count += 1;
+                self.hinges.insert(self.first + k, hinge);
+                self.level.hinges += 1;
             }
         }
     }

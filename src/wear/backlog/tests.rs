@@ -147,14 +147,14 @@ fn hinges_that_cancel_leave_the_backlog() {
     (level.slip, level.moment) = (1.0, DEPTH);
     levels.insert(0, level, &[]);
     let least = OF_PLACES.least(DEPTH);
-    levels.add_hinge(0, -2.0, 0.5 * DEPTH, least);
+    levels.level(0).add_hinge(-2.0, 0.5 * DEPTH, least);
     let one = levels.clone();
     for slope in [0.7, 0.1, -0.8] {
-        levels.add_hinge(0, slope, 0.25 * DEPTH, least);
+        levels.level(0).add_hinge(slope, 0.25 * DEPTH, least);
     }
     assert_eq!(levels, one);
     // two places in one bin that cancel are a step of the slip
-    levels.add_hinge(0, 2.0, 0.5001 * DEPTH, least);
+    levels.level(0).add_hinge(2.0, 0.5001 * DEPTH, least);
     let (level, hinges) = levels.iter().next().expect("there is a level");
     assert_eq!(hinges.len(), 1);
     let mut law = SlipAtDepth::default();
