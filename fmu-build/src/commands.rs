@@ -213,18 +213,18 @@ impl Setup<'_> {
         })
     }
 
-    /// Builds the FMU for some platforms and runs all tests. On two cores most of the time is
-    /// compiling, so that nothing waits: the master in Rust and the tests of Rust are compiled
-    /// beside the library; the tests of Python, which take one core, run beside those of Rust, and
-    /// their output follows.
-    pub(crate) fn test(&self, platforms: &[&Platform]) -> Result<()> {
+    /// Builds the FMU for some platforms and runs all tests, with the master in Rust where that is
+    /// asked for. On two cores most of the time is compiling, so that nothing waits: the tests of
+    /// Rust are compiled beside the library; the tests of Python, which take one core, run beside
+    /// those of Rust, and their output follows.
+    pub(crate) fn test(&self, platforms: &[&Platform], with_rust_master: bool) -> Result<()> {
         let started = Instant::now();
         let (mut rust, mut python) = (Totals::default(), Totals::default());
         let rust_result = thread::scope(|scope| {
             let (sender, rust_master) = mpsc::channel();
             let compiler = scope.spawn(move || {
                 // nobody listens any more where there is no FMU
-                let _ = sender.send(self.rust_master());
+                let _ = sender.send(with_rust_master.then(|| self.rust_master()));
                 // what cannot be compiled is reported where the tests are run
                 let _ = run_quietly(&Step::hidden(), self.rust_tests_command(&PROGRAMS, &["--no-run"]));
             });
@@ -232,7 +232,8 @@ impl Setup<'_> {
 
             let mut python_tests = process::command(std::env::current_exe()?);
             python_tests.arg("test-python").arg(&fmu);
-            if let Ok(Ok(program)) = rust_master.recv() {
+            if let Ok(Some(program)) = rust_master.recv() {
+                let program = program.context("the master in Rust cannot be built")?;
                 python_tests.env(RUST_MASTER_VARIABLE, program);
             }
             let (sender, python_lines) = mpsc::channel();
@@ -291,19 +292,9 @@ impl Setup<'_> {
         for extra in EXTRAS {
             self.install_if_possible(extra);
         }
-        let rust_master = match std::env::var_os(RUST_MASTER_VARIABLE) {
-            Some(program) => Ok(PathBuf::from(program)),
-            None => self.rust_master(),
-        };
-        if let Err(problem) = &rust_master {
-            eprintln!("The master in Rust: not tested, since it cannot be built: {problem:#}");
-        }
         let mut pytest = venv.python();
         let cache = self.workspace.product("pytest");
         pytest.args(["-m", "pytest", "tests/python", "-o"]).arg(format!("cache_dir={}", cache.display()));
-        if let Ok(program) = rust_master {
-            pytest.env(RUST_MASTER_VARIABLE, program);
-        }
         // skipped tests are listed by name
         pytest.arg("-rs").env("FRETTING_FMU_BUILD", std::env::current_exe()?);
         pytest.env("FRETTING_FMU", fmu).env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");

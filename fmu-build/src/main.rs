@@ -90,12 +90,15 @@ enum Task {
     },
     /// Error against run time, and stability of extreme scenes; pages and pictures go to reports
     Report,
-    /// Build, then run every test there is: Rust and Python
+    /// Build, then run the tests of Rust and Python
     Test {
         /// Platform folders to build the tested FMU for; those of other machines are run under
         /// their emulators
         #[arg(long, value_delimiter = ',', value_name = "FOLDER")]
         platforms: Vec<String>,
+        /// Drive the FMU with the master in Rust, too, whose importer is long to compile
+        #[arg(long)]
+        rust_master: bool,
     },
     /// Run the Python tests on an FMU
     TestPython {
@@ -191,9 +194,9 @@ fn run(task: Task) -> Result<()> {
         }
         Task::Profile { arguments } => commands::profile(&workspace, &arguments)?,
         Task::Report => commands::set_up(&workspace)?.report()?,
-        Task::Test { platforms } => {
+        Task::Test { platforms, rust_master } => {
             let platforms = Platform::requested(&platforms)?;
-            commands::set_up(&workspace)?.test(&platforms)?;
+            commands::set_up(&workspace)?.test(&platforms, rust_master)?;
         }
         Task::TestPython { path } => {
             let path = std::path::absolute(path.unwrap_or_else(|| workspace.fmu()))?;

@@ -8,5 +8,5 @@ from task import missing
 
 program = os.environ.get("FRETTING_RUST_MASTER")
 if program is None:
-    missing("FRETTING_RUST_MASTER, the path of the master in Rust")
+    missing("the master in Rust: `cargo fmu test --rust-master` builds and runs it")
 sys.exit(subprocess.run([program], check=False).returncode)
