@@ -1,8 +1,8 @@
 //! What an interface of many contacts costs: the time of a step of a thousand summits under a load
 //! that varies, without wear and with it, at two resolutions and at ten times the wear; the memory
-//! of each; and the time of 10⁵ cycles in one call, which takes blocks at constant approach. Time
-//! is in proportion to the numbers of contacts and of steps, so that the scene of tenfold wear has
-//! 1000 steps, and that of cycles 50 contacts.
+//! of each, and the size of its saved state; and the time of 10⁵ cycles in one call, which takes
+//! blocks at constant approach. Time is in proportion to the numbers of contacts and of steps, so
+//! that the scene of tenfold wear has 1000 steps, and that of cycles 50 contacts.
 //!
 //! `cargo bench --bench interface --no-default-features`, about a minute beside other work; a word
 //! after `--` runs the scenes whose name has it. With `--features threads` on all cores. Bytes are
@@ -55,11 +55,13 @@ fn run(name: &str, parameters: Parameters, steps: u32) {
     // those that have never touched hold no state
     let touched = (0..1000).filter(|index| joint.contact(*index).is_some()).count();
     let kibibytes = (live_bytes() - before) as f64 / 1024.0;
+    let saved = postcard::to_stdvec(&joint.snapshot()).unwrap().len() as f64 / 1024.0;
     println!(
-        "{name}: {steps} steps {time:.2?}, {:.2} us a contact and step, {:.1} updates each; {:.2} KiB of each of {touched} that have touched, {:.2} KiB over all; deepest wear {:.3e} m",
+        "{name}: {steps} steps {time:.2?}, {:.2} us a contact and step, {:.1} updates each; {:.2} KiB of each of {touched} that have touched, saved {:.2} KiB, {:.2} KiB over all; deepest wear {:.3e} m",
         1e6 * time.as_secs_f64() / f64::from(steps) / 1e3,
         joint.counters().profile_updates as f64 / 1e3,
         kibibytes / touched as f64,
+        saved / touched as f64,
         kibibytes / 1e3,
         joint.wear_depth()
     );

@@ -42,7 +42,8 @@ impl FrettingContact {
 
     /// The same for a state that is known to be one of a contact with equal parameters.
     pub(crate) fn reinstate(&mut self, snapshot: &Snapshot) {
-        self.surface.set_worn(snapshot.nodes.clone());
+        let nodes = snapshot.nodes.as_ref().map(|nodes| nodes.completed(self.surface.profile()));
+        self.surface.set_worn(nodes);
         self.take_state(&snapshot.state);
         self.follow_running_in();
     }

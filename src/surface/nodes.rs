@@ -15,17 +15,20 @@ pub(crate) use thinning::kept_nodes;
 /// Nodes 0 = x₀ < x₁ < … with the image h of the wear at each, linear in X = x² between them;
 /// behind the last node, where nothing has worn yet, h falls as 1/x² (the far field of a worn
 /// volume).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(crate) struct Nodes {
     x: Vec<f64>,
     worn_image: Vec<f64>,
     /// Worn depth at each node, m.
     depth: Vec<f64>,
     /// Image g of the whole profile at each node, m.
+    #[serde(skip)]
     whole: Vec<f64>,
     /// ∫₀ ξ h' dξ up to each node, m².
+    #[serde(skip)]
     worn_load: Vec<f64>,
     /// ∫₀ g² dξ up to each node, m³.
+    #[serde(skip)]
     square: Vec<f64>,
     /// Cells across the contact that the nodes are meant to give.
     resolution: usize,
@@ -164,12 +167,19 @@ impl Nodes {
         sum * std::f64::consts::PI / 2.0
     }
 
-    /// Whether these are nodes of a worn profile: numbers in order, with integrals that follow from
-    /// them.
-    pub(crate) fn is_sound(&self, profile: &Profile, resolution: usize) -> bool {
+    /// These nodes with their integrals, which a saved state leaves out.
+    pub(crate) fn completed(&self, profile: &Profile) -> Self {
+        let mut nodes = self.clone();
+        if nodes.whole.len() != nodes.x.len() {
+            nodes.update_integrals(profile);
+        }
+        nodes
+    }
+
+    /// The same if these are nodes of a worn profile: numbers in order.
+    pub(crate) fn checked(&self, profile: &Profile, resolution: usize) -> Option<Self> {
         let count = self.x.len();
-        let arrays = [&self.worn_image, &self.depth, &self.whole, &self.worn_load, &self.square];
-        let sized = arrays.iter().all(|array| array.len() == count && array.iter().all(|v| v.is_finite()));
+        let is_field = |field: &Vec<f64>| field.len() == count && field.iter().all(|value| value.is_finite());
         let placed = count >= 2
             && count <= MOST_NODES * (resolution + MOST_NODES)
             && self.x[0] == 0.0
@@ -182,17 +192,23 @@ impl Nodes {
             let end = mesh.first.checked_add(mesh.cells);
             numbers && radius >= 0.0 && load >= 0.0 && mesh.cells > 0 && end.is_some_and(|end| end < count)
         };
-        if !(sized && placed && self.resolution == resolution && self.mesh.as_deref().is_none_or(meshed)) {
-            return false;
+        if !(placed
+            && [&self.worn_image, &self.depth].into_iter().all(is_field)
+            && self.resolution == resolution
+            && self.mesh.as_deref().is_none_or(meshed))
+        {
+            return None;
         }
-        let mut same = self.clone();
-        same.update_integrals(profile);
-        let alike = |a: &[f64], b: &[f64]| {
-            let size = a.iter().chain(b).fold(0.0f64, |most, value| most.max(value.abs()));
-            a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-6 * size)
-        };
-        alike(&same.whole, &self.whole)
-            && alike(&same.worn_load, &self.worn_load)
-            && alike(&same.square, &self.square)
+        let nodes = self.completed(profile);
+        let sound = [&nodes.whole, &nodes.worn_load, &nodes.square].into_iter().all(is_field);
+        sound.then_some(nodes)
+    }
+}
+
+/// The integrals follow from the rest.
+impl PartialEq for Nodes {
+    fn eq(&self, other: &Self) -> bool {
+        let own = (&self.x, &self.worn_image, &self.depth, self.resolution, &self.mesh, self.remains);
+        own == (&other.x, &other.worn_image, &other.depth, other.resolution, &other.mesh, other.remains)
     }
 }

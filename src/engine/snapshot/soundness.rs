@@ -111,10 +111,11 @@ impl Snapshot {
         }
         let mut surface = target.surface.unworn();
         if let Some(nodes) = &self.nodes {
-            if self.state.wear.is_none() || !nodes.is_sound(surface.profile(), resolution) {
+            let checked = nodes.checked(surface.profile(), resolution);
+            if self.state.wear.is_none() || checked.is_none() {
                 return Some("the worn profile is not one");
             }
-            surface.set_worn(Some(nodes.clone()));
+            surface.set_worn(checked);
         }
         let mut outermost = surface.place(self.state.reach);
         let Contact { depth, load, .. } = self.state.contact;
