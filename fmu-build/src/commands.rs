@@ -216,7 +216,7 @@ impl Setup<'_> {
     /// Builds the FMU for some platforms and runs all tests, with the master in Rust where that is
     /// asked for. On two cores most of the time is compiling, so that nothing waits: the tests of
     /// Rust are compiled beside the library; the tests of Python, which take one core, run beside
-    /// those of Rust, and their output follows.
+    /// those of Rust, and their output follows. What they need is installed meanwhile.
     pub(crate) fn test(&self, platforms: &[&Platform], with_rust_master: bool) -> Result<()> {
         let started = Instant::now();
         let (mut rust, mut python) = (Totals::default(), Totals::default());
@@ -228,7 +228,9 @@ impl Setup<'_> {
                 // what cannot be compiled is reported where the tests are run
                 let _ = run_quietly(&Step::hidden(), self.rust_tests_command(&PROGRAMS, &["--no-run"]));
             });
+            let packages = scope.spawn(|| self.install_for_python_tests());
             let fmu = self.build(platforms)?;
+            packages.join().map_err(|_| anyhow!("the thread that sets up Python failed"))?;
 
             let mut python_tests = process::command(std::env::current_exe()?);
             python_tests.arg("test-python").arg(&fmu);
@@ -299,6 +301,15 @@ impl Setup<'_> {
         pytest.arg("-rs").env("FRETTING_FMU_BUILD", std::env::current_exe()?);
         pytest.env("FRETTING_FMU", fmu).env("MPLBACKEND", "Agg").env("PYTHONUNBUFFERED", "1");
         progress::shown("Python tests", || run_shown(pytest))
+    }
+
+    /// Installs what the tests of Python need, beside other work. What cannot be installed is
+    /// reported where it is used.
+    fn install_for_python_tests(&self) {
+        let files = [REQUIREMENTS].into_iter().chain(EXTRAS.map(|(_, requirements)| requirements));
+        for requirements in files {
+            let _ = Venv::beside(self.workspace, &[self.workspace.file(requirements)]);
+        }
     }
 
     /// Installs requirements for which not every machine has wheels. Without them the parts that

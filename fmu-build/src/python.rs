@@ -7,6 +7,7 @@ use anyhow::{Context, Result, bail};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::{Mutex, PoisonError};
 
 /// Oldest Python that the pinned fmpy accepts.
 const OLDEST_PYTHON: (u32, u32) = (3, 10);
@@ -14,6 +15,9 @@ const OLDEST_PYTHON: (u32, u32) = (3, 10);
 /// Names under which a Python may be found, the usual ones first.
 const PYTHON_NAMES: [&str; 7] =
     ["python3", "python", "python3.14", "python3.13", "python3.12", "python3.11", "python3.10"];
+
+/// Held while packages are looked for and installed: threads do it beside each other.
+static INSTALLING: Mutex<()> = Mutex::new(());
 
 /// A virtual environment.
 pub(crate) struct Venv<'a> {
@@ -25,6 +29,22 @@ impl<'a> Venv<'a> {
     /// The environment with everything of the requirements files in it; does nothing if it is up to
     /// date.
     pub(crate) fn with(workspace: &'a Workspace, requirements: &[PathBuf]) -> Result<Self> {
+        Self::set_up(workspace, requirements, |install| {
+            progress::quiet("Setting up Python under target/venv", install)
+        })
+    }
+
+    /// The same beside another step, which is shown.
+    pub(crate) fn beside(workspace: &'a Workspace, requirements: &[PathBuf]) -> Result<Self> {
+        Self::set_up(workspace, requirements, |install| install(&Step::hidden()))
+    }
+
+    fn set_up(
+        workspace: &'a Workspace,
+        requirements: &[PathBuf],
+        run: impl FnOnce(&dyn Fn(&Step) -> Result<()>) -> Result<()>,
+    ) -> Result<Self> {
+        let _guard = INSTALLING.lock().unwrap_or_else(PoisonError::into_inner);
         let venv = Self { workspace, directory: workspace.product("venv") };
         let mut wanted = Vec::new();
         for file in requirements {
@@ -36,7 +56,7 @@ impl<'a> Venv<'a> {
             venv.link_package()?;
             return Ok(venv);
         }
-        progress::quiet("Setting up Python under target/venv", |step| {
+        run(&|step| {
             if !works || !venv.runs(&["-m", "pip", "--version"]) {
                 venv.create(step)?;
             }
