@@ -78,6 +78,19 @@ impl Surface {
         self.worn.as_deref()
     }
 
+    /// The surface with a change of depth and image (m) at its nodes on top, times a factor.
+    pub(crate) fn worn_further(&self, (depth, image): (&[f64], &[f64]), factor: f64) -> Self {
+        let worn = self.worn().map(|nodes| {
+            let sum = |old: &[f64], change: &[f64]| {
+                old.iter().zip(change).map(|(old, change)| old + factor * change).collect()
+            };
+            let mut worn = nodes.clone();
+            worn.set_worn(sum(nodes.worn_image(), image), sum(nodes.depth(), depth), &self.profile);
+            Arc::new(worn)
+        });
+        Self { profile: self.profile.clone(), worn }
+    }
+
     /// Whether another surface of this profile has worn as this one has.
     pub(crate) fn is_worn_as(&self, other: &Self) -> bool {
         match (&self.worn, &other.worn) {

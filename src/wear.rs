@@ -23,6 +23,7 @@ mod krylov;
 mod life;
 mod mesh;
 mod patch;
+mod relief;
 mod remesh;
 mod rosenbrock;
 mod system;
@@ -34,6 +35,7 @@ pub(crate) use first_order::FirstOrderWear;
 pub(crate) use life::{Amount, IntegrationSettings, THINNING, integrate};
 pub(crate) use mesh::UnitMesh;
 pub(crate) use patch::{Motion, Rig, Sliding};
+pub(crate) use relief::mean_work_share;
 pub(crate) use update::worn_depth;
 
 use crate::surface::{Contact, Surface};

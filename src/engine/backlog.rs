@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::friction::{SlipPiece, Springs};
 use crate::surface::{Contact, FrontMotion, Nodes, Surface};
 use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, WearBacklog};
+use nalgebra::Vector2;
 
 /// How much more than the limit between two updates may wear where an update can wait for the next
 /// reversal: at constant load, whose strokes make one law however many they are.
@@ -20,6 +21,10 @@ pub(super) const PLACED_WITH: f64 = 0.25;
 
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
 pub(super) const MOST_SCALE: f64 = 1.5;
+
+/// Largest share of the work of a slip that a surplus of work before may take: what is counted
+/// goes on growing.
+const MOST_TAKEN: f64 = 0.5;
 
 /// How near two amplitudes are that are taken for one, relative.
 const SAME_AMPLITUDE: f64 = 1e-3;
@@ -40,12 +45,19 @@ impl FrettingContact {
         }
     }
 
-    /// Adds the slip of a line to another contact to the backlog.
-    pub(super) fn gather(&mut self, work: f64, to: &Contact) {
+    /// Adds the slip of a line to another contact to the backlog. The body moves in a direction, 0
+    /// where it stays.
+    pub(super) fn gather(&mut self, work: f64, to: &Contact, direction: Vector2<f64>) {
         let (modulus, bound_slope, tip) =
             (2.0 * self.model.constants.tangential_modulus, self.model.bound_slope, self.surface.tip());
         let from = self.state.contact;
         let Some(wear) = &mut self.state.wear else { return };
+        if work > 0.0 && direction != Vector2::zeros() {
+            if wear.backlog.is_empty() {
+                wear.begins_at_reversal = wear.slip_direction.dot(&direction) < 0.0;
+            }
+            wear.slip_direction = direction;
+        }
         if work > 0.0
             && !wear.backlog.record(
                 &self.memory.get().slips,
@@ -123,6 +135,7 @@ impl FrettingContact {
             return Ok(());
         }
         let backlog = wear.backlog.take();
+        let begins_at_reversal = wear.begins_at_reversal;
         self.view.forget();
         let law = backlog.law();
         let old = self.surface.clone();
@@ -141,14 +154,15 @@ impl FrettingContact {
         let whole = repeated.filter(|motion| self.is_followed(motion));
         let part = if whole.is_none() && ends && at_one_load { self.part_of_cycles(&backlog) } else { None };
         if let Some(motion) = whole.or(part)
-            && self.absorb_motion(&motion, backlog.work)?
+            && let drive = self.drive_of(&motion)
+            && self.absorb_motion(&motion, drive, backlog.work)?
         {
-            let drive = match motion.sliding {
-                Sliding::Cycles(own) => self.drive_amplitude(own),
-                Sliding::Onward => 0.0,
-            };
-            self.rest_on_worn(&old, zone)?;
-            if let (Sliding::Cycles(amplitude), true) = (motion.sliding, whole.is_some()) {
+            let lost = self.rest_on_worn(&old, zone)?;
+            if motion.sliding == Sliding::Onward {
+                self.lose_to_friction(lost);
+            }
+            if let (Sliding::Cycles(amplitude), Some(drive), true) = (motion.sliding, drive, whole.is_some())
+            {
                 let own = self.own_amplitude(drive);
                 self.state.displacement += self.state.direction * (own - amplitude);
                 self.rest_at_reversal(own, zone.0);
@@ -156,22 +170,39 @@ impl FrettingContact {
             self.expect(Some(motion));
         } else {
             self.absorb_law(&law, backlog.work, backlog.radius)?;
-            self.rest_on_worn(&old, zone)?;
+            let lost = self.rest_on_worn(&old, zone)?;
+            if !begins_at_reversal {
+                self.lose_to_friction(lost);
+            }
             self.expect(repeated);
         }
         Ok(())
     }
 
-    /// Wears a motion off on the moving mesh; says whether that could follow.
-    fn absorb_motion(&mut self, motion: &RepeatedMotion, work: f64) -> Result<bool, Error> {
-        let taken = self.take_deferred(work);
+    /// Amplitude of the drive (m) of cycles.
+    fn drive_of(&mut self, motion: &RepeatedMotion) -> Option<f64> {
+        match motion.sliding {
+            Sliding::Cycles(own) => Some(self.drive_amplitude(own)),
+            Sliding::Onward => None,
+        }
+    }
+
+    /// Wears a motion off on the moving mesh, in place of the springs' work on the profile before,
+    /// J; says whether that could follow. At constant force it follows the rig.
+    fn absorb_motion(
+        &mut self,
+        motion: &RepeatedMotion,
+        drive: Option<f64>,
+        work: f64,
+    ) -> Result<bool, Error> {
+        let drive = drive.filter(|_| self.model.compliance > 0.0 && self.model.constants.force_control);
         let control = self.state.contact.control;
-        match self.wear_by(control, (motion.sliding, None), motion.amount, Some(work + taken)) {
-            Ok(_) => Ok(true),
-            Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {
-                self.defer(taken);
-                Ok(false)
+        match self.wear_by(control, (motion.sliding, drive), motion.amount, true) {
+            Ok(worn_by) => {
+                self.correct_work(worn_by - work);
+                Ok(true)
             }
+            Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => Ok(false),
             Err(other) => Err(other),
         }
     }
@@ -188,6 +219,30 @@ impl FrettingContact {
     fn defer(&mut self, work: f64) {
         if let Some(wear) = &mut self.state.wear {
             wear.deferred_work += work;
+        }
+    }
+
+    /// Counts work of friction, J.
+    pub(super) fn add_work(&mut self, work: f64) {
+        let mut counted = work;
+        if let Some(wear) = &mut self.state.wear
+            && wear.surplus > 0.0
+        {
+            let taken = wear.surplus.min(MOST_TAKEN * work);
+            wear.surplus -= taken;
+            counted -= taken;
+        }
+        self.state.work += counted;
+    }
+
+    /// Corrects the friction work by what the wear of a backlog has changed in it, J. What is
+    /// counted never falls: a surplus is taken from what follows.
+    fn correct_work(&mut self, change: f64) {
+        let Some(wear) = &mut self.state.wear else { return };
+        wear.surplus -= change;
+        if wear.surplus < 0.0 {
+            self.state.work -= wear.surplus;
+            wear.surplus = 0.0;
         }
     }
 
@@ -267,20 +322,17 @@ impl FrettingContact {
         }
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape
         // and takes that volume
-        let mut depth = update.depth;
-        let mut image = transforms.abel(&depth);
-        let volume = nodes.volume(&depth);
-        let target = per_work * work;
-        let scale = if volume > 0.0 { (target / volume).min(MOST_SCALE) } else { 0.0 };
+        let change = (&update.depth[..], &transforms.abel(&update.depth)[..]);
+        let volume = nodes.volume(&update.depth);
+        let scale_to = |target: f64| if volume > 0.0 { (target / volume).min(MOST_SCALE) } else { 0.0 };
+        let full = scale_to(per_work * work);
+        let grown: Vec<f64> = change.1.iter().map(|h| full * h).collect();
+        let share = wear::mean_work_share(&self.surface, law, &grown, control);
+        let target = per_work * work * share;
+        let scale = scale_to(target);
         wear.deferred_work += (target - scale * volume) / per_work;
-        let sum = |new: &mut [f64], old: &[f64]| {
-            new.iter_mut().zip(old).for_each(|(new, old)| *new = old + scale * *new);
-        };
-        sum(&mut depth, nodes.depth());
-        sum(&mut image, nodes.worn_image());
-        let mut nodes = nodes.clone();
-        nodes.set_worn(image, depth, self.surface.profile());
-        self.surface.set_worn(Some(nodes));
+        self.surface = self.surface.worn_further(change, scale);
+        self.correct_work(work * (share - 1.0));
         self.state.counters.descent_transforms += 1;
         self.state.counters.profile_updates += 1;
         self.look_at_coating();
@@ -336,8 +388,9 @@ impl FrettingContact {
     /// Contact and springs on a surface that has worn at the present load and displacement, where
     /// the springs of a zone (its inner radius and side) slipped: in truth they have followed their
     /// bound, up or down, all the time. Others keep their place.
-    fn rest_on_worn(&mut self, old: &Surface, zone: (f64, f64)) -> Result<(), Error> {
+    fn rest_on_worn(&mut self, old: &Surface, zone: (f64, f64)) -> Result<f64, Error> {
         let to = self.contact_at(self.state.contact.control)?;
+        let stored = self.stored_energy();
         if self.state.planar.is_some() {
             self.rest_in_plane(to);
         } else {
@@ -347,18 +400,14 @@ impl FrettingContact {
             if zone.1 != 0.0 && !to.is_open() {
                 springs.follow_bound(zone, &to, self.model.bound_slope, self.state.displacement);
             }
-            let energy = |row: &Springs| row.energy_integral(self.state.displacement);
-            let lost =
-                self.model.constants.tangential_modulus * (energy(&self.state.springs) - energy(&springs));
             springs.simplify(&to, self.model.bound_slope);
             (self.state.springs, self.state.contact) = (springs, to);
             self.state.reach = self.state.reach.max(to.radius);
-            self.lose_to_friction(lost);
         }
         let limit = self.update_limit();
         if let Some(wear) = &mut self.state.wear {
             wear.limit = limit;
         }
-        Ok(())
+        Ok(stored - self.stored_energy())
     }
 }

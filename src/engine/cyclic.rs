@@ -111,15 +111,15 @@ impl FrettingContact {
         Ok(own)
     }
 
-    /// Wears the surface by an amount of sliding at constant load; returns the work, J. Where that
-    /// is `known`, the profile takes it. With the amplitude of a drive (m), at constant force, the
-    /// sliding is that at the start.
+    /// Wears the surface by an amount of sliding at constant load, which may be that of an update;
+    /// returns the work, J. With the amplitude of a drive (m), at constant force, the sliding is
+    /// that at the start.
     pub(super) fn wear_by(
         &mut self,
         value: f64,
         (sliding, drive): (Sliding, Option<f64>),
         amount: f64,
-        known: Option<f64>,
+        is_update: bool,
     ) -> Result<f64, Error> {
         let compliance = 2.0 * self.model.constants.tangential_modulus * self.model.compliance;
         let rig = drive.map(|amplitude| Rig { amplitude, compliance });
@@ -137,11 +137,10 @@ impl FrettingContact {
             last_step,
         };
         let per_work = self.model.constants.wear_per_work;
-        let known = known.map(|work| work * per_work);
         let on_profile = |surface: &Surface| surface.worn().map_or(0.0, Nodes::worn_volume);
         let deferred_work = self.state.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
         let worn = on_profile(&self.surface) + per_work * deferred_work;
-        let amount = Amount { cycles: amount, worn, known };
+        let amount = Amount { cycles: amount, worn, is_update };
         let life = integrate(
             &self.surface,
             &motion,

@@ -217,7 +217,7 @@ impl FrettingContact {
             });
         }
         let advance = |this: &mut Self| {
-            this.gather(work, &to);
+            this.gather(work, &to, Vector2::new(this.direction_to(displacement), 0.0));
             this.arrive(to, displacement, springs, work);
             this.set_limit();
         };
@@ -269,7 +269,7 @@ impl FrettingContact {
         self.state.contact = to;
         self.state.displacement = displacement;
         self.state.reach = self.state.reach.max(to.radius);
-        self.state.work += work;
+        self.add_work(work);
     }
 
     /// Contact of the present surface at another value of the control.

@@ -217,7 +217,8 @@ impl FrettingContact {
                 return Ok(());
             }
             let update = self.needs_update(&end.to, end.work, 0.0);
-            self.gather(end.work, &end.to);
+            let moved = place - self.place();
+            self.gather(end.work, &end.to, moved.try_normalize(0.0).unwrap_or_default());
             self.arrive_in_plane(end, place);
             self.set_limit();
             return if update { self.bounded(Self::absorb_backlog) } else { Ok(()) };
@@ -228,7 +229,6 @@ impl FrettingContact {
 
     /// Contact and springs on a surface that has worn where the body stands.
     pub(super) fn rest_in_plane(&mut self, to: Contact) {
-        let stored = self.stored_energy();
         let (displacement, samples) = (self.place(), self.samples());
         let Some(planar) = &mut self.state.planar else { return };
         planar.row = planar.row.rested(&Resting {
@@ -240,7 +240,6 @@ impl FrettingContact {
         });
         self.state.contact = to;
         self.state.reach = self.state.reach.max(to.radius);
-        self.lose_to_friction(stored - self.stored_energy());
         if to.is_open() {
             self.state.planar = None;
         }
@@ -277,7 +276,7 @@ impl FrettingContact {
             self.state.direction = moved.x.signum();
         }
         self.state.contact = end.to;
-        self.state.work += end.work;
+        self.add_work(end.work);
         [self.state.displacement, self.state.displacement_y] = place.into();
         self.state.reach = self.state.reach.max(end.to.radius);
         if end.to.is_open() {

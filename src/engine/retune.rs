@@ -77,6 +77,7 @@ impl FrettingContact {
             if let Some(wear) = &mut this.state.wear {
                 // a volume, kept as the work that wears it
                 wear.deferred_work *= former_wear_per_work / constants.wear_per_work;
+                wear.surplus *= former_wear_per_work / constants.wear_per_work;
                 (wear.expected, wear.next_step) = (None, None);
             }
             this.lose_to_friction(work);

@@ -2,6 +2,7 @@
 //! of the profile is due.
 
 use super::FrettingContact;
+use nalgebra::Vector2;
 
 impl FrettingContact {
     /// Moves the body under an unchanged load if that takes no more than slip of its outer springs;
@@ -48,11 +49,11 @@ impl FrettingContact {
         };
         if wears {
             let to = self.state.contact;
-            self.gather(work, &to);
+            self.gather(work, &to, Vector2::new(direction, 0.0));
         }
         self.state.direction = direction;
         self.state.displacement = displacement;
-        self.state.work += work;
+        self.add_work(work);
         self.state.counters.spring_walks += 1;
         true
     }

@@ -16,6 +16,7 @@ use crate::counters::Counters;
 use crate::friction::Springs;
 use crate::surface::{Contact, Surface};
 use crate::wear::{Sliding, WearBacklog};
+use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 use std::mem::take;
 use std::sync::Arc;
@@ -54,6 +55,13 @@ pub(super) struct WearState {
     /// Work whose wear is deferred to a later update, J; below 0 where the profile has worn by
     /// more.
     pub(super) deferred_work: f64,
+    /// Work that the springs did on the profile before the last updates beyond that on the profile
+    /// as it wore, J ≥ 0: the next slip counts for so much less.
+    pub(super) surplus: f64,
+    /// Direction of the last slip, a unit vector, or 0.
+    pub(super) slip_direction: Vector2<f64>,
+    /// Whether the first slip of the backlog was against the last one before.
+    pub(super) begins_at_reversal: bool,
     /// The motion that the last backlog was.
     pub(super) expected: Option<Sliding>,
     /// How much the next step of a steady motion should span, and of which.

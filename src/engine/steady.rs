@@ -28,7 +28,7 @@ impl FrettingContact {
     pub(super) fn wear_steadily(&mut self, value: f64, sliding: Sliding, amount: f64) -> Result<(), Error> {
         let (mut left, mut chunks, mut next_trial) = (amount, 0, 1);
         loop {
-            let refused = match self.wear_by(value, (sliding, None), left, None) {
+            let refused = match self.wear_by(value, (sliding, None), left, false) {
                 Ok(work) => {
                     self.state.work += work;
                     self.state.contact = self.contact_at(value)?;
@@ -53,7 +53,7 @@ impl FrettingContact {
                     Err(Error::WearOutrun { .. }) => return Err(refused),
                     other => other?,
                 }
-                self.state.work += work;
+                self.add_work(work);
                 self.state.contact = self.contact_at(value)?;
                 left -= amount;
                 chunks += 1;

@@ -83,9 +83,8 @@ pub(crate) struct Amount {
     pub(crate) cycles: f64,
     /// Volume worn so far, m³: that of the profile, and what has found no place on it yet.
     pub(crate) worn: f64,
-    /// Volume that the motion wears, m³, where it is known from the springs on the surface of
-    /// before.
-    pub(crate) known: Option<f64>,
+    /// Whether the motion is what has been gathered since the last update: a small part of a life.
+    pub(crate) is_update: bool,
 }
 
 /// Wears a surface by an amount of a motion.
@@ -132,7 +131,7 @@ pub(crate) fn integrate(
         let mut fresh = true;
         let mut previous = None;
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
-            let carried = patch.body.worn().is_none() && amount.known.is_none();
+            let carried = patch.body.worn().is_none() && !amount.is_update;
             if steps >= if carried { most } else { most_of_an_update } {
                 let amplitude = motion.sliding.amplitude();
                 return Err(Error::TooMuchWear { cycles, left, amplitude, steps });
@@ -173,9 +172,6 @@ pub(crate) fn integrate(
         life.next_step = step;
         life.mesh = Some(patch.mesh.clone());
         life.volume += volume;
-        if let (true, Some(known)) = (left <= 0.0, amount.known) {
-            life.volume = known;
-        }
         let on_mesh = patch.volume(&rate);
         let nodes = if left > 0.0 {
             exported_nodes(&patch, &state, &rate, settings)

@@ -240,12 +240,12 @@ fn the_volume_on_the_way_converges_with_the_cells() {
     }
 }
 
-/// Few cycles that wear as much as thousands: each stroke is gathered on the profile of its start,
-/// so the error is of first order in what one wears. Both begin at a first quarter.
+/// Few cycles that wear as much as thousands: strokes are gathered on the profile of their start,
+/// and their work is corrected by what their wear changes in it. Both begin at a first quarter.
 #[test]
-fn cycles_that_wear_fast_follow_whole_ones_in_first_order() {
-    let scene = wear_scene(&BALL, Force, 1.0);
-    let off = |cycles: u32| {
+fn cycles_that_wear_fast_follow_whole_ones() {
+    let off = |control: NormalControl, cycles: u32| {
+        let scene = wear_scene(&BALL, control, 1.0);
         let life = 0.2;
         let wear_coefficient = scene.parameters.wear_coefficient * life / f64::from(cycles);
         let parameters = Parameters { wear_coefficient, ..scene.parameters.clone() };
@@ -265,9 +265,13 @@ fn cycles_that_wear_fast_follow_whole_ones_in_first_order() {
         }
         (stepped.wear_volume() - before[1]) / (whole.wear_volume() - before[0]) - 1.0
     };
-    let (few, more, many) = (off(10), off(40), off(160));
-    println!("stepping against cycles: {few:+.1e} in 10, {more:+.1e} in 40, {many:+.1e} in 160");
-    assert!(few.abs() < 5e-3 && more.abs() < 1.5e-3 && many.abs() < 1e-3, "{few:e} {more:e} {many:e}");
+    for control in [Force, Indentation] {
+        for cycles in [10, 40, 160] {
+            let off = off(control, cycles);
+            println!("{control:?}: stepping against cycles, {cycles}: {off:+.1e}");
+            assert!(off.abs() < 5e-4, "{control:?}, {cycles} cycles: {off:e}");
+        }
+    }
 }
 
 /// A contact in gross slip over a path s with κ = kμ/σ₀ such that κE* s/length = S at s = `path`.
@@ -453,9 +457,13 @@ fn contact_lost_and_found_keeps_the_worn_profile() {
     assert_eq!((contact.wear_volume(), depths(&contact)), (volume, worn.clone()));
     let radius = contact.contact_radius();
     contact.start_at(FORCE, 3e-6).expect("the load is carried");
-    assert_eq!((contact.wear_volume(), depths(&contact)), (volume, worn));
     // a new start takes off what was still to wear
-    close_to(contact.contact_radius(), radius, 1e-9, "a");
+    close_to(contact.wear_volume(), volume, 1e-5, "V");
+    let deepest = contact.wear_depth();
+    for (now, before) in depths(&contact).into_iter().zip(worn) {
+        close(now, before, 1e-5 * deepest, "the worn depth");
+    }
+    close_to(contact.contact_radius(), radius, 1e-8, "a");
     close(contact.tangential_force(), 0.0, 1e-12 * MU * FORCE, "started again");
     // and it goes on wearing
     to(&mut contact, FORCE, 5e-6);
@@ -463,7 +471,7 @@ fn contact_lost_and_found_keeps_the_worn_profile() {
 }
 
 /// Steps ten times smaller put the profile updates at other instants, each of which is good to the
-/// tolerance of 1e-3: together they differ by 2.5e-3.
+/// tolerance of 1e-3.
 #[test]
 fn splitting_steps_changes_the_wear_within_the_tolerance() {
     for control in [Force, Indentation] {
@@ -476,7 +484,7 @@ fn splitting_steps_changes_the_wear_within_the_tolerance() {
             "{control:?}: 40 against 400 steps a cycle: V {off:+.1e}, depth {:+.1e}",
             coarse.wear_depth() / fine.wear_depth() - 1.0
         );
-        assert!(off.abs() <= 4e-3, "{control:?}: {off:e}");
+        assert!(off.abs() <= 1.5e-3, "{control:?}: {off:e}");
         let updates = (coarse.counters().profile_updates, fine.counters().profile_updates);
         println!("{control:?}: updates {updates:?}");
         assert!(
@@ -496,7 +504,7 @@ fn whole_cycles_agree_with_plain_stepping() {
         averaged.advance_cycles(scene.normal, scene.amplitude, 100.0).expect("cycles");
         let off = stepped.wear_volume() / averaged.wear_volume() - 1.0;
         println!("{control:?}: stepping against cycles, V {off:+.1e}");
-        assert!(off.abs() <= 5e-3, "{control:?}: {off:e}");
+        assert!(off.abs() <= 1.5e-3, "{control:?}: {off:e}");
     }
 }
 

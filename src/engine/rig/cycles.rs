@@ -33,7 +33,7 @@ impl FrettingContact {
     ) -> Result<f64, Error> {
         if self.model.constants.force_control {
             let sliding = Sliding::Cycles(self.own_amplitude(drive));
-            match self.wear_by(value, (sliding, Some(drive)), cycles, None) {
+            match self.wear_by(value, (sliding, Some(drive)), cycles, false) {
                 Ok(work) => {
                     self.state.work += work;
                     self.state.contact = self.contact_at(value)?;

@@ -213,6 +213,7 @@ impl WearState {
     fn is_sound(&self) -> bool {
         self.backlog.is_sound()
             && self.deferred_work.is_finite()
+            && amount(self.surplus)
             && [self.limit, self.defect, self.clipped].iter().all(|value| amount(*value))
             && self.expected.is_none_or(is_motion)
             && self.next_step.is_none_or(|(sliding, step)| is_motion(sliding) && amount(step))

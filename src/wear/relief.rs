@@ -1,0 +1,107 @@
+//! By how much the wear of a backlog changes the friction work of the motion that made it.
+//!
+//! The springs do their work on the profile of the last update. Meanwhile the profile wears, so
+//! that their overlap q = d − g falls by δ until the next update, by half of that on average. Under
+//! a bound m q the slip of a spring is ΔU less the bound at either end of its stroke: a slip path
+//! whose slope in g is c m contains the bound c times.
+
+use super::backlog::SlipAtDepth;
+use crate::parameters::NormalControl;
+use crate::surface::Surface;
+
+/// Mean friction work of a motion while the image at the nodes of a surface grows by a change (m),
+/// over that on the surface as it is. Under force control each part of the motion keeps its load,
+/// under indentation control its depth.
+pub(crate) fn mean_work_share(
+    surface: &Surface,
+    law: &[SlipAtDepth],
+    change: &[f64],
+    control: NormalControl,
+) -> f64 {
+    let Some(nodes) = surface.worn() else { return 1.0 };
+    let x = nodes.x();
+    let images: Vec<f64> = x.iter().map(|x| surface.image(*x)).collect();
+    let (mut work, mut difference) = (0.0, 0.0);
+    for law in law {
+        let inside = images.partition_point(|g| *g < law.depth);
+        let approach = match control {
+            NormalControl::Force => mean(&x[..inside], &change[..inside]),
+            NormalControl::Indentation => 0.0,
+        };
+        let at = |image: f64, change: f64| {
+            let (overlap, fall) = (law.depth - image, change - approach);
+            let (slip, slope) = law.at(image);
+            (overlap * slip, 0.5 * fall * (overlap * slope - slip))
+        };
+        for i in 1..=inside.min(x.len() - 1) {
+            let inner = at(images[i - 1], change[i - 1]);
+            let (mut outer, mut width) = (at(images[i], change[i]), x[i] - x[i - 1]);
+            if i == inside {
+                // up to the contact edge
+                let part = (law.depth - images[i - 1]) / (images[i] - images[i - 1]);
+                outer = at(law.depth, change[i - 1] + part * (change[i] - change[i - 1]));
+                width *= part;
+            }
+            work += 0.5 * width * (inner.0 + outer.0);
+            difference += 0.5 * width * (inner.1 + outer.1);
+        }
+    }
+    let share = if work > 0.0 { difference / work } else { 0.0 };
+    // to second order both are the same; the first never falls below 0
+    if share < 0.0 { 1.0 / (1.0 - share) } else { 1.0 + share }
+}
+
+/// Mean of values at some radii, linear between them.
+fn mean(x: &[f64], values: &[f64]) -> f64 {
+    let width = x.last().map_or(0.0, |last| last - x[0]);
+    if width == 0.0 {
+        return 0.0;
+    }
+    let areas = x.windows(2).zip(values.windows(2)).map(|(x, v)| 0.5 * (x[1] - x[0]) * (v[0] + v[1]));
+    areas.sum::<f64>() / width
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::profile::Profile;
+    use crate::surface::Nodes;
+    use crate::wear::Sliding;
+
+    /// On a ball whose image is raised by ε g, cycles of amplitude U₀ do the work of a ball of
+    /// radius R/(1 + ε): ∫ (d − g)(U₀ − m (d − g))₊ dx goes like the contact radius, √R.
+    #[test]
+    fn the_mean_work_of_cycles_on_a_sharper_ball_is_the_closed_one() {
+        let (radius, edge, share) = (0.01, 2e-4, 1e-3);
+        let profile = Profile::Parabola { radius };
+        let depth = edge * edge / radius;
+        let error = |cells: usize| {
+            let mut surface = Surface::new(profile.clone());
+            surface.set_worn(Some(Nodes::around(&profile, cells, edge, 0.6 * edge)));
+            let nodes = surface.worn().expect("it has nodes");
+            let change: Vec<f64> = nodes.x().iter().map(|x| share * surface.image(*x)).collect();
+            // the front of this amplitude is a node
+            let law = SlipAtDepth::of_motion(Sliding::Cycles(0.64 * depth), 1.0, depth, 1.0);
+            let found = mean_work_share(&surface, &[law], &change, NormalControl::Indentation);
+            let exact = 0.5 * (1.0 + 1.0 / f64::sqrt(1.0 + share));
+            (found - exact).abs() / share
+        };
+        let (coarse, fine) = (error(64), error(128));
+        assert!(fine < 2e-3 && fine < 0.6 * coarse, "{coarse:e} {fine:e}");
+    }
+
+    /// Sliding onward at constant force does the same work on any profile.
+    #[test]
+    fn sliding_at_constant_force_does_the_same_work_on_any_profile() {
+        let profile = Profile::Parabola { radius: 0.01 };
+        let edge = 2e-4;
+        let depth = edge * edge / 0.01;
+        let mut surface = Surface::new(profile.clone());
+        surface.set_worn(Some(Nodes::around(&profile, 64, edge, 0.0)));
+        let nodes = surface.worn().expect("it has nodes");
+        let change: Vec<f64> = nodes.x().iter().map(|x| 1e-2 * depth * (1.0 - x / edge)).collect();
+        let law = SlipAtDepth::of_motion(Sliding::Onward, 1.0, depth, 1.0);
+        let share = mean_work_share(&surface, &[law], &change, NormalControl::Force);
+        assert!((share - 1.0).abs() < 1e-4, "{share}");
+    }
+}
