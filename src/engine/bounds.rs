@@ -38,6 +38,7 @@ impl FrettingContact {
             (self.state.work, self.state.displacement, self.state.counters.profile_updates);
         let start_y = self.state.displacement_y;
         let stored = self.stored_energy();
+        let gathered = self.state.wear.as_ref().map_or(0.0, |wear| wear.backlog.work);
         let (force, before, deferred) = (self.normal_reaction(), self.state.contact, self.deferred_volume());
         change(self)?;
         let updated = self.state.counters.profile_updates != updates;
@@ -52,7 +53,9 @@ impl FrettingContact {
         // what went wrong may have blown up the contact after
         let slack = OVERTAKEN
             * if before.is_open() { disc(&before).max(disc(&self.state.contact)) } else { disc(&before) };
-        let bounded = per_work * taken <= (1.0 + SLACK) * per_work * (driven + stored) + slack;
+        // an update corrects the work that it wears off
+        let most = (1.0 + SLACK) * (driven + stored) + SLACK * gathered;
+        let bounded = per_work * taken <= per_work * most + slack;
         let placed = self.is_placed((&before, deferred));
         if bounded && placed {
             return Ok(());

@@ -47,8 +47,8 @@ pub(crate) fn mean_work_share(
         }
     }
     let share = if work > 0.0 { difference / work } else { 0.0 };
-    // to second order both are the same; the first never falls below 0
-    if share < 0.0 { 1.0 / (1.0 - share) } else { 1.0 + share }
+    // no correction where one update wears too much to tell
+    1.0 + share * (1.0 - share.abs()).max(0.0).powi(2)
 }
 
 /// Mean of values at some radii, linear between them.
