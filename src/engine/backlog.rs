@@ -4,7 +4,7 @@ use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{SlipPiece, Springs};
 use crate::surface::{Contact, FrontMotion, Nodes, Surface};
-use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, WearBacklog};
+use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
 use nalgebra::Vector2;
 
 /// How much more than the limit between two updates may wear where an update can wait for the next
@@ -115,21 +115,11 @@ impl FrettingContact {
         wear::update_limit(self.model.parameters.tolerance, &self.surface, &self.state.contact, inner)
     }
 
-    /// [`Self::absorb_backlog`] where the history is read or ends here: during a stroke of cycles
-    /// seen before, what has worn is a part of them, as it will be at the reversal.
-    pub(super) fn close_backlog(&mut self) -> Result<(), Error> {
-        self.absorb(true)
-    }
-
     /// Wears the backlog off and lets the contact settle at the present load and displacement.
     ///
     /// # Errors
     /// [`Error::WearOutrun`] where the integrator cannot follow; those of the normal contact.
     pub(super) fn absorb_backlog(&mut self) -> Result<(), Error> {
-        self.absorb(false)
-    }
-
-    fn absorb(&mut self, ends: bool) -> Result<(), Error> {
         let Some(wear) = &mut self.state.wear else { return Ok(()) };
         if wear.backlog.is_empty() {
             return Ok(());
@@ -151,9 +141,7 @@ impl FrettingContact {
             [law] if at_one_load => law.repeated_motion(self.model.bound_slope, self.surface.tip()),
             _ => None,
         };
-        let whole = repeated.filter(|motion| self.is_followed(motion));
-        let part = if whole.is_none() && ends && at_one_load { self.part_of_cycles(&backlog) } else { None };
-        if let Some(motion) = whole.or(part)
+        if let Some(motion) = repeated.filter(|motion| self.is_followed(motion))
             && let drive = self.drive_of(&motion)
             && self.absorb_motion(&motion, drive, backlog.work)?
         {
@@ -161,8 +149,7 @@ impl FrettingContact {
             if motion.sliding == Sliding::Onward {
                 self.lose_to_friction(lost);
             }
-            if let (Sliding::Cycles(amplitude), Some(drive), true) = (motion.sliding, drive, whole.is_some())
-            {
+            if let (Sliding::Cycles(amplitude), Some(drive)) = (motion.sliding, drive) {
                 let own = self.own_amplitude(drive);
                 self.state.displacement += self.state.direction * (own - amplitude);
                 self.rest_at_reversal(own, zone.0);
@@ -263,18 +250,6 @@ impl FrettingContact {
             (Sliding::Cycles(a), Some(Sliding::Cycles(b))) => (a - b).abs() <= SAME_AMPLITUDE * b,
             _ => false,
         }
-    }
-
-    /// During a stroke of cycles that have been seen before: as much of them as its work is.
-    fn part_of_cycles(&mut self, backlog: &WearBacklog) -> Option<RepeatedMotion> {
-        let Some(Sliding::Cycles(amplitude)) = self.state.wear.as_ref()?.expected else { return None };
-        let contact = self.state.contact;
-        let (springs, quarter) = self.quarter(&contact, amplitude);
-        let front = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
-        let here = self.stick_radius();
-        let amount = backlog.work / (4.0 * quarter);
-        (amount.is_finite() && here >= front * (1.0 - SAME_AMPLITUDE))
-            .then_some(RepeatedMotion { sliding: Sliding::Cycles(amplitude), amount })
     }
 
     fn expect(&mut self, motion: Option<RepeatedMotion>) {

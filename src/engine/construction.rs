@@ -43,7 +43,7 @@ impl FrettingContact {
         let contact =
             self.surface.contact(self.model.parameters.normal_control, value, self.force_scale())?;
         self.transaction(|this| {
-            this.close_backlog()?;
+            this.absorb_backlog()?;
             this.state.displacement = displacement;
             this.state.direction = 0.0;
             if this.state.work == 0.0 {

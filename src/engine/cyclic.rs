@@ -54,7 +54,7 @@ impl FrettingContact {
     }
 
     pub(super) fn run_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
-        self.close_backlog()?;
+        self.absorb_backlog()?;
         self.state.planar = None;
         self.state.contact = self.contact_at(value)?;
         self.state.reach = self.state.reach.max(self.state.contact.radius);

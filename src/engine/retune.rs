@@ -64,7 +64,7 @@ impl FrettingContact {
         constants.wear_per_work = new.wear_per_work();
         let bound_slope = constants.bound_slope();
         self.transaction(|this| {
-            this.close_backlog()?;
+            this.absorb_backlog()?;
             let former_wear_per_work = this.model.constants.wear_per_work;
             let mixed = this.state.former.mixed
                 || (former_wear_per_work != constants.wear_per_work && this.wear_volume() > 0.0);

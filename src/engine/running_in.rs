@@ -210,7 +210,7 @@ impl FrettingContact {
         if (self.model.constants.friction_coefficient / before - 1.0).abs() <= DRIFT {
             return Ok(());
         }
-        self.bounded(Self::close_backlog)?;
+        self.bounded(Self::absorb_backlog)?;
         self.follow_running_in();
         Ok(())
     }
