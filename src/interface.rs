@@ -31,8 +31,8 @@
 //! displacement at once is divided until that curve is straight to the tolerance; each contact then
 //! follows a straight line in depth and displacement. After its contacts have worn, the approach
 //! follows at rest. A part of a step in which that would lose more than a set share of the force is
-//! divided further. Cycles are run in blocks at constant approach, chosen so that the mean force of
-//! each block is the one asked for.
+//! divided further. Cycles at a constant force are run in blocks in which each contact has a
+//! constant force of its own.
 
 mod approach;
 mod coating;
@@ -170,7 +170,7 @@ impl Interface {
             .retune_bodies(friction_coefficient, wear_coefficients)?;
         let pose = self.pose;
         self.transaction(|this| {
-            this.members.turn(&pose, &pose, |contact, _| {
+            this.members.turn(&pose, &pose, |contact, _, _| {
                 contact.retune_bodies(friction_coefficient, wear_coefficients)
             })?;
             this.settle()

@@ -91,6 +91,13 @@ impl Surface {
         Self { profile: self.profile.clone(), worn }
     }
 
+    /// Lets a contact that was found under its load be found at its depth, to the bit.
+    pub(crate) fn control_by_depth(&mut self) {
+        if let Some(nodes) = self.worn.as_mut().filter(|nodes| nodes.mesh().is_some()) {
+            Arc::make_mut(nodes).control_by_depth();
+        }
+    }
+
     /// Whether another surface of this profile has worn as this one has.
     pub(crate) fn is_worn_as(&self, other: &Self) -> bool {
         match (&self.worn, &other.worn) {

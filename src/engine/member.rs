@@ -3,6 +3,7 @@
 use super::model::Model;
 use super::{FrettingContact, Memory};
 use crate::error::Error;
+use crate::parameters::Parameters;
 use crate::profile::Profile;
 use crate::surface::{Contact, Surface, TransformCache};
 use std::mem::swap;
@@ -60,6 +61,36 @@ impl FrettingContact {
             Some((load, radius)) => Ok((self.force_scale() * load, radius)),
             None => load_of(&self.surface, &self.model, depth),
         }
+    }
+
+    /// [`Self::advance_cycles`] of a contact under depth control at a constant force (N), for
+    /// which the parameters are given, too. The depth is what comes of it.
+    ///
+    /// # Errors
+    /// As [`Self::advance_cycles`].
+    pub(crate) fn advance_cycles_at_force(
+        &mut self,
+        at_force: &Arc<Parameters>,
+        force: f64,
+        amplitude: f64,
+        cycles: f64,
+    ) -> Result<(), Error> {
+        // friction that runs in has changed its own model
+        self.absorb_backlog()?;
+        let at_depth = self.model.clone();
+        let mut model = (*at_depth).clone();
+        (model.parameters, model.constants.force_control) = (at_force.clone(), true);
+        self.model = Arc::new(model);
+        self.state.contact.control = self.state.contact.load;
+        let run = self.advance_cycles(force, amplitude, cycles);
+        let model = Arc::make_mut(&mut self.model);
+        (model.parameters, model.constants.force_control) = (at_depth.parameters.clone(), false);
+        if *self.model == *at_depth {
+            self.model = at_depth;
+        }
+        self.state.contact.control = self.state.contact.depth;
+        self.surface.control_by_depth();
+        run
     }
 
     /// Depth of the wear at the last update of the profile, m: [`Self::wear_depth`] without what

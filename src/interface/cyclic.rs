@@ -1,28 +1,24 @@
 //! Cyclic loading: many displacement cycles of all contacts in a few blocks.
 //!
-//! In a block the approach is constant, so that each contact wears by its own law of constant
-//! depth. Under a constant force the approach grows by what wears. The block is run at the approach
-//! of its middle, which is extrapolated from the blocks before, so that the force swings about the
-//! one asked for: an error of second order in the swing. A block whose mean force is off, or whose
-//! swing is too large, is run again.
+//! At a constant approach each contact wears by its own law of constant depth. Under a constant
+//! force the approach grows by what wears, and the contacts exchange load. In a block each contact
+//! wears by its law of constant force, at the mean of its forces before and after: an error of
+//! second order in what it exchanges. These means are extrapolated from the block before; a block
+//! whose means are off, or in which too much load is exchanged, is run again. Equal contacts
+//! exchange none: they are one contact with its share of the force.
 
-use super::members::Loads;
 use super::{Interface, Pose};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::range;
 
-/// Most that the mean force of a block may be off, relative, over the tolerance.
+/// Most that the means of the forces in a block may be off in all, relative, over the tolerance.
 const MEAN_ERROR: f64 = 1.0;
 
-/// Square of the largest half swing of the force in a block, relative, over the tolerance. By the
-/// tolerance of 1e-3 the swing is 1.6 %, and ten contacts of which one call wears 0.53 a² d each
-/// need 19 blocks. Ten contacts in twice as many differ from one by no less: what is left, 0.8 % of
-/// the volume at 64 cells and 0.25 % at 256, comes from meshes that are made again at another
-/// depth.
-const SWING: f64 = 0.25;
+/// Square of the largest share of the force that contacts exchange in a block, over the tolerance.
+const CHANGE: f64 = 0.25;
 
-/// How much of the largest swing a block is meant to have.
+/// How much of the largest change a block is meant to have.
 const AIM: f64 = 0.8;
 
 /// Most runs of one block at one length before it is shortened.
@@ -75,63 +71,70 @@ impl Interface {
     /// Cycles at a constant force, N, from the approach of a pose on.
     fn run_blocks(&mut self, force: f64, mut pose: Pose, cycles: f64) -> Result<(), Error> {
         let tolerance = self.parameters.tolerance;
-        let (most_swing, most_error) = ((SWING * tolerance).sqrt(), MEAN_ERROR * tolerance);
+        let (most_change, most_error) = ((CHANGE * tolerance).sqrt(), MEAN_ERROR * tolerance);
         let amplitude = pose.displacement[0];
-        let mut loads = Loads::new();
+        let mut before = self.shares(force, pose.approach)?;
         let mut left = cycles;
         let mut block = if self.block > 0.0 { self.block } else { cycles };
-        // rates of the approach, m per cycle, of the last blocks, and their lengths
-        let mut last: Option<(f64, f64)> = None;
-        let mut expected = 0.0;
+        // by how much the forces are expected to change in the block, N
+        let mut expected = vec![0.0; before.len()];
         let mut trials = 0;
         for _ in 0..MOST_BLOCKS {
             let length = if block >= left { left } else { block };
             let marks = self.members.marks();
-            let middle = Pose { approach: pose.approach + 0.5 * expected * length, ..pose };
-            let run = self.total_at(middle.approach, &mut loads).and_then(|(before, stiffness)| {
-                self.members.cycle(&middle, amplitude, length)?;
-                Ok((before, stiffness, self.normal_reaction()))
+            let mean: Vec<f64> =
+                before.iter().zip(&expected).map(|(force, change)| (force + 0.5 * change).max(0.0)).collect();
+            let run = self.members.cycle_at_forces(&pose, &mean, amplitude, length).and_then(|()| {
+                let next = self.approach_under(force, pose.approach)?.value;
+                Ok((next, self.shares(force, next)?))
             });
-            let (swing, error, correction) = match run {
-                Ok((before, stiffness, after)) => {
-                    let mean = 0.5 * (before + after) - force;
-                    ((before - after).abs() / (2.0 * force), mean.abs() / force, -mean / stiffness)
+            let of_force = |parts: &mut dyn Iterator<Item = f64>| parts.map(f64::abs).sum::<f64>() / force;
+            let (change, error) = match &run {
+                Ok((_, after)) => (
+                    0.5 * of_force(&mut after.iter().zip(&before).map(|(after, before)| after - before)),
+                    of_force(&mut (0..mean.len()).map(|k| 0.5 * (before[k] + after[k]) - mean[k])),
+                ),
+                Err(_) => (f64::INFINITY, f64::INFINITY),
+            };
+            match run {
+                Ok((next, after)) if change <= most_change && error <= most_error => {
+                    left -= length;
+                    pose.cycles += length;
+                    pose.approach = next;
+                    trials = 0;
+                    if left <= 0.0 {
+                        break;
+                    }
+                    block = length * (AIM * most_change / change).clamp(0.5, 2.0);
+                    let growth = block.min(left) / length;
+                    expected =
+                        after.iter().zip(&before).map(|(after, before)| growth * (after - before)).collect();
+                    before = after;
                 }
                 // a shorter block may wear what this one cannot follow
                 Err(problem) if length <= cycles * f64::EPSILON => return Err(problem),
-                Err(_) => (f64::INFINITY, f64::INFINITY, 0.0),
-            };
-            let too_long = !(swing <= most_swing && trials < MOST_TRIALS);
-            if too_long || error > most_error {
-                if length <= cycles * f64::EPSILON {
-                    let what = format!("{cycles:e} cycles of amplitude {amplitude:e} m");
-                    let parts = (cycles / length) as u64;
-                    return Err(Error::InterfaceOutrun { share: 2.0 * swing, what, parts });
+                run => {
+                    if length <= cycles * f64::EPSILON {
+                        let what = format!("{cycles:e} cycles of amplitude {amplitude:e} m");
+                        let parts = (cycles / length) as u64;
+                        return Err(Error::InterfaceOutrun { share: 2.0 * change, what, parts });
+                    }
+                    self.members.return_to(&marks);
+                    match run {
+                        Ok((_, after)) if change <= most_change && trials < MOST_TRIALS => {
+                            expected =
+                                after.iter().zip(&before).map(|(after, before)| after - before).collect();
+                            trials += 1;
+                        }
+                        _ => {
+                            let shorter = (AIM * most_change / change).clamp(0.05, 0.7);
+                            expected.iter_mut().for_each(|change| *change *= shorter);
+                            block = length * shorter;
+                            trials = 0;
+                        }
+                    }
                 }
-                self.members.return_to(&marks);
-                if too_long {
-                    block = length * (AIM * most_swing / swing).clamp(0.05, 0.7);
-                    trials = 0;
-                } else {
-                    expected += 2.0 * correction / length;
-                    trials += 1;
-                }
-                continue;
             }
-            let next = self.approach_under(force, middle.approach)?.value;
-            let rate = (next - pose.approach) / length;
-            left -= length;
-            pose.cycles += length;
-            pose.approach = next;
-            trials = 0;
-            if left <= 0.0 {
-                break;
-            }
-            block = length * (AIM * most_swing / swing).clamp(0.5, 2.0);
-            // of the middle of the next block, on the line through those of the last two
-            let slope = last.map_or(0.0, |(before, span)| 2.0 * (rate - before) / (span + length));
-            expected = (rate + slope * 0.5 * (length + block.min(left))).max(0.0);
-            last = Some((rate, length));
         }
         if left > 0.0 {
             let what = format!("{cycles:e} cycles of amplitude {amplitude:e} m, of which {left:e} are left");
@@ -141,5 +144,14 @@ impl Interface {
         self.members.cycle(&pose, amplitude, 0.0)?;
         self.pose = pose;
         Ok(())
+    }
+
+    /// Normal force of each contact at the approach under a force, N: they add up to it to
+    /// rounding.
+    fn shares(&self, force: f64, approach: f64) -> Result<Vec<f64>, Error> {
+        let mut shares = self.members.forces(approach)?;
+        let factor = force / shares.iter().sum::<f64>();
+        shares.iter_mut().for_each(|share| *share *= factor);
+        Ok(shares)
     }
 }

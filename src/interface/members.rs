@@ -27,6 +27,8 @@ pub(super) type Marks = Vec<(usize, Mark)>;
 pub(super) struct Members {
     /// That of every contact, under depth control; bodies are apart.
     model: Arc<Model>,
+    /// Parameters of a contact under force control, for cycles at constant force.
+    at_force: Arc<Parameters>,
     summits: Arc<[Summit]>,
     /// Contacts by rising offset.
     order: Arc<[u32]>,
@@ -45,7 +47,7 @@ pub(super) type Loads = Vec<(f64, f64)>;
 impl Members {
     pub(super) fn new(parameters: &Parameters, summits: &[Summit]) -> Result<Self, Error> {
         // the body of an ellipse is its equivalent sphere
-        let (model, body) = Model::new(at_depth(parameters))?;
+        let (model, body) = Model::new(controlled(parameters, NormalControl::Indentation))?;
         // bodies of one size share their profile
         let mut sizes: HashMap<u64, Arc<Profile>> = HashMap::new();
         let mut profiles = Vec::with_capacity(summits.len());
@@ -69,6 +71,7 @@ impl Members {
         order.sort_by(|a, b| summits[*a as usize].offset.total_cmp(&summits[*b as usize].offset));
         Ok(Self {
             model: Arc::new(model),
+            at_force: Arc::new(controlled(parameters, NormalControl::Force)),
             order: order.into(),
             profiles: profiles.into(),
             slots: vec![None; summits.len()],
@@ -117,7 +120,8 @@ impl Members {
     /// # Errors
     /// Those of [`FrettingContact::new`].
     pub(super) fn share(&mut self, parameters: &Parameters) -> Result<(), Error> {
-        self.model = Arc::new(Model::new(at_depth(parameters))?.0);
+        self.model = Arc::new(Model::new(controlled(parameters, NormalControl::Indentation))?.0);
+        self.at_force = Arc::new(controlled(parameters, NormalControl::Force));
         for contact in self.slots.iter_mut().flatten() {
             contact.share_parameters(&self.model);
         }
@@ -203,7 +207,7 @@ impl Members {
     /// Takes every contact from one pose to another by a straight line in depth and displacement.
     /// `apart`: no contact touches in the end.
     pub(super) fn advance(&mut self, from: &Pose, to: &Pose, apart: bool) -> Result<(), Error> {
-        self.turn(from, to, |contact, summit| {
+        self.turn(from, to, |contact, summit, _| {
             let mut depth = to.approach - summit.offset;
             if apart {
                 depth = depth.min(contact.touch_depth());
@@ -214,17 +218,46 @@ impl Members {
 
     /// Displacement cycles of all contacts at the depths of a pose.
     pub(super) fn cycle(&mut self, pose: &Pose, amplitude: f64, cycles: f64) -> Result<(), Error> {
-        self.turn(pose, pose, |contact, summit| {
+        self.turn(pose, pose, |contact, summit, _| {
             // one that has just touched, or was apart, has missed some
             contact.set_cycles_on_coating(pose.cycles);
             contact.advance_cycles(pose.approach - summit.offset, amplitude, cycles)
         })
     }
 
+    /// Normal force (N) of each contact at an approach, m; 0 of those that do not touch.
+    pub(super) fn forces(&self, approach: f64) -> Result<Vec<f64>, Error> {
+        let mut loads = Loads::new();
+        self.loads(approach, &mut loads)?;
+        let mut forces = vec![0.0; self.slots.len()];
+        self.order.iter().zip(&loads).for_each(|(index, load)| forces[*index as usize] = load.0);
+        Ok(forces)
+    }
+
+    /// Displacement cycles of each contact at a constant force of its own, N; those of a contact
+    /// that does not touch are counted.
+    pub(super) fn cycle_at_forces(
+        &mut self,
+        pose: &Pose,
+        forces: &[f64],
+        amplitude: f64,
+        cycles: f64,
+    ) -> Result<(), Error> {
+        let at_force = self.at_force.clone();
+        self.turn(pose, pose, |contact, _, index| {
+            contact.set_cycles_on_coating(pose.cycles);
+            if forces[index] > 0.0 {
+                contact.advance_cycles_at_force(&at_force, forces[index], amplitude, cycles)
+            } else {
+                Ok(())
+            }
+        })
+    }
+
     /// Lifts all contacts off and presses them down in a pose, so that none carries a tangential
     /// force.
     pub(super) fn start(&mut self, pose: &Pose, apart: bool) -> Result<(), Error> {
-        self.turn(pose, pose, |contact, summit| {
+        self.turn(pose, pose, |contact, summit, _| {
             let mut depth = pose.approach - summit.offset;
             if apart {
                 depth = depth.min(contact.touch_depth());
@@ -233,12 +266,12 @@ impl Members {
         })
     }
 
-    /// Changes every contact that has touched or touches in the pose `to`.
+    /// Changes every contact that has touched or touches in the pose `to`; each with its number.
     pub(super) fn turn(
         &mut self,
         from: &Pose,
         to: &Pose,
-        change: impl Fn(&mut FrettingContact, &Summit) -> Result<(), Error> + Sync,
+        change: impl Fn(&mut FrettingContact, &Summit, usize) -> Result<(), Error> + Sync,
     ) -> Result<(), Error> {
         let (model, summits, profiles) = (self.model.clone(), self.summits.clone(), self.profiles.clone());
         self.each(|index, slot, memory| {
@@ -249,7 +282,7 @@ impl Members {
             let contact =
                 slot.get_or_insert_with(|| Box::new(untouched(&model, &profiles[index], summit, from)));
             contact.exchange_memory(memory);
-            let result = change(contact, summit);
+            let result = change(contact, summit, index);
             contact.return_memory(memory);
             result.map_err(|problem| Error::InContact { contact: index + 1, problem: Box::new(problem) })
         })
@@ -278,9 +311,9 @@ impl Members {
     }
 }
 
-/// Parameters of a contact: each is held at its depth.
-fn at_depth(parameters: &Parameters) -> Parameters {
-    Parameters { normal_control: NormalControl::Indentation, ..parameters.clone() }
+/// Parameters of a contact: each is held at its depth, or at its force.
+fn controlled(parameters: &Parameters, normal_control: NormalControl) -> Parameters {
+    Parameters { normal_control, ..parameters.clone() }
 }
 
 fn untouched(model: &Arc<Model>, profile: &Arc<Profile>, summit: &Summit, pose: &Pose) -> FrettingContact {

@@ -168,11 +168,11 @@ fn random_histories_keep_every_invariant() {
     }
 }
 
-/// Cycles of equal contacts: to rounding without wear. With it, the interface solves for the depth
-/// at blocks of cycles, each of which lays its mesh at another depth: W, T and μ are 1.7 % off.
+/// Cycles of equal contacts: to rounding without wear; with it, the second call begins at an
+/// approach that is searched for.
 #[test]
 fn cycles_run_in_as_those_of_one() {
-    for (parameters, accuracy) in [(running_in(USUAL), 1e-9), (wearing(USUAL), 1.8e-2)] {
+    for (parameters, accuracy) in [(running_in(USUAL), 1e-9), (wearing(USUAL), 1e-4)] {
         let mut one = FrettingContact::new(parameters.clone()).unwrap();
         let mut three = Interface::new(parameters, &[Summit::at_offset(0.0); 3]).unwrap();
         for cycles in [3.0, 300.0] {

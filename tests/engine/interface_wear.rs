@@ -94,8 +94,8 @@ fn a_long_slide_wears_by_archard() {
     close_to(joint.normal_reaction(), 500.0, 1e-11, "force");
 }
 
-/// Cycles in blocks of constant approach, each of which lays its mesh at another depth, against one
-/// contact at its share of the force: measured 1.55 %.
+/// At a constant force each contact wears by the law of its share of the force: V of the first call
+/// is equal to the bit, and later ones differ by the search for the approach between them.
 #[test]
 fn cycles_of_equal_contacts_are_those_of_one() {
     let parameters = Parameters { resolution: 64, ..worn(3.2e-2) };
@@ -104,11 +104,11 @@ fn cycles_of_equal_contacts_are_those_of_one() {
     for cycles in [100.0, 900.0, 9e3, 9e4] {
         one.advance_cycles(100.0, 1.5e-6, cycles).unwrap();
         four.advance_cycles(400.0, 1.5e-6, cycles).unwrap();
-        close_to(four.wear_volume(), 4.0 * one.wear_volume(), 1.6e-2, "worn volume");
-        close_to(four.wear_depth(), one.wear_depth(), 1.5e-2, "wear depth");
-        close_to(four.indentation_depth(), one.indentation_depth(), 2e-3, "approach");
-        close_to(four.tangential_force(), 4.0 * one.tangential_force(), 1e-2, "force amplitude");
-        close_to(four.normal_reaction(), 400.0, 1e-6, "normal force");
+        close_to(four.wear_volume(), 4.0 * one.wear_volume(), 2e-4, "worn volume");
+        close_to(four.wear_depth(), one.wear_depth(), 5e-4, "wear depth");
+        close_to(four.indentation_depth(), one.indentation_depth(), 1e-4, "approach");
+        close_to(four.tangential_force(), 4.0 * one.tangential_force(), 1e-4, "force amplitude");
+        close_to(four.normal_reaction(), 400.0, 1e-12, "normal force");
     }
     // at a constant approach there are no blocks
     let held = Parameters { normal_control: NormalControl::Indentation, ..worn(3.2e-2) };
@@ -119,8 +119,8 @@ fn cycles_of_equal_contacts_are_those_of_one() {
     close_to(four.wear_volume(), 4.0 * one.wear_volume(), 1e-12, "worn volume");
 }
 
-/// A rough joint beds in: the high contacts give their load to the low ones, and the mean force of
-/// the blocks is the one asked for: calls divided in two give the same.
+/// A rough joint beds in: the high contacts give their load to the low ones. Calls divided in four
+/// give the same.
 #[test]
 fn calls_of_cycles_may_be_divided() {
     let end = |calls: u32| {
@@ -131,8 +131,8 @@ fn calls_of_cycles_may_be_divided() {
         (joint.wear_volume(), joint.indentation_depth(), joint.contacts_in_touch())
     };
     let (one, four) = (end(1), end(4));
-    close_to(one.0, four.0, 1.5e-2, "worn volume");
-    close_to(one.1, four.1, 3e-3, "approach");
+    close_to(one.0, four.0, 1e-3, "worn volume");
+    close_to(one.1, four.1, 5e-4, "approach");
     assert_eq!(one.2, four.2);
 }
 
