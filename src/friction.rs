@@ -96,11 +96,19 @@ impl Springs {
 
     /// ∫ u dx from the axis to the edge, m².
     pub(crate) fn deflection_integral(&self, displacement: f64) -> f64 {
-        let pair = |w: &[Knot]| {
-            let interval = Interval::between(&w[0].place, &w[1].place);
-            interval.linear(displacement - w[0].origin, displacement - w[1].origin)
-        };
-        self.knots.windows(2).map(pair).sum()
+        let [first, others @ ..] = &self.knots[..] else { return 0.0 };
+        let (mut inner, mut deflection, mut sum) = (&first.place, displacement - first.origin, 0.0);
+        for outer in others {
+            let next = displacement - outer.origin;
+            // springs that have never slipped are all deflected by the same
+            sum += if next == deflection {
+                deflection * (outer.place.x - inner.x)
+            } else {
+                Interval::between(inner, &outer.place).linear(deflection, next)
+            };
+            (inner, deflection) = (&outer.place, next);
+        }
+        sum
     }
 
     /// ∫ u² dx from the axis to the edge, m³: the elastic energy of the row over G*.

@@ -164,7 +164,14 @@ impl Surface {
         if self.worn.is_none()
             && let Some(x) = self.profile.radius_at_depth(image)
         {
-            return x.clamp(low, high);
+            // `f64::clamp` is a call, since it checks the bounds
+            return if x < low {
+                low
+            } else if x > high {
+                high
+            } else {
+                x
+            };
         }
         if let Some(x) =
             self.worn.as_ref().and_then(|nodes| nodes.radius_of_image(&self.profile, image, low, high))

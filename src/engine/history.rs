@@ -54,22 +54,25 @@ impl FrettingContact {
     }
 
     /// [`Self::advance_to`] at the present coefficient of friction.
+    #[inline]
     pub(super) fn advance_on_line(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         let (value, displacement) = self.checked(normal, displacement)?;
         if self.state.planar.is_some() {
-            return self.advance_in_plane(normal, Vector2::new(displacement, self.drive_displacement_y()));
+            return self.advance_off_line(normal, Vector2::new(displacement, self.drive_displacement_y()));
         }
         if self.model.compliance > 0.0 {
             return self.advance_drive(value, displacement);
         }
-        if value == self.state.contact.control && displacement == self.state.displacement {
+        let stands = value == self.state.contact.control && displacement == self.state.displacement;
+        if stands || self.slides_to(value, displacement) {
             self.state.counters.steps += 1;
             return Ok(());
         }
-        if self.slides_to(value, displacement) {
-            self.state.counters.steps += 1;
-            return Ok(());
-        }
+        self.walk_to(value, displacement)
+    }
+
+    /// Walks a line that takes more than slip of the outer springs.
+    fn walk_to(&mut self, value: f64, displacement: f64) -> Result<(), Error> {
         let line =
             Line { from: (self.state.contact.control, self.state.displacement), to: (value, displacement) };
         let walked = if self.pieces(&line) == 1 {
@@ -166,11 +169,8 @@ impl FrettingContact {
 
     /// Sign of the way to a displacement.
     pub(super) fn direction_to(&self, displacement: f64) -> f64 {
-        if displacement == self.state.displacement {
-            0.0
-        } else {
-            (displacement - self.state.displacement).signum()
-        }
+        let way = displacement - self.state.displacement;
+        if way == 0.0 { 0.0 } else { 1f64.copysign(way) }
     }
 
     /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where

@@ -54,11 +54,17 @@ impl Planar {
 
 impl FrettingContact {
     /// [`Self::advance_to_planar`] at the present coefficient of friction.
+    #[inline]
     pub(super) fn advance_in_plane(&mut self, normal: f64, displacement: Vector2<f64>) -> Result<(), Error> {
-        let [x, y] = displacement.into();
-        if y == self.drive_displacement_y() && self.state.planar.is_none() {
-            return self.advance_on_line(normal, x);
+        if self.state.planar.is_none() && displacement.y == self.drive_displacement_y() {
+            return self.advance_on_line(normal, displacement.x);
         }
+        self.advance_off_line(normal, displacement)
+    }
+
+    /// The same where the body has moved or moves along y.
+    pub(super) fn advance_off_line(&mut self, normal: f64, displacement: Vector2<f64>) -> Result<(), Error> {
+        let [x, y] = displacement.into();
         let (value, _) = self.checked(normal, x)?;
         range::input(Y, y)?;
         if value == self.state.contact.control && displacement == self.drive_place() {

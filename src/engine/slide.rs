@@ -23,23 +23,12 @@ impl FrettingContact {
         if turns {
             self.begin_stroke();
         }
-        let work_scale = 2.0 * self.model.constants.tangential_modulus;
-        let most_work = self.work_to_update();
-        let (springs, contact, slips) =
-            (&mut self.state.springs, &self.state.contact, &mut self.memory.get().slips);
-        slips.clear();
-        let bound_slope = self.model.bound_slope;
+        let scales = (2.0 * self.model.constants.tangential_modulus, self.work_to_update());
         let work = if wears {
-            springs.slide(
-                &self.surface,
-                contact,
-                bound_slope,
-                displacement,
-                (work_scale, most_work),
-                |piece| slips.push(piece),
-            )
+            self.slide_with_slips(displacement, scales)
         } else {
-            springs.slide(&self.surface, contact, bound_slope, displacement, (work_scale, most_work), |_| ())
+            let (springs, contact) = (&mut self.state.springs, &self.state.contact);
+            springs.slide(&self.surface, contact, self.model.bound_slope, displacement, scales, |_| ())
         };
         let Some(work) = work else {
             if turns {
@@ -56,5 +45,14 @@ impl FrettingContact {
         self.add_work(work);
         self.state.counters.spring_walks += 1;
         true
+    }
+
+    /// [`Springs::slide`](crate::friction::Springs::slide) whose slip is kept, to be gathered.
+    fn slide_with_slips(&mut self, displacement: f64, scales: (f64, f64)) -> Option<f64> {
+        let (springs, contact) = (&mut self.state.springs, &self.state.contact);
+        let slips = &mut self.memory.get().slips;
+        slips.clear();
+        let gather = |piece| slips.push(piece);
+        springs.slide(&self.surface, contact, self.model.bound_slope, displacement, scales, gather)
     }
 }

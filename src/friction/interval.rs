@@ -87,7 +87,7 @@ fn rounded(width: f64, rise: f64, first: f64, second: f64) -> f64 {
 /// `value`, but not below `bound`: `f64::max` without its care for a bound that is no number, which
 /// costs as much again.
 #[inline]
-fn at_least(value: f64, bound: f64) -> f64 {
+pub(super) fn at_least(value: f64, bound: f64) -> f64 {
     if value < bound { bound } else { value }
 }
 

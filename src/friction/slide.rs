@@ -1,11 +1,11 @@
 //! Slip under a contact that does not change, where the outer springs all slip to one side: nearly
 //! every step of nearly every run, and so done in place.
 
-use super::interval::Interval;
+use super::interval::{Interval, at_least};
 use super::walk::{FAR_OFF, between, rounding};
 use super::{Knot, Springs};
 use crate::friction::SlipPiece;
-use crate::surface::{Contact, Surface};
+use crate::surface::{Contact, Place, Surface};
 
 impl Springs {
     /// Moves the body to `displacement` under an unchanged contact. Returns the work of friction,
@@ -25,47 +25,61 @@ impl Springs {
         mut gather: impl FnMut(SlipPiece),
     ) -> Option<f64> {
         let rounding = rounding(bound_slope, contact, displacement);
-        let bound = |knot: &Knot| bound_slope * (contact.depth - knot.place.image).max(0.0);
-        let sticks = |knot: &Knot| (displacement - knot.origin).abs() - bound(knot) <= rounding;
-        let Some(sticking) = self.knots.iter().position(|knot| !sticks(knot)) else { return Some(0.0) };
-        let (inner, outer) = self.knots.split_at(sticking);
-        let side = 1f64.copysign(displacement - outer[0].origin);
-        let excess = |knot: &Knot| side * (displacement - knot.origin) - bound(knot);
-        let clipped = |knot: &Knot| Knot { origin: displacement - side * bound(knot), ..*knot };
+        let bound = |knot: &Knot| bound_slope * at_least(contact.depth - knot.place.image, 0.0);
+        // deflection and bound: of the outermost of the inner springs that stick, and of the next
+        let (mut within, mut sticking) = ((0.0, 0.0), 0);
+        let beyond = loop {
+            let Some(knot) = self.knots.get(sticking) else { return Some(0.0) };
+            let spring = (displacement - knot.origin, bound(knot));
+            // written so that what is no number slips, and is refused below
+            let sticks = spring.0.abs() - spring.1 <= rounding;
+            if !sticks {
+                break spring;
+            }
+            (within, sticking) = (spring, sticking + 1);
+        };
+        let side = 1f64.copysign(beyond.0);
+        let excess = |(deflection, bound): (f64, f64)| side * deflection - bound;
+        let clipped = |place: &Place, bound: f64| Knot { place: *place, origin: displacement - side * bound };
 
         // the innermost spring that slips, or the front: a spring at its bound, else one between it
         // and those that stick
-        let (mut last, mut slip) = (outer[0], excess(&outer[0]));
-        let (mut start, mut kept, mut others) = (clipped(&last), sticking, &outer[1..]);
-        if let Some(inner) = inner.last() {
-            let margin = -excess(inner);
-            if margin <= rounding {
-                (start, kept) = (*inner, sticking - 1);
-            } else {
-                start = between(surface, inner, &last, margin / (margin + slip));
+        let (inner, outer) = self.knots.split_at(sticking);
+        let (start, kept, mut slip, mut last_bound, others) = match inner.last() {
+            None => {
+                let (place, slip) = (&outer[0].place, excess(beyond));
+                (clipped(place, beyond.1), 0, slip, beyond.1, &outer[1..])
             }
-            (last, slip, others) = (start, excess(&start), outer);
-            // else it stays as it is: clipping it would put the bound's rounding into the springs
-            // that stick
-            if slip > FAR_OFF * rounding {
-                start = clipped(&start);
+            Some(inner) => {
+                let margin = -excess(within);
+                let (mut start, kept, bound) = if margin <= rounding {
+                    (*inner, sticking - 1, within.1)
+                } else {
+                    let front = between(surface, inner, &outer[0], margin / (margin + excess(beyond)));
+                    (front, sticking, bound(&front))
+                };
+                let slip = excess((displacement - start.origin, bound));
+                // else it stays as it is: clipping it would put the bound's rounding into the
+                // springs that stick
+                if slip > FAR_OFF * rounding {
+                    start = clipped(&start.place, bound);
+                }
+                (start, kept, if slip <= rounding { 0.0 } else { slip }, bound, outer)
             }
-            if slip <= rounding {
-                slip = 0.0;
-            }
-        }
-        let mut work = 0.0;
+        };
+        let (mut work, mut last) = (0.0, start.place);
         for knot in others {
-            let next = excess(knot);
+            let knot_bound = bound(knot);
+            let next = excess((displacement - knot.origin, knot_bound));
             // written so that it also refuses what is no number
             let slips = next > rounding;
             if !slips {
                 return None;
             }
-            let interval = Interval::between(&last.place, &knot.place);
-            gather(SlipPiece::over((last.place.image, knot.place.image), (slip, next), &interval));
-            work += interval.slip_work((bound(&last), bound(knot)), (slip, next));
-            (last, slip) = (*knot, next);
+            let interval = Interval::between(&last, &knot.place);
+            gather(SlipPiece::over((last.image, knot.place.image), (slip, next), &interval));
+            work += interval.slip_work((last_bound, knot_bound), (slip, next));
+            (last, last_bound, slip) = (knot.place, knot_bound, next);
         }
         let work = work_scale * work;
         let allowed = work <= most_work;
@@ -73,11 +87,11 @@ impl Springs {
         if !allowed {
             return None;
         }
-        let alone = self.knots.len() == 1;
+        let (end, alone) = (clipped(&last, last_bound), others.is_empty());
         self.knots.truncate(kept);
         self.knots.push(start);
         if !alone {
-            self.knots.push(clipped(&last));
+            self.knots.push(end);
         }
         Some(work)
     }

@@ -360,9 +360,16 @@ impl Profile {
 
     /// Contact radius at which the image of a smooth unworn profile reaches the indentation depth
     /// `depth`, m, or `None` where only iteration finds it.
+    #[inline]
     pub(crate) fn radius_at_depth(&self, depth: f64) -> Option<f64> {
+        if let Self::Parabola { radius } = self {
+            return Some((radius * depth).sqrt());
+        }
+        self.radius_of_other_at_depth(depth)
+    }
+
+    fn radius_of_other_at_depth(&self, depth: f64) -> Option<f64> {
         match self {
-            Self::Parabola { radius } => Some((radius * depth).sqrt()),
             Self::Cone { slope } => Some(depth / (PI / 2.0 * slope.tan())),
             Self::PowerLaw { exponent, coefficient } => {
                 Some((depth / (power_factor(*exponent) * coefficient)).powf(1.0 / exponent))

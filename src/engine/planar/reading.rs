@@ -1,7 +1,7 @@
 //! What can be read from a contact that moves in both tangential directions.
 
 use crate::engine::FrettingContact;
-use crate::friction::{Standing, Tangent};
+use crate::friction::{PlanarRow, Standing, Tangent};
 use crate::range::LEAST_RISE;
 use crate::transform;
 use nalgebra::Vector2;
@@ -26,14 +26,18 @@ impl FrettingContact {
     }
 
     /// Both components of the force, N, where the body has moved along y.
+    #[inline]
     pub(in crate::engine) fn force_in_plane(&self) -> Option<Vector2<f64>> {
-        let planar = self.state.planar.as_ref()?;
-        let integral = planar.row.deflection_integral(self.model.axes.for_springs(self.place()));
+        self.state.planar.as_deref().map(|planar| self.force_of(&planar.row))
+    }
+
+    fn force_of(&self, row: &PlanarRow) -> Vector2<f64> {
+        let integral = row.deflection_integral(self.model.axes.for_springs(self.place()));
         let force = 2.0 * self.model.constants.tangential_modulus * integral;
         let limit = self.model.constants.friction_coefficient * self.normal_reaction();
         let size = force.x.hypot(force.y);
         // of a size that is rounding, too
-        Some(if size > limit { force / size * limit } else { force })
+        if size > limit { force / size * limit } else { force }
     }
 
     /// The row where it stands.

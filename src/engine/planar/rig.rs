@@ -75,6 +75,7 @@ impl Equilibrium {
 impl FrettingContact {
     /// Displacement of the drive along y: U_y + T_y/k_rig, m. It is [`Self::displacement_y`] where
     /// the rig is rigid.
+    #[inline]
     pub fn drive_displacement_y(&self) -> f64 {
         if self.model.compliance == 0.0 {
             return self.state.displacement_y;
