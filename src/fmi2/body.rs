@@ -137,12 +137,7 @@ impl Body {
     pub(super) fn output(&self, output: &Output) -> f64 {
         match self {
             Self::One(contact) => (output.read)(contact),
-            Self::Many(interface) => match output.whole {
-                Whole::Sum => interface.sum(output.read),
-                Whole::Deepest => interface.read_deepest(output.read),
-                Whole::Friction => interface.friction_coefficient_now(),
-                Whole::Own { read, .. } => read(interface),
-            },
+            Self::Many(interface) => output_of_many(interface, output),
         }
     }
 
@@ -202,6 +197,15 @@ impl Body {
             _ => return Ok(false),
         }
         Ok(true)
+    }
+}
+
+fn output_of_many(interface: &Interface, output: &Output) -> f64 {
+    match output.whole {
+        Whole::Sum => interface.sum(output.read),
+        Whole::Deepest => interface.read_deepest(output.read),
+        Whole::Friction => interface.friction_coefficient_now(),
+        Whole::Own { read, .. } => read(interface),
     }
 }
 

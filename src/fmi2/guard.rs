@@ -79,10 +79,13 @@ pub(super) unsafe fn array<'a, T>(
     pointer: *const T,
     length: usize,
 ) -> Checked<&'a [T]> {
+    if length == 0 {
+        return Ok(&[]);
+    }
     check_array(argument, pointer, length)?;
     // SAFETY: the length is possible and the pointer not null, the rest is this function's
     // contract.
-    Ok(if length == 0 { &[] } else { unsafe { core::slice::from_raw_parts(pointer, length) } })
+    Ok(unsafe { core::slice::from_raw_parts(pointer, length) })
 }
 
 /// An array argument to fill. An empty one may be null.
@@ -94,15 +97,18 @@ pub(super) unsafe fn array_out<'a, T>(
     pointer: *mut T,
     length: usize,
 ) -> Checked<&'a mut [MaybeUninit<T>]> {
+    if length == 0 {
+        return Ok(&mut []);
+    }
     check_array(argument, pointer, length)?;
     // SAFETY: the length is possible and the pointer not null, the rest is this function's
     // contract.
-    Ok(if length == 0 { &mut [] } else { unsafe { core::slice::from_raw_parts_mut(pointer.cast(), length) } })
+    Ok(unsafe { core::slice::from_raw_parts_mut(pointer.cast(), length) })
 }
 
 #[inline]
 fn check_array<T>(argument: &'static str, pointer: *const T, length: usize) -> Checked {
-    if length <= isize::MAX as usize / size_of::<T>() && (length == 0 || !pointer.is_null()) {
+    if length <= isize::MAX as usize / size_of::<T>() && !pointer.is_null() {
         return Ok(());
     }
     Err(refuse_array(argument, length, size_of::<T>()))

@@ -4,7 +4,7 @@
 use super::body::Body;
 use super::component::Component;
 use super::enumerations::Items;
-use super::model::Model;
+use super::model::{Model, Staged};
 use super::refusal::{Checked, Refusal};
 use super::settings::{Inputs, Settings};
 use super::variables::{Access, DataType, PROBES, Range, Variable, WearThrough, variables};
@@ -154,61 +154,80 @@ pub(super) fn check_settings(settings: &Settings) -> Checked {
     Ok(())
 }
 
+/// Reads real variables other than outputs without a memory.
+struct Reader<'a> {
+    contact: Option<&'a Body>,
+    staged: &'a mut Staged,
+    /// Found once in a call, like `deepest`.
+    radii: Option<[f64; PROBES]>,
+    /// The contact of an interface whose fields are given.
+    deepest: Option<Box<FrettingContact>>,
+    /// A field that has no numbers.
+    unknown: Option<u32>,
+}
+
+impl Reader<'_> {
+    #[inline(never)]
+    fn read(&mut self, reference: u32, access: &Access) -> f64 {
+        let Self { contact, staged, .. } = self;
+        match (access, *contact) {
+            (Access::Input(field), _) => *field(&mut staged.inputs),
+            (Access::Parameter(field) | Access::Tunable(field), _) => *field(&mut staged.settings),
+            (Access::Output(output), Some(contact)) => {
+                staged.deepest_read = staged.deepest_read.max(contact.output(output));
+                staged.deepest_read
+            }
+            (Access::SlipNumber(read), Some(contact)) => contact.slip_state(*read).number().into(),
+            (Access::WearThrough(which), Some(contact)) => {
+                staged.look_at_coating(contact);
+                match which {
+                    WearThrough::Time => staged.worn_through_at.unwrap_or(0.0),
+                    WearThrough::Cycles => contact.cycles_to_wear_through().unwrap_or(0.0),
+                }
+            }
+            (Access::Field { probe, read }, Some(contact)) => {
+                let value = self.field(contact, *probe, *read);
+                if value.is_nan() {
+                    self.unknown = Some(reference);
+                }
+                value
+            }
+            other => unreachable!("not a real variable, or not computed: {:?}", other.0),
+        }
+    }
+
+    /// A field at one of the probe radii.
+    fn field(&mut self, contact: &Body, probe: usize, read: fn(&FrettingContact, f64) -> f64) -> f64 {
+        let contact = match contact {
+            Body::One(contact) => contact,
+            Body::Many(interface) => {
+                self.deepest.get_or_insert_with(|| Box::new(interface.read_deepest(FrettingContact::clone)))
+            }
+        };
+        let radii = self.radii.get_or_insert_with(|| contact.probe_radii());
+        read(contact, radii[probe])
+    }
+}
+
 impl Component {
     pub(super) fn get_real(&mut self, references: &[u32], values: &mut [MaybeUninit<f64>]) -> Checked {
         let table = Table::get();
-        let mut computed = false;
         for &reference in references {
-            computed |= matches!(
-                table.find(reference, Asked::Real)?.access,
-                Access::Output(_) | Access::SlipNumber(_) | Access::WearThrough(_) | Access::Field { .. }
-            );
+            table.find(reference, Asked::Real)?;
         }
-        if computed {
+        let is_computed = |reference: &u32| table.access(*reference).is_computed();
+        if self.model.has_to_start() && references.iter().any(is_computed) {
             self.model.contact(&self.resources)?;
         }
         let (contact, staged) = self.model.parts();
-        let mut radii: Option<[f64; PROBES]> = None;
-        let mut unknown = None;
-        let mut deepest: Option<FrettingContact> = None;
+        let mut reader = Reader { contact, staged, radii: None, deepest: None, unknown: None };
         for (&reference, value) in references.iter().zip(values) {
             value.write(match (table.access(reference), contact) {
-                (Access::Input(field), _) => *field(&mut staged.inputs),
-                (Access::Parameter(field) | Access::Tunable(field), _) => *field(&mut staged.settings),
-                (Access::Output(output), Some(contact)) if output.never_falls => {
-                    staged.deepest_read = staged.deepest_read.max(contact.output(output));
-                    staged.deepest_read
-                }
-                (Access::Output(output), Some(contact)) => contact.output(output),
-                (Access::SlipNumber(read), Some(contact)) => contact.slip_state(*read).number().into(),
-                (Access::WearThrough(which), Some(contact)) => {
-                    staged.look_at_coating(contact);
-                    match which {
-                        WearThrough::Time => staged.worn_through_at.unwrap_or(0.0),
-                        WearThrough::Cycles => contact.cycles_to_wear_through().unwrap_or(0.0),
-                    }
-                }
-                (Access::Field { probe, read }, Some(body)) => {
-                    // the fields of an interface are those of one contact, which is found once
-                    let mut field = |contact: &FrettingContact| {
-                        let radii = radii.get_or_insert_with(|| contact.probe_radii());
-                        read(contact, radii[*probe])
-                    };
-                    let value = match body {
-                        Body::One(contact) => field(contact),
-                        Body::Many(interface) => field(
-                            deepest.get_or_insert_with(|| interface.read_deepest(FrettingContact::clone)),
-                        ),
-                    };
-                    if value.is_nan() {
-                        unknown = Some(reference);
-                    }
-                    value
-                }
-                other => unreachable!("not a real variable, or not computed: {:?}", other.0),
+                (Access::Output(output), Some(contact)) if !output.never_falls => contact.output(output),
+                (access, _) => reader.read(reference, access),
             });
         }
-        if let Some(reference) = unknown {
+        if let Some(reference) = reader.unknown {
             let name = table.find(reference, Asked::Real)?.name;
             self.warn_of_unknown_field(name);
         }
@@ -216,6 +235,26 @@ impl Component {
     }
 
     pub(super) fn set_real(&mut self, references: &[u32], values: &[f64]) -> Checked {
+        let table = Table::get();
+        for (&reference, &value) in references.iter().zip(values) {
+            let variable = table.find(reference, Asked::Real)?;
+            let Access::Input(_) = variable.access else {
+                return self.set_reals_of_any_kind(references, values);
+            };
+            check_real(variable, value)?;
+        }
+        // inputs alone, as before each step
+        let inputs = self.model.change_inputs();
+        for (&reference, &value) in references.iter().zip(values) {
+            if let Access::Input(field) = table.access(reference) {
+                *field(inputs) = value;
+            }
+        }
+        Ok(())
+    }
+
+    #[cold]
+    fn set_reals_of_any_kind(&mut self, references: &[u32], values: &[f64]) -> Checked {
         let table = Table::get();
         for (&reference, &value) in references.iter().zip(values) {
             let variable = table.find(reference, Asked::Real)?;

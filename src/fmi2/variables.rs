@@ -9,7 +9,7 @@ use crate::engine::{FrettingContact, Gradient, SlipState};
 use crate::interface::Interface;
 use std::ffi::CString;
 use std::fmt;
-use std::ops::{Bound, RangeBounds, RangeInclusive};
+use std::ops::{Bound, RangeInclusive};
 
 /// Number of radii at which the fields are given.
 pub const PROBES: usize = 64;
@@ -141,7 +141,17 @@ impl Range {
     /// Whether `value` is accepted.
     #[inline]
     pub fn contains(&self, value: f64) -> bool {
-        (value.is_finite() || self.is_open_ended()) && (self.low, self.high).contains(&value)
+        let above = match self.low {
+            Bound::Included(low) => value >= low,
+            Bound::Excluded(low) => value > low,
+            Bound::Unbounded => value >= f64::MIN,
+        };
+        let below = match self.high {
+            Bound::Included(high) => value <= high,
+            Bound::Excluded(high) => value < high,
+            Bound::Unbounded => value <= f64::MAX,
+        };
+        above && below
     }
 
     const fn of(range: &RangeInclusive<f64>) -> Self {
