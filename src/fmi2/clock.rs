@@ -70,10 +70,10 @@ impl Clock {
     /// The clock after a step of `length` from `point`.
     #[inline]
     pub(super) fn after(&self, point: f64, length: f64) -> Checked<Self> {
-        if !(0.0..f64::INFINITY).contains(&length) {
+        if !(0.0..=f64::MAX).contains(&length) {
             return Err(negative_or_infinite(length));
         }
-        if point != self.time || point.is_infinite() {
+        if point != self.time {
             self.check_point(point, length)?;
         }
         let time = point + length;
@@ -82,7 +82,7 @@ impl Clock {
         {
             self.check_stop(point, length, stop)?;
         }
-        if time.is_infinite() {
+        if time > f64::MAX {
             return Err(negative_or_infinite(time));
         }
         let longest = if length > self.longest { length } else { self.longest };

@@ -97,7 +97,7 @@ pub(super) trait Items: Copy + PartialEq + 'static {
 
     /// The value with this number; callers have checked it against the type's range.
     fn from_number(number: i32) -> Self {
-        Self::ALL[usize::try_from(number - 1).expect("items are numbered from 1")]
+        Self::ALL[(number - 1) as usize]
     }
 
     /// The number of this value.

@@ -41,6 +41,40 @@ impl Staged {
         }
         self.worn_through_at.is_some()
     }
+
+    /// Takes a contact along a step of `length`, s.
+    #[inline]
+    fn advance(&self, contact: &mut Body, to: &Inputs, length: f64) -> Result<(), Error> {
+        let normal = to.normal(self.settings.normal_control());
+        match self.settings.loading() {
+            Loading::Transient => contact.advance_to(normal, to.place(), to.rotation),
+            Loading::Cyclic => {
+                let cycles = 0.5 * (self.inputs.frequency + to.frequency) * length;
+                contact.advance_cycles(normal, to.displacement_amplitude, cycles)
+            }
+        }
+    }
+
+    /// The same with tunable parameters that have changed. A step that cannot be done must not
+    /// leave the contact retuned either.
+    #[cold]
+    fn retune_and_advance(&self, contact: &mut Body, to: &Inputs, length: f64) -> Result<(), Error> {
+        let (before, settings) = (contact.clone(), &self.settings);
+        let advanced = contact
+            .retune(settings.friction_coefficient, settings.wear_coefficients())
+            .and_then(|()| self.advance(contact, to, length));
+        if advanced.is_err() {
+            *contact = before;
+        }
+        advanced
+    }
+
+    #[cold]
+    fn refuse_step(&self, to: &Inputs, length: f64, problem: Error) -> Box<Refusal> {
+        let (start, inputs) = (self.clock.time(), to.describe(&self.settings));
+        let context = format!("step from t = {start:?} s by {length:?} s to {inputs}");
+        Refusal::Step { context, problem }.into()
+    }
 }
 
 /// Time that a number of cycles takes whose frequency changes evenly between two, Hz, over a step
@@ -130,6 +164,12 @@ impl Model {
         self.staged.initialized
     }
 
+    /// Whether the contact has still to be brought to its initial state.
+    #[inline]
+    pub(super) fn has_to_start(&self) -> bool {
+        !self.staged.started
+    }
+
     /// The contact in its present state. During initialization that is the start which follows from
     /// what has been set so far.
     #[inline]
@@ -183,38 +223,20 @@ impl Model {
     /// One step of `length`, s, at whose end the clock is `end`.
     pub(super) fn step(&mut self, end: Clock, length: f64) -> Checked {
         let Self { staged, contact } = self;
-        let (settings, from) = (&staged.settings, &staged.inputs);
+        let from = &staged.inputs;
         let moved = staged.slopes.as_ref().map(|slopes| from.after(slopes, length));
         let to = moved.as_ref().unwrap_or(from);
         let contact =
             contact.as_mut().expect("initialization builds the contact, and nothing discards it later");
-        let normal = to.normal(settings.normal_control());
-        // a step that cannot be done must not leave the contact retuned either
-        let before = staged.retune.then(|| contact.clone());
-        let retuned = if staged.retune {
-            contact.retune(settings.friction_coefficient, settings.wear_coefficients())
-        } else {
-            Ok(())
-        };
         let cycles_before = contact.cycles_on_coating();
-        let advanced = retuned.and_then(|()| match settings.loading() {
-            Loading::Transient => contact.advance_to(normal, to.place(), to.rotation),
-            Loading::Cyclic => {
-                let cycles = 0.5 * (from.frequency + to.frequency) * length;
-                contact.advance_cycles(normal, to.displacement_amplitude, cycles)
-            }
-        });
-        if advanced.is_err()
-            && let Some(before) = before
-        {
-            *contact = before;
+        let advanced = if staged.retune {
+            staged.retune_and_advance(contact, to, length)
+        } else {
+            staged.advance(contact, to, length)
+        };
+        if let Err(problem) = advanced {
+            return Err(staged.refuse_step(to, length, problem));
         }
-        advanced.map_err(|problem| {
-            let start = staged.clock.time();
-            let inputs = to.describe(settings);
-            let context = format!("step from t = {start:?} s by {length:?} s to {inputs}");
-            Refusal::Step { context, problem }
-        })?;
         if staged.worn_through_at.is_none() && contact.is_known_worn_through() {
             let time = match contact.cycles_to_wear_through() {
                 Some(life) => {

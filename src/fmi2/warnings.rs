@@ -277,9 +277,14 @@ impl Warnings {
     #[inline]
     pub(super) fn has_to_look(&mut self, contact: &FrettingContact, inputs: &Inputs) -> bool {
         let run = &mut self.run;
-        let [x, y] = [contact.displacement(), contact.displacement_y()];
-        let [x0, y0] = std::mem::replace(&mut run.place, [x, y]);
-        run.moved = (x - x0).abs() + (y - y0).abs();
+        let (x, y) = (contact.displacement(), contact.displacement_y());
+        run.moved = (x - run.place[0]).abs();
+        run.place[0] = x;
+        // y by itself: a load of both places at once waits for the step's store of x
+        if y != run.place[1] {
+            run.moved += (y - run.place[1]).abs();
+            run.place[1] = y;
+        }
         let idle = match run.loading {
             Loading::Transient => [inputs.displacement_amplitude, 0.0],
             Loading::Cyclic => inputs.place(),
