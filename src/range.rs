@@ -81,17 +81,23 @@ pub(crate) fn input(name: &'static str, value: f64) -> Result<(), Error> {
 /// # Errors
 /// [`Error::BeyondNumbers`] with the first that is not.
 pub(crate) fn contact(radius: f64, depth: f64, load: f64, force: f64) -> Result<(), Error> {
-    for (what, value, most) in [
+    // so that what is no number is refused, too
+    let within = |value: f64, most: f64| value.abs() <= most;
+    if within(radius, MOST_RADIUS)
+        && within(depth, MOST_DEPTH)
+        && within(load, MOST_LOAD)
+        && within(force, MOST_FORCE)
+    {
+        return Ok(());
+    }
+    let (what, value, most) = [
         ("contact radius, m", radius, MOST_RADIUS),
         ("indentation depth, m", depth, MOST_DEPTH),
         ("load integral, m2", load, MOST_LOAD),
         ("normal force, N", force, MOST_FORCE),
-    ] {
-        // so that what is no number is refused, too
-        let within = value.abs() <= most;
-        if !within {
-            return Err(Error::BeyondNumbers { what, value, most });
-        }
-    }
-    Ok(())
+    ]
+    .into_iter()
+    .find(|(_, value, most)| !within(*value, *most))
+    .expect("one of them is not in its range");
+    Err(Error::BeyondNumbers { what, value, most })
 }

@@ -79,9 +79,12 @@ impl FrettingContact {
             self.walk(value, displacement, 1)
         } else {
             // a load that the profile cannot carry is refused with the caller's number, not with
-            // that of a piece
-            self.solve_contact(value)?;
+            // that of a piece: before a body wears on the way, else where a piece is refused
+            if self.state.wear.is_some() {
+                self.solve_contact(value)?;
+            }
             self.transaction(|this| this.walk_line(&line))
+                .map_err(|error| self.solve_contact(value).err().unwrap_or(error))
         };
         walked.map_err(|error| self.error_of_step(error, displacement))?;
         self.state.counters.steps += 1;
