@@ -121,5 +121,10 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     (sums[0] + sums[1]) + (sums[2] + sums[3]) + rest
 }
 
+/// Adds a multiple of a term to a sum.
+pub(crate) fn add(sum: &mut [f64], factor: f64, term: &[f64]) {
+    sum.iter_mut().zip(term).for_each(|(sum, term)| *sum += factor * term);
+}
+
 #[cfg(test)]
 mod tests;

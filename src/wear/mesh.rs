@@ -16,7 +16,7 @@ mod finer;
 mod weights;
 
 use crate::surface::Region;
-use crate::transform::dot;
+use crate::transform::{add, dot};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use weights::Places;
 
@@ -29,10 +29,12 @@ pub(crate) struct UnitMesh {
     pub(crate) share: Vec<f64>,
     /// φ d/dφ at a node: the first of five nodes, and their weights.
     drift: Vec<(usize, [f64; 5])>,
-    /// Row i: D̂ᵢ₀ … D̂ᵢᵢ.
+    /// Column j: D̂ⱼⱼ … D̂ₙⱼ.
     inverse: Vec<f64>,
-    /// Row i: K̂ᵢᵢ … K̂ᵢₙ; its last column is that of a line which falls to zero at the last node.
+    /// Column j: K̂₀ⱼ … K̂ⱼⱼ; the last is that of a line which falls to zero at the last node.
     pressure: Vec<f64>,
+    /// Column j: φ dw/dφ at all nodes where zⱼ is 1 and the others are 0.
+    drift_of_image: Vec<f64>,
     /// Last column of K̂ for a body that ends at the last node, where the line jumps to zero.
     pub(crate) rim: Vec<f64>,
     /// ∫ h dx = √L Σ width·z.
@@ -94,6 +96,7 @@ impl UnitMesh {
             drift,
             inverse: places.inverse_table(),
             pressure: places.pressure_table(),
+            drift_of_image: Vec::new(),
             rim: Vec::new(),
             share,
             work: places.work(&width),
@@ -103,7 +106,8 @@ impl UnitMesh {
             volume: Vec::new(),
             volume_of_image: volume,
         };
-        mesh.rim = places.rim_column(|i| mesh.pressure_row(i)[cells - i]);
+        mesh.rim = places.rim_column(|i| mesh.pressure_column(cells)[i]);
+        mesh.drift_of_image = (0..=cells).flat_map(|j| mesh.drift_of_unit_image(j)).collect();
         mesh.edge_image = mesh.in_depths(edge);
         mesh.mean_image = mesh.in_depths(mesh.width.clone());
         mesh.volume = mesh.in_depths(mesh.volume_of_image.clone());
@@ -112,13 +116,20 @@ impl UnitMesh {
 
     /// φ dw/dφ at a node inside.
     pub(crate) fn drift_of(&self, w: &[f64], i: usize) -> f64 {
-        self.drift_weights(i).map(|(k, weight)| weight * w[k]).sum()
+        let (first, weights) = &self.drift[i];
+        w[*first..].iter().zip(weights).map(|(w, weight)| weight * w).sum()
     }
 
-    /// The nodes that φ dw/dφ at a node depends on, with their weights.
-    pub(crate) fn drift_weights(&self, i: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
-        let (first, weights) = &self.drift[i];
-        (*first..=self.cells).zip(weights.iter().copied())
+    /// φ dw/dφ at all nodes where zⱼ is 1 and the others are 0.
+    fn drift_of_unit_image(&self, j: usize) -> Vec<f64> {
+        let mut w = vec![0.0; self.cells + 1];
+        w[j..].copy_from_slice(self.inverse_column(j));
+        (0..=self.cells).map(|i| self.drift_of(&w, i)).collect()
+    }
+
+    /// The same from the table.
+    pub(crate) fn drift_column(&self, j: usize) -> &[f64] {
+        &self.drift_of_image[j * (self.cells + 1)..][..=self.cells]
     }
 
     /// First node whose image is unknown: on an annulus the image at the inner edge is given, and
@@ -130,30 +141,34 @@ impl UnitMesh {
         }
     }
 
-    /// D̂ᵢ₀ … D̂ᵢᵢ.
-    pub(crate) fn inverse_row(&self, i: usize) -> &[f64] {
-        let start = i * (i + 1) / 2;
-        &self.inverse[start..=start + i]
+    /// D̂ⱼⱼ … D̂ₙⱼ.
+    pub(crate) fn inverse_column(&self, j: usize) -> &[f64] {
+        let start = j * (self.cells + 1) - j * j.saturating_sub(1) / 2;
+        &self.inverse[start..][..=self.cells - j]
     }
 
-    /// K̂ᵢᵢ … K̂ᵢₙ; the last column is that of a line which falls to zero at the last node.
-    pub(crate) fn pressure_row(&self, i: usize) -> &[f64] {
-        let start = i * (self.cells + 1) - i * i.saturating_sub(1) / 2;
-        &self.pressure[start..start + self.cells + 1 - i]
+    /// K̂₀ⱼ … K̂ⱼⱼ; the last column is that of a line which falls to zero at the last node.
+    pub(crate) fn pressure_column(&self, j: usize) -> &[f64] {
+        &self.pressure[j * (j + 1) / 2..][..=j]
     }
 
     /// w = D̂ z.
     pub(crate) fn inverse_abel(&self, z: &[f64], w: &mut [f64]) {
-        for i in 0..=self.cells {
-            w[i] = dot(self.inverse_row(i), &z[..=i]);
+        w.fill(0.0);
+        for j in 0..=self.cells {
+            add(&mut w[j..], z[j], self.inverse_column(j));
         }
     }
 
     /// z with D̂ z = w, from the first unknown node on.
     pub(crate) fn abel(&self, w: &[f64], z: &mut [f64]) {
-        for i in self.first()..=self.cells {
-            let row = self.inverse_row(i);
-            z[i] = (w[i] - dot(&row[..i], &z[..i])) / row[i];
+        let first = self.first();
+        z[first..].copy_from_slice(&w[first..]);
+        for j in first..=self.cells {
+            let column = self.inverse_column(j);
+            z[j] /= column[0];
+            let value = z[j];
+            add(&mut z[j + 1..], -value, &column[1..]);
         }
     }
 
@@ -161,11 +176,12 @@ impl UnitMesh {
     /// there.
     pub(crate) fn pressure(&self, q: &[f64], rim: bool, p: &mut [f64]) {
         let n = self.cells;
-        for i in 0..=n {
-            p[i] = dot(&self.pressure_row(i)[..n - i], &q[i..n]);
+        p.fill(0.0);
+        for j in 0..n {
+            add(&mut p[..=j], q[j], self.pressure_column(j));
         }
         if rim {
-            p.iter_mut().zip(&self.rim).for_each(|(p, rim)| *p += rim * q[n]);
+            add(p, q[n], &self.rim);
         }
     }
 
@@ -173,10 +189,8 @@ impl UnitMesh {
     fn in_depths(&self, f: Vec<f64>) -> Vec<f64> {
         let mut y = f;
         for i in (self.first()..=self.cells).rev() {
-            let row = self.inverse_row(i);
-            y[i] /= row[i];
-            let value = y[i];
-            y.iter_mut().zip(&row[..i]).for_each(|(y, weight)| *y -= value * weight);
+            let column = self.inverse_column(i);
+            y[i] = (y[i] - dot(&column[1..], &y[i + 1..])) / column[0];
         }
         y
     }

@@ -8,6 +8,7 @@
 
 use super::patch::{Linear, Patch, Rate, State};
 use crate::counters::Counters;
+use crate::transform::add;
 
 pub(super) const GAMMA: f64 = 0.435_866_521_508_459;
 
@@ -107,14 +108,6 @@ pub(crate) fn step(
     let volume = if (volume - grown).abs() <= 0.02 * grown.abs() { volume } else { grown }.max(0.0);
     let error = patch.largest_image(patch.sticking(before) + 1, &error, &rate);
     Some(Trial { state: State { depth, radius_squared: rate.radius_squared }, rate, volume, error })
-}
-
-fn add(sum: &mut [f64], factor: f64, term: &[f64]) {
-    if factor != 0.0 {
-        for (s, t) in sum.iter_mut().zip(term) {
-            *s += factor * t;
-        }
-    }
 }
 
 #[cfg(test)]

@@ -103,7 +103,7 @@ impl Places {
         (first, weights.map(|weight| weight * ratio))
     }
 
-    /// Rows of D̂: (1/π) ∫ z dX/√(Z − X) on an annulus, (2/π) ∫ z dx/√(r² − x²) on a disc.
+    /// Columns of D̂ from the diagonal down: (1/π) ∫ z dX/√(Z − X) on an annulus, (2/π) ∫ z dx/√(r² − x²) on a disc.
     pub(super) fn inverse_table(self) -> Vec<f64> {
         let n = self.cells;
         let rule = gauss_legendre::<POINTS>();
@@ -124,7 +124,8 @@ impl Places {
                 }
             }
         }
-        table
+        let column = |j: usize| (j..=n).map(move |i| i * (i + 1) / 2 + j);
+        (0..=n).flat_map(column).map(|place| table[place]).collect()
     }
 
     /// Weights of ∫ h dx / √L and of the volume over L.
@@ -154,19 +155,19 @@ impl Places {
         }
     }
 
-    /// Rows of K̂ for a line that falls to zero at the end: −(1/π) ∫ dq/√(X − Z).
+    /// Columns of K̂ down to the diagonal, for a line that falls to zero at the end: −(1/π) ∫ dq/√(X − Z).
     pub(super) fn pressure_table(self) -> Vec<f64> {
         let n = self.cells;
         let rule = gauss_legendre::<POINTS>();
-        let mut table = Vec::with_capacity((n + 1) * (n + 2) / 2);
+        let mut table = vec![0.0; (n + 1) * (n + 2) / 2];
         for i in 0..=n {
-            let mut row = vec![0.0; n + 1 - i];
+            let mut add = |j: usize, weight: f64| table[j * (j + 1) / 2 + i] += weight;
             for j in i..n {
                 if j < self.lines() || j + 1 == n {
                     let to = |node: usize| self.rise(i as f64, (node - i) as f64).sqrt();
                     let weight = FRAC_2_PI / (to(j) + to(j + 1));
-                    row[j - i] += weight;
-                    row[j + 1 - i] -= weight;
+                    add(j, weight);
+                    add(j + 1, -weight);
                     continue;
                 }
                 // ξ = i + t²
@@ -176,11 +177,10 @@ impl Places {
                     let s = t * t - (j - i) as f64;
                     let kernel = (far - near) * weight * t / self.rise(i as f64, t * t).sqrt();
                     for (k, slope) in [s - 1.5, 2.0 - 2.0 * s, s - 0.5].into_iter().enumerate() {
-                        row[j + k - i] -= FRAC_1_PI * kernel * slope;
+                        add(j + k, -FRAC_1_PI * kernel * slope);
                     }
                 }
             }
-            table.extend(row);
         }
         table
     }

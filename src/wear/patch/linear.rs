@@ -3,7 +3,7 @@
 
 use super::{EdgeCondition, Patch, Rate};
 use crate::counters::Counters;
-use crate::transform::dot;
+use crate::transform::{add, dot};
 use nalgebra::{DMatrix, DVector, Dyn, LU};
 
 /// The system, factorised.
@@ -54,100 +54,90 @@ struct EdgeChange {
 impl Patch {
     /// The matrix of a step of length τ, with γτ given, and how the volume rate changes with z.
     fn matrix(&self, (depth, rate): (&[f64], &Rate), gamma_step: f64) -> (DMatrix<f64>, Vec<f64>) {
-        let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
+        let (mesh, n, first, end) = (&*self.mesh, self.cells(), self.mesh.first(), self.end());
         let size = n + 1 - first;
         let (span, a) = (self.span(rate.radius_squared), rate.radius_squared.sqrt());
         let root = span.sqrt();
-        let (factor, sensitivity) = (self.factor * rate.share, self.sensitivity(rate));
-        let mut jacobian = vec![0.0; size * size];
+        // of the rates at the nodes, to the pressure over √L and to the slip of the springs over m
+        let wears = |i: usize| i < end && rate.surface_slip[i] > 0.0;
+        let at_nodes = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
+            (0..=n).map(|i| if wears(i) { self.factor * rate.share * value(i) } else { 0.0 }).collect()
+        };
+        let stiffness = at_nodes(&|i| rate.surface_slip[i] / root);
+        let softening = at_nodes(&|i| rate.pressure[i] * self.bound_slope);
+        let speed = rate.area_rate * rate.drift_share / span;
+        let edge = (!self.rim).then(|| self.edge_change(depth, rate));
+        let approach = self.is_force().then(|| self.approach_change(rate, &stiffness, &softening));
         let mut volume_row = vec![0.0; size];
-        // h = z/b; whether a spring slips; b of those that do
-        let softness: Vec<f64> = rate.scale.iter().map(|b| 1.0 / b).collect();
-        let slipping: Vec<f64> = rate.slip[first..].iter().map(|s| f64::from(u8::from(*s > 0.0))).collect();
-        let sliding: Vec<f64> = slipping.iter().zip(&rate.scale[first..]).map(|(on, b)| on * b).collect();
-        for i in first..self.end() {
-            let row = &mut jacobian[(i - first) * size..(i - first + 1) * size];
-            let (p, s) = (rate.pressure[i], rate.surface_slip[i]);
-            if s > 0.0 {
-                let weights = &mesh.pressure_row(i)[..n - i];
-                let (stiffness, soft) = (factor * s / root, factor * p * self.bound_slope);
-                let springs = row[i - first..].iter_mut().zip(weights).zip(&softness[i..]);
-                springs.for_each(|((entry, weight), soft)| *entry -= stiffness * weight * soft);
-                let mut uniform: f64 = weights.iter().sum();
-                if self.rim {
-                    row[n - first] -= stiffness * mesh.rim[i] * softness[n];
-                    uniform += mesh.rim[i];
-                }
-                let inverse = &mesh.inverse_row(i)[first..];
-                for ((entry, weight), slips) in row.iter_mut().zip(inverse).zip(&slipping) {
-                    *entry += soft * weight * slips;
-                }
-                let moved = dot(inverse, &sliding[..inverse.len()]);
-                // the body sinks as it wears
-                let approach = stiffness * uniform - soft * moved * sensitivity;
-                if self.is_force() && self.rim {
-                    for (entry, width) in row.iter_mut().zip(&mesh.width[first..]) {
-                        *entry += approach * root * width / a;
-                    }
-                } else if self.is_force() {
-                    row[n - first] += approach * softness[n];
+        let mut jacobian = vec![0.0; size * size];
+        for (j, column) in (first..).zip(jacobian.chunks_exact_mut(size)) {
+            // h = z/b, and so the overlap, which is zero at a moving edge
+            let softness = 1.0 / rate.scale[j];
+            let slips = rate.slip[j] > 0.0;
+            if j < end {
+                let weights = if j == n { &mesh.rim } else { mesh.pressure_column(j) };
+                let rows = weights[first..].iter().zip(&stiffness[first..]);
+                let rows = column.iter_mut().zip(rows);
+                rows.for_each(|(entry, (weight, stiffness))| *entry = -stiffness * weight * softness);
+                if slips {
+                    volume_row[j - first] =
+                        self.volume_weight(j, rate) * (rate.free_slip - 2.0 * rate.slip[j]);
                 }
             }
-            for (sum, entry) in volume_row.iter_mut().zip(&*row) {
-                *sum += span * mesh.volume[i] * entry;
+            if slips {
+                let rows = mesh.inverse_column(j).iter().zip(&softening[j..]);
+                let rows = column[j - first..].iter_mut().zip(rows);
+                rows.for_each(|(entry, (weight, softening))| *entry += softening * weight);
             }
-            if !self.rim && i > 0 {
-                for (k, weight) in mesh.drift_weights(i) {
-                    let speed = rate.area_rate * rate.drift_share * weight / span;
-                    for (entry, inverse) in row.iter_mut().zip(&mesh.inverse_row(k)[first.min(k)..]) {
-                        *entry += speed * inverse;
-                    }
-                }
+            // the body sinks as it wears
+            if let Some((growth, volume)) = &approach
+                && (self.rim || j == n)
+            {
+                let sinking = if self.rim { root * mesh.width[j] / a } else { softness };
+                add(column, sinking, &growth[first..]);
+                volume_row[j - first] += sinking * volume;
             }
+            if let Some(edge) = &edge {
+                add(column, speed, &mesh.drift_column(j)[first..]);
+                let moved = -dot(&edge.condition.depth[first..], column) / edge.total;
+                let radius_squared = self.area_change(j, rate) / edge.condition.radius_squared;
+                add(column, moved, &rate.drift[first..]);
+                add(column, radius_squared, &edge.growth[first..]);
+                volume_row[j - first] += radius_squared * edge.volume;
+            }
+            column.iter_mut().for_each(|entry| *entry *= -gamma_step);
+            add(&mut column[j - first..], 1.0, mesh.inverse_column(j));
         }
-        if !self.rim {
-            self.add_edge_terms(depth, rate, &mut jacobian, &mut volume_row);
-        }
-        jacobian.iter_mut().for_each(|entry| *entry *= -gamma_step);
-        for i in first..=n {
-            let row = &mut jacobian[(i - first) * size..];
-            row.iter_mut().zip(&mesh.inverse_row(i)[first..]).for_each(|(entry, weight)| *entry += weight);
-        }
-        (DMatrix::from_row_slice(size, size, &jacobian), volume_row)
+        (DMatrix::from_vec(size, size, jacobian), volume_row)
     }
 
-    /// What the movement of the edge adds: the drift of the nodes, and the change of all fields
-    /// with A.
-    fn add_edge_terms(&self, depth: &[f64], rate: &Rate, jacobian: &mut [f64], volume_row: &mut [f64]) {
-        let (mesh, n, first) = (&*self.mesh, self.cells(), self.mesh.first());
-        let size = n + 1 - first;
-        let span = self.span(rate.radius_squared);
-        let edge = self.edge_change(depth, rate);
-        let mut acceleration = vec![0.0; size];
-        for i in first..n {
-            let row = &jacobian[(i - first) * size..(i - first + 1) * size];
-            for (sum, entry) in acceleration.iter_mut().zip(row) {
-                *sum -= edge.condition.depth[i] / edge.total * entry;
-            }
-        }
-        let mut area_row = vec![0.0; size];
-        if self.is_force() {
-            for j in first..=n {
-                area_row[j - first] = span.sqrt() * mesh.width[j] / edge.condition.radius_squared;
-            }
-            area_row[n - first] -= rate.radius_squared.sqrt() / rate.scale[n] / edge.condition.radius_squared;
-        } else {
-            area_row[n - first] = -1.0 / rate.scale[n] / edge.condition.radius_squared;
-        }
-        for (entry, radius_squared) in volume_row.iter_mut().zip(&area_row) {
-            *entry += edge.volume * radius_squared;
-        }
-        for i in first..n {
-            let row = &mut jacobian[(i - first) * size..(i - first + 1) * size];
-            for j in 0..size {
-                row[j] += rate.drift[i] * acceleration[j] + edge.growth[i] * area_row[j];
-            }
-        }
+    /// How the rates at the nodes and the volume rate change with the approach of the bodies, at a
+    /// given image.
+    fn approach_change(&self, rate: &Rate, stiffness: &[f64], softening: &[f64]) -> (Vec<f64>, f64) {
+        let (mesh, n, end) = (&*self.mesh, self.cells(), self.end());
+        let sensitivity = self.sensitivity(rate);
+        let (mut pressure, mut slip) = (vec![0.0; n + 1], vec![0.0; n + 1]);
+        mesh.pressure(&vec![1.0; n + 1], self.rim, &mut pressure);
+        let slips: Vec<f64> = (0..=n).map(|j| if rate.slip[j] > 0.0 { rate.scale[j] } else { 0.0 }).collect();
+        mesh.inverse_abel(&slips, &mut slip);
+        let growth = |i: usize| stiffness[i] * pressure[i] - sensitivity * softening[i] * slip[i];
+        let volume = |j: usize| {
+            let bound = rate.free_slip - rate.slip[j];
+            self.volume_weight(j, rate) * slips[j] * (rate.slip[j] - sensitivity * bound)
+        };
+        ((0..=n).map(growth).collect(), (0..end).map(volume).sum())
+    }
+
+    /// Part of the volume rate over q s of a spring, and over its b.
+    fn volume_weight(&self, j: usize, rate: &Rate) -> f64 {
+        2.0 * self.factor * self.span(rate.radius_squared).sqrt() * self.mesh.work[j]
+    }
+
+    /// How what fixes the contact edge changes with z at a node, with the opposite sign.
+    fn area_change(&self, j: usize, rate: &Rate) -> f64 {
+        let (n, root) = (self.cells(), self.span(rate.radius_squared).sqrt());
+        let edge = if j == n { 1.0 / rate.scale[n] } else { 0.0 };
+        if self.is_force() { root * self.mesh.width[j] - rate.radius_squared.sqrt() * edge } else { -edge }
     }
 
     /// Depths of a solution z of the stage's system; zero at a moving edge.
