@@ -31,6 +31,7 @@ use std::sync::Arc;
 use edge::EdgeCondition;
 pub(crate) use front::{FRONT_CELLS, Front};
 pub(crate) use frozen::Frozen;
+use frozen::Sources;
 pub(super) use linear::Linear;
 pub(crate) use motion::{Motion, Rig, Sliding};
 pub(crate) use rate::Rate;
@@ -59,7 +60,7 @@ pub(crate) struct Patch {
     inside_width: f64,
     /// ∫ g dx over what lies inside the inner edge, m².
     inside_image: f64,
-    sources: Vec<(f64, f64)>,
+    sources: Sources,
 }
 
 /// Depths w̃ at the nodes, m, and the square of the contact radius, m².
@@ -150,7 +151,7 @@ impl Patch {
 
     /// Depth (m) at a radius outside the front that belongs to the image inside it.
     pub(crate) fn depth_from_inside(&self, r: f64) -> f64 {
-        self.sources.iter().map(|(x2, weight)| weight / (r * r - x2).sqrt()).sum()
+        self.sources.depth_and_slope(r * r).0
     }
 
     /// Depths w̃ that belong to images given at the nodes, m.
@@ -166,22 +167,16 @@ impl Patch {
         if !self.rim {
             // the depth at the edge is known: the error of taking the image over must not all go to
             // the last cell
-            let error = self.edge_depth(radius_squared.sqrt()) - depth[n];
+            let error = self.edge_depth(radius_squared).0 - depth[n];
             depth.iter_mut().zip(&self.mesh.share).for_each(|(w, share)| *w += error * share);
         }
         depth
     }
 
-    /// Largest image (m) from a node on, of those whose image is free, that belongs to a change of
-    /// the depths.
-    pub(crate) fn largest_image(&self, from: usize, change: &[f64], rate: &Rate) -> f64 {
-        let n = self.cells();
-        let (mut depth, mut z) = (change.to_vec(), vec![0.0; n + 1]);
-        if !self.rim {
-            depth[n] = 0.0;
-        }
-        self.mesh.abel(&depth, &mut z);
-        (self.mesh.first().max(from)..=n).fold(0.0, |most: f64, i| most.max((z[i] / rate.scale[i]).abs()))
+    /// Largest image (m) from a node on, of those whose image is free, that belongs to z.
+    pub(crate) fn largest_image(&self, from: usize, z: &[f64], rate: &Rate) -> f64 {
+        let images = z.iter().zip(&rate.scale).map(|(z, b)| (z / b).abs());
+        images.skip(self.mesh.first().max(from)).fold(0.0, f64::max)
     }
 
     /// Image of the wear (m) at the radii that one or two parts a cell give.

@@ -52,51 +52,47 @@ pub(crate) fn step(
     cycles: f64,
     counters: &mut Counters,
 ) -> Option<Trial> {
-    let nodes = state.depth.len();
-    let linear = Linear::new(patch, (&state.depth, rate), GAMMA * cycles, counters);
-    // increments of the depths, and what they make of the volume rate
-    let mut increments: Vec<Vec<f64>> = Vec::with_capacity(4);
-    let mut changes: Vec<f64> = Vec::with_capacity(4);
+    let linear = Linear::new(patch, (&state.depth, rate), GAMMA * cycles, counters)?;
+    // increments of the depths, of z, and what they make of the volume rate
+    let mut increments: Vec<(Vec<f64>, Vec<f64>)> = Vec::with_capacity(4);
+    let sum = |factors: &[f64], increments: &[(Vec<f64>, Vec<f64>)]| {
+        let (mut depth, mut image) = (state.depth.clone(), rate.image.clone());
+        for (factor, increment) in factors.iter().zip(increments) {
+            add(&mut depth, cycles * factor, &increment.0);
+            add(&mut image, cycles * factor, &increment.1);
+        }
+        (depth, image)
+    };
     let mut volume = 0.0;
     for stage in 0..4 {
         let (mut right, volume_rate) = if stage == 0 {
             (rate.growth.clone(), rate.volume_rate)
         } else {
-            let mut depth = state.depth.clone();
-            for (alpha, increment) in ALPHA[stage].iter().zip(&increments) {
-                add(&mut depth, cycles * alpha, increment);
-            }
             counters.pressure_transforms += 1;
             counters.descent_transforms += 2;
-            let here = patch.rate(&depth, rate.radius_squared)?;
+            let here = patch.rate_of(sum(&ALPHA[stage], &increments), rate.radius_squared)?;
             (here.growth, here.volume_rate)
         };
         for (coupling, increment) in COUPLING[stage].iter().zip(&increments) {
-            add(&mut right, coupling / GAMMA, increment);
+            add(&mut right, coupling / GAMMA, &increment.0);
         }
-        if !patch.rim {
-            right[nodes - 1] = 0.0;
-        }
-        let (mut increment, mut change) = linear.solve(&right)?;
+        right[patch.end()..].fill(0.0);
+        linear.solve(&mut right);
         // the volume has no feedback on the rest, but its rate falls with the depths like theirs
-        let volume_increment = volume_rate + cycles * GAMMA * change;
-        for (coupling, (before, change_before)) in COUPLING[stage].iter().zip(increments.iter().zip(&changes))
-        {
-            add(&mut increment, -coupling / GAMMA, before);
-            change -= coupling / GAMMA * change_before;
+        volume += cycles * WEIGHTS[stage] * (volume_rate + cycles * GAMMA * linear.volume_change(&right));
+        let mut image = right;
+        for (coupling, increment) in COUPLING[stage].iter().zip(&increments) {
+            add(&mut image, -coupling / GAMMA, &increment.1);
         }
-        volume += cycles * WEIGHTS[stage] * volume_increment;
-        increments.push(increment);
-        changes.push(change);
+        increments.push((linear.depth(&image), image));
     }
-    let mut depth = state.depth.clone();
-    let mut error = vec![0.0; nodes];
+    let (mut depth, image) = sum(&WEIGHTS, &increments);
+    let mut error = vec![0.0; image.len()];
     for (stage, increment) in increments.iter().enumerate() {
-        add(&mut depth, cycles * WEIGHTS[stage], increment);
-        add(&mut error, cycles * (WEIGHTS[stage] - EMBEDDED[stage]), increment);
+        add(&mut error, cycles * (WEIGHTS[stage] - EMBEDDED[stage]), &increment.1);
     }
     let before = rate;
-    let mut rate = patch.rate(&depth, before.radius_squared)?;
+    let mut rate = patch.rate_of((depth.clone(), image), before.radius_squared)?;
     if patch.hold_front(&mut depth, before, &rate) {
         rate = patch.rate(&depth, rate.radius_squared)?;
     }

@@ -6,7 +6,7 @@ use crate::surface::Region;
 use crate::transform::dot;
 
 /// Sensitivity of the condition that fixes the contact edge.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct EdgeCondition {
     /// To the depths at the nodes.
     pub(super) depth: Vec<f64>,
@@ -15,33 +15,34 @@ pub(super) struct EdgeCondition {
 }
 
 impl Patch {
-    /// w̃ at the contact edge.
-    pub(crate) fn edge_depth(&self, a: f64) -> f64 {
-        -self.depth_from_inside(a)
-    }
-
-    /// The same, and its slope in A.
-    fn edge_depth_and_slope(&self, radius_squared: f64) -> (f64, f64) {
-        let (mut depth, mut slope) = (0.0, 0.0);
-        for (x2, weight) in &self.sources {
-            let room = radius_squared - x2;
-            let part = weight / room.sqrt();
-            depth -= part;
-            slope += 0.5 * part / room;
-        }
-        (depth, slope)
+    /// w̃ at the contact edge, and its slope in A.
+    pub(super) fn edge_depth(&self, radius_squared: f64) -> (f64, f64) {
+        let (depth, slope) = self.sources.depth_and_slope(radius_squared);
+        (-depth, -slope)
     }
 
     /// Residual of the condition for the edge, g(a) − d or what the load lacks, and its slope in A,
     /// from Σ edge·w̃ and Σ mean·w̃ over the nodes before the last.
     fn edge_residual(&self, radius_squared: f64, sums: (f64, f64)) -> (f64, f64) {
+        let end = self.cells();
+        let (depth, slope) = self.edge_depth(radius_squared);
+        let sums = (sums.0 + self.mesh.edge_image[end] * depth, sums.1 + self.mesh.mean_image[end] * depth);
+        self.edge_residual_of(radius_squared, sums, slope)
+    }
+
+    /// The same from z at the edge, its mean Σ width·z, and the slope of w̃ there in A.
+    fn edge_residual_of(
+        &self,
+        radius_squared: f64,
+        (edge_image, mean): (f64, f64),
+        depth_slope: f64,
+    ) -> (f64, f64) {
         let (a, span, end) = (radius_squared.sqrt(), self.span(radius_squared), self.cells());
         if a > self.body.profile().outer_radius() {
             return (f64::INFINITY, f64::NAN);
         }
-        let (depth, depth_slope) = self.edge_depth_and_slope(radius_squared);
         let (mesh, scale) = (&self.mesh, self.scale(span, a));
-        let h = (sums.0 + mesh.edge_image[end] * depth) / scale;
+        let h = edge_image / scale;
         // 1/b is a/√L on an annulus
         let stretch = match mesh.region {
             Region::Annulus => 0.5 / radius_squared - 0.5 / span,
@@ -52,7 +53,7 @@ impl Patch {
         if !self.is_force() {
             return (self.body.image(a) + h - self.motion.value, 0.5 * body_slope / a + h_slope);
         }
-        let (mean, root) = (sums.1 + mesh.mean_image[end] * depth, span.sqrt());
+        let root = span.sqrt();
         let worn = a * h - self.inside_width - root * mean;
         let mean_slope = root * mesh.mean_image[end] * depth_slope + 0.5 * mean / root;
         let worn_slope = 0.5 * h / a + a * h_slope - mean_slope;
@@ -118,21 +119,26 @@ impl Patch {
         Some(high)
     }
 
+    /// The condition at given depths, of which w̃ at the edge has the given slope in A, and z at the
+    /// edge.
     pub(super) fn edge_condition(
         &self,
-        depth: &[f64],
+        (depth, edge_image): (&[f64], f64),
         radius_squared: f64,
-        edge_scale: f64,
+        depth_slope: f64,
     ) -> EdgeCondition {
-        let (n, span, a) = (self.cells(), self.span(radius_squared), radius_squared.sqrt());
-        let mut row: Vec<f64> = if self.is_force() {
-            let edge = self.mesh.edge_image.iter().zip(&self.mesh.mean_image);
-            edge.map(|(edge, mean)| a * edge / edge_scale - span.sqrt() * mean).collect()
+        let (mesh, n, a) = (&*self.mesh, self.cells(), radius_squared.sqrt());
+        let (span, is_force) = (self.span(radius_squared), self.is_force());
+        let scale = self.scale(span, a);
+        let mut row: Vec<f64> = if is_force {
+            let edge = mesh.edge_image.iter().zip(&mesh.mean_image);
+            edge.map(|(edge, mean)| a * edge / scale - span.sqrt() * mean).collect()
         } else {
-            self.mesh.edge_image.iter().map(|edge| edge / edge_scale).collect()
+            mesh.edge_image.iter().map(|edge| edge / scale).collect()
         };
         row[n] = 0.0;
-        let (_, slope) = self.edge_residual(radius_squared, self.edge_sums(depth));
+        let mean = if is_force { dot(&mesh.mean_image, depth) } else { 0.0 };
+        let (_, slope) = self.edge_residual_of(radius_squared, (edge_image, mean), depth_slope);
         EdgeCondition { depth: row, radius_squared: slope }
     }
 }

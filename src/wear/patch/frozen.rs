@@ -1,6 +1,7 @@
 //! Wear inside the stick radius, and the depth outside that belongs to it.
 
 use crate::quadrature::GAUSS_3;
+use std::array;
 use std::f64::consts::FRAC_2_PI;
 
 /// Wear inside the stick radius, which does not change while the region wears.
@@ -14,10 +15,36 @@ pub(crate) struct Frozen {
     pub(crate) depth: Vec<f64>,
 }
 
+/// Points x² and weights W with which the image inside alone brings the depth (2/π) ∫ h dx/√(r² −
+/// x²) = Σ W/√(r² − x²) outside, four at a time; what fills the last four weighs nothing.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Sources(Vec<([f64; 4], [f64; 4])>);
+
+impl Sources {
+    /// The depth at a radius outside, m, and its slope in the square of the radius.
+    pub(super) fn depth_and_slope(&self, radius_squared: f64) -> (f64, f64) {
+        let (mut depth, mut slope) = ([0.0; 4], [0.0; 4]);
+        for (squares, weights) in &self.0 {
+            for lane in 0..4 {
+                let inverse = 1.0 / (radius_squared - squares[lane]);
+                let part = weights[lane] * inverse.sqrt();
+                depth[lane] += part;
+                slope[lane] -= 0.5 * part * inverse;
+            }
+        }
+        (depth.iter().sum(), slope.iter().sum())
+    }
+
+    /// ∫ r w dr up to a radius, m³, without what the image does at the axis: Σ W √(r² − x²).
+    pub(super) fn integral(&self, radius_squared: f64) -> f64 {
+        let pairs = self.0.iter().flat_map(|(squares, weights)| squares.iter().zip(weights));
+        pairs.map(|(square, weight)| weight * (radius_squared - square).max(0.0).sqrt()).sum()
+    }
+}
+
 impl Frozen {
-    /// Points x² and weights W with which the image alone brings the depth (2/π) ∫ h dx/√(r² − x²)
-    /// = Σ W/√(r² − x²) outside, by three-point Gauss in each worn cell.
-    pub(super) fn sources(&self) -> Vec<(f64, f64)> {
+    /// Three-point Gauss in each worn cell.
+    pub(super) fn sources(&self) -> Sources {
         let mut sources = Vec::new();
         for (x, h) in self.x.windows(2).zip(self.image.windows(2)).filter(|(_, h)| h[0] != 0.0 || h[1] != 0.0)
         {
@@ -29,7 +56,11 @@ impl Frozen {
                 sources.push((x_node * x_node, FRAC_2_PI * half * weight * image));
             }
         }
-        sources
+        let four = |four: &[(f64, f64)]| {
+            let source = |lane: usize| four.get(lane).copied().unwrap_or_default();
+            (array::from_fn(|lane| source(lane).0), array::from_fn(|lane| source(lane).1))
+        };
+        Sources(sources.chunks(4).map(four).collect())
     }
 
     /// Image at the outermost node, m.

@@ -1,48 +1,60 @@
 //! The linear system (1 − γτ J) x = y of a step, as D̂ − γτ J D̂ in the unknowns z at the nodes
 //! first ..= n, and its LU factors. At a moving edge its last row keeps the depth there.
 
+mod lu;
+
 use super::{EdgeCondition, Patch, Rate};
 use crate::counters::Counters;
 use crate::transform::{add, dot};
-use nalgebra::{DMatrix, DVector, Dyn, LU};
+use lu::Lu;
 
 /// The system, factorised.
 #[derive(Debug)]
 pub(in crate::wear) struct Linear<'a> {
     patch: &'a Patch,
-    lu: LU<f64, Dyn, Dyn>,
-    /// Change of the volume rate with z.
+    lu: Lu,
+    /// Change of the volume rate with z at all nodes.
     volume_row: Vec<f64>,
 }
 
 impl<'a> Linear<'a> {
-    /// The system of a step of length τ, with γτ given.
+    /// The system of a step of length τ, with γτ given; `None` where the matrix is singular.
     pub(in crate::wear) fn new(
         patch: &'a Patch,
         state: (&[f64], &Rate),
         gamma_step: f64,
         counters: &mut Counters,
-    ) -> Self {
+    ) -> Option<Self> {
         counters.factorisations += 1;
         let (matrix, volume_row) = patch.matrix(state, gamma_step);
-        Self { patch, lu: matrix.lu(), volume_row }
+        Some(Self { patch, lu: Lu::new(matrix, volume_row.len() - patch.mesh.first())?, volume_row })
     }
 
-    /// Depths with the given right side, zero at a moving edge, and the change of the volume rate
-    /// that belongs to them; `None` where the matrix is singular.
-    pub(in crate::wear) fn solve(&self, right: &[f64]) -> Option<(Vec<f64>, f64)> {
-        let mut unknowns = DVector::from_column_slice(&right[self.patch.mesh.first()..]);
-        self.lu.solve_mut(&mut unknowns).then(|| {
-            let change = dot(&self.volume_row, unknowns.as_slice());
-            (self.patch.stage_depth(unknowns.as_slice()), change)
-        })
+    /// Replaces a right side at the nodes by the solution z, which is zero at a given inner edge.
+    pub(in crate::wear) fn solve(&self, right: &mut [f64]) {
+        let first = self.patch.mesh.first();
+        right[..first].fill(0.0);
+        self.lu.solve(&mut right[first..]);
+    }
+
+    /// Depths that belong to a solution z, zero at a moving edge.
+    pub(in crate::wear) fn depth(&self, z: &[f64]) -> Vec<f64> {
+        let mut depth = vec![0.0; z.len()];
+        self.patch.mesh.inverse_abel(z, &mut depth);
+        depth[self.patch.end()..].fill(0.0);
+        depth
+    }
+
+    /// Change of the volume rate with a solution z.
+    pub(in crate::wear) fn volume_change(&self, z: &[f64]) -> f64 {
+        dot(&self.volume_row, z)
     }
 }
 
 /// How the rates change with a moving edge.
 #[derive(Debug)]
-struct EdgeChange {
-    condition: EdgeCondition,
+struct EdgeChange<'a> {
+    condition: &'a EdgeCondition,
     /// Sensitivity of the condition to A with the nodes moving along.
     total: f64,
     /// Of the growth at the nodes, to A.
@@ -52,8 +64,9 @@ struct EdgeChange {
 }
 
 impl Patch {
-    /// The matrix of a step of length τ, with γτ given, and how the volume rate changes with z.
-    fn matrix(&self, (depth, rate): (&[f64], &Rate), gamma_step: f64) -> (DMatrix<f64>, Vec<f64>) {
+    /// Columns of the matrix of a step of length τ, with γτ given, and how the volume rate changes
+    /// with z.
+    fn matrix(&self, (depth, rate): (&[f64], &Rate), gamma_step: f64) -> (Vec<f64>, Vec<f64>) {
         let (mesh, n, first, end) = (&*self.mesh, self.cells(), self.mesh.first(), self.end());
         let size = n + 1 - first;
         let (span, a) = (self.span(rate.radius_squared), rate.radius_squared.sqrt());
@@ -66,9 +79,9 @@ impl Patch {
         let stiffness = at_nodes(&|i| rate.surface_slip[i] / root);
         let softening = at_nodes(&|i| rate.pressure[i] * self.bound_slope);
         let speed = rate.area_rate * rate.drift_share / span;
-        let edge = (!self.rim).then(|| self.edge_change(depth, rate));
+        let edge = rate.edge.as_ref().map(|condition| self.edge_change(condition, depth, rate));
         let approach = self.is_force().then(|| self.approach_change(rate, &stiffness, &softening));
-        let mut volume_row = vec![0.0; size];
+        let mut volume_row = vec![0.0; n + 1];
         let mut jacobian = vec![0.0; size * size];
         for (j, column) in (first..).zip(jacobian.chunks_exact_mut(size)) {
             // h = z/b, and so the overlap, which is zero at a moving edge
@@ -80,8 +93,7 @@ impl Patch {
                 let rows = column.iter_mut().zip(rows);
                 rows.for_each(|(entry, (weight, stiffness))| *entry = -stiffness * weight * softness);
                 if slips {
-                    volume_row[j - first] =
-                        self.volume_weight(j, rate) * (rate.free_slip - 2.0 * rate.slip[j]);
+                    volume_row[j] = self.volume_weight(j, rate) * (rate.free_slip - 2.0 * rate.slip[j]);
                 }
             }
             if slips {
@@ -95,7 +107,7 @@ impl Patch {
             {
                 let sinking = if self.rim { root * mesh.width[j] / a } else { softness };
                 add(column, sinking, &growth[first..]);
-                volume_row[j - first] += sinking * volume;
+                volume_row[j] += sinking * volume;
             }
             if let Some(edge) = &edge {
                 add(column, speed, &mesh.drift_column(j)[first..]);
@@ -103,12 +115,12 @@ impl Patch {
                 let radius_squared = self.area_change(j, rate) / edge.condition.radius_squared;
                 add(column, moved, &rate.drift[first..]);
                 add(column, radius_squared, &edge.growth[first..]);
-                volume_row[j - first] += radius_squared * edge.volume;
+                volume_row[j] += radius_squared * edge.volume;
             }
             column.iter_mut().for_each(|entry| *entry *= -gamma_step);
             add(&mut column[j - first..], 1.0, mesh.inverse_column(j));
         }
-        (DMatrix::from_vec(size, size, jacobian), volume_row)
+        (jacobian, volume_row)
     }
 
     /// How the rates at the nodes and the volume rate change with the approach of the bodies, at a
@@ -140,25 +152,11 @@ impl Patch {
         if self.is_force() { root * self.mesh.width[j] - rate.radius_squared.sqrt() * edge } else { -edge }
     }
 
-    /// Depths of a solution z of the stage's system; zero at a moving edge.
-    fn stage_depth(&self, z: &[f64]) -> Vec<f64> {
-        let (n, first) = (self.cells(), self.mesh.first());
-        let mut full = vec![0.0; n + 1];
-        full[first..].copy_from_slice(z);
-        let mut depth = vec![0.0; n + 1];
-        self.mesh.inverse_abel(&full, &mut depth);
-        if !self.rim {
-            depth[n] = 0.0;
-        }
-        depth
-    }
-
-    fn edge_change(&self, depth: &[f64], rate: &Rate) -> EdgeChange {
-        let condition = self.edge_condition(depth, rate.radius_squared, rate.scale[self.cells()]);
+    fn edge_change<'a>(&self, condition: &'a EdgeCondition, depth: &[f64], rate: &Rate) -> EdgeChange<'a> {
         let total = condition.radius_squared + dot(&condition.depth, &rate.drift);
         let step = 1e-6 * self.span(rate.radius_squared);
         let step = if self.is_inside(rate.radius_squared + step) { step } else { -step };
-        let shifted = self.rate_at(depth, rate.radius_squared + step);
+        let shifted = self.rate_at((depth.to_vec(), rate.image.clone()), rate.radius_squared + step);
         let growth = shifted.growth.iter().zip(&rate.growth).map(|(new, old)| (new - old) / step).collect();
         EdgeChange { condition, total, growth, volume: (shifted.volume_rate - rate.volume_rate) / step }
     }

@@ -1,6 +1,6 @@
 //! How fast a state wears.
 
-use super::Patch;
+use super::{EdgeCondition, Patch};
 use crate::transform::dot;
 use std::f64::consts::PI;
 
@@ -32,6 +32,8 @@ pub(crate) struct Rate {
     pub(super) drift: Vec<f64>,
     /// dA/dN, m².
     pub(super) area_rate: f64,
+    /// What fixes the contact edge, where it moves.
+    pub(super) edge: Option<EdgeCondition>,
     /// Worn volume per cycle by the work of the springs, m³.
     pub(crate) volume_rate: f64,
     /// Ratio by which the product of p and s is scaled to the work of the springs.
@@ -44,24 +46,33 @@ impl Patch {
     /// The rate of wear at given depths inside the region; `None` where no contact edge can be
     /// found.
     pub(crate) fn rate(&self, depth: &[f64], guess: f64) -> Option<Rate> {
-        let radius_squared = self.solve_area(depth, guess)?;
-        let rate = self.rate_at(depth, radius_squared);
+        let mut image = vec![0.0; depth.len()];
+        self.mesh.abel(depth, &mut image);
+        self.rate_of((depth.to_vec(), image), guess)
+    }
+
+    /// The same where z, too, is known. Both may have any value where they are given: z at the
+    /// inner edge of an annulus, both at a moving outer one.
+    pub(crate) fn rate_of(&self, (depth, image): (Vec<f64>, Vec<f64>), guess: f64) -> Option<Rate> {
+        let radius_squared = self.solve_area(&depth, guess)?;
+        let rate = self.rate_at((depth, image), radius_squared);
         rate.area_rate.is_finite().then_some(rate)
     }
 
     /// The same at a given contact edge.
-    pub(super) fn rate_at(&self, depth: &[f64], radius_squared: f64) -> Rate {
+    pub(super) fn rate_at(&self, (mut depth, mut image): (Vec<f64>, Vec<f64>), radius_squared: f64) -> Rate {
         let (mesh, n) = (&*self.mesh, self.cells());
         let (a, span) = (radius_squared.sqrt(), self.span(radius_squared));
         let radius = self.radii(radius_squared);
         let scale: Vec<f64> = radius.iter().map(|x| self.scale(span, *x)).collect();
-        let mut depth = depth.to_vec();
+        let mut edge_slope = 0.0;
         if !self.rim {
-            depth[n] = self.edge_depth(a);
+            (depth[n], edge_slope) = self.edge_depth(radius_squared);
+            image[n] = dot(&mesh.edge_image, &depth);
         }
-        let mut image = vec![0.0; n + 1];
-        image[0] = self.inner_image(span);
-        mesh.abel(&depth, &mut image);
+        if mesh.first() == 1 {
+            image[0] = self.inner_image(span);
+        }
         let whole: Vec<f64> = (0..=n).map(|i| self.body.image(radius[i]) + image[i] / scale[i]).collect();
         let indentation = if !self.is_force() {
             self.motion.value
@@ -97,19 +108,20 @@ impl Patch {
             if share.is_finite() { share.clamp(1.0 / (1.0 + MOST_SHARE), 1.0 + MOST_SHARE) } else { 1.0 };
         growth.iter_mut().for_each(|rate| *rate *= share);
         let mut drift = vec![0.0; n + 1];
-        let (mut area_rate, mut drift_share) = (0.0, 1.0);
+        let (mut area_rate, mut drift_share, mut edge) = (0.0, 1.0, None);
         if !self.rim {
             for i in 1..n {
                 drift[i] = mesh.drift_of(&depth, i) / span;
             }
             drift_share = self.drift_share(&depth, span, &drift);
             drift.iter_mut().for_each(|drift| *drift *= drift_share);
-            let condition = self.edge_condition(&depth, radius_squared, scale[n]);
+            let condition = self.edge_condition((&depth, image[n]), radius_squared, edge_slope);
             area_rate =
                 -dot(&condition.depth, &growth) / (condition.radius_squared + dot(&condition.depth, &drift));
             for i in 0..n {
                 growth[i] += drift[i] * area_rate;
             }
+            edge = Some(condition);
         }
         Rate {
             growth,
@@ -125,6 +137,7 @@ impl Patch {
             surface_slip,
             drift,
             area_rate,
+            edge,
             volume_rate,
             share,
             drift_share,

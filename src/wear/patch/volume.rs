@@ -11,8 +11,7 @@ const MOST_GROWTH: f64 = 0.5;
 impl Patch {
     /// Worn volume that the mesh and the frozen part carry, m³.
     pub(crate) fn volume(&self, rate: &Rate) -> f64 {
-        let inside: f64 =
-            self.sources.iter().map(|(x2, weight)| weight * (rate.radius_squared - x2).max(0.0).sqrt()).sum();
+        let inside = self.sources.integral(rate.radius_squared);
         // 4 ∫ h √(a² − x²) dx, of which the weights hold (2/π) ∫ h dx
         self.own_volume(rate) + 2.0 * std::f64::consts::PI * inside
     }
@@ -40,13 +39,12 @@ impl Patch {
         let first = rising(&self.depth_outside(state, rate));
         let second = rising(&first);
         let volume_of = |depth: &[f64]| self.span(rate.radius_squared) * dot(&self.mesh.volume, depth);
-        let (alpha, beta) = if self.rim {
-            (volume / volume_of(&first), 0.0)
-        } else {
-            let condition = self.edge_condition(&state.depth, rate.radius_squared, rate.scale[self.cells()]);
+        let (alpha, beta) = if let Some(condition) = &rate.edge {
             let change = |depth: &[f64]| dot(&condition.depth, depth);
             let determinant = volume_of(&first) * change(&second) - volume_of(&second) * change(&first);
             (volume * change(&second) / determinant, -volume * change(&first) / determinant)
+        } else {
+            (volume / volume_of(&first), 0.0)
         };
         if !(alpha.abs() < MOST_GROWTH && beta.abs() < MOST_GROWTH) {
             return None;

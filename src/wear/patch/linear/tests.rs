@@ -105,9 +105,11 @@ fn defects(scene: Scene, cells: usize) -> (f64, f64) {
     let mut defects = (0.0_f64, 0.0_f64);
     scene.integrate(cells, &mut |patch, state, rate, step| {
         let gamma_step = 0.43 * step;
-        let (x, change) = Linear::new(patch, (&state.depth, rate), gamma_step, &mut Counters::default())
-            .solve(&rate.growth)
-            .expect("a solution");
+        let linear = Linear::new(patch, (&state.depth, rate), gamma_step, &mut Counters::default())
+            .expect("the matrix is regular");
+        let mut z = rate.growth.clone();
+        linear.solve(&mut z);
+        let (x, change) = (linear.depth(&z), linear.volume_change(&z));
         let small = 1e-7 * DEPTH / largest(x.iter().copied());
         let [more, less] = [small, -small].map(|factor| {
             let depth: Vec<f64> = state.depth.iter().zip(&x).map(|(w, x)| w + factor * x).collect();
