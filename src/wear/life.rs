@@ -114,15 +114,13 @@ pub(crate) fn integrate(
     let most_of_an_update = (MOST_STEPS_OF_AN_UPDATE * tighter) as u32;
     let most = if motion.rig.is_some() { MOST_STEPS_BEHIND_A_RIG } else { MOST_STEPS };
     let most = (most * tighter) as u32;
+    // of the surface, m³, where it is known
+    let mut worn_volume = None;
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
-        let Some((patch, mut state)) = mesh_slip_zone(&life.surface, &contact, motion, constants, settings)?
-        else {
-            break;
-        };
-        let mut rate =
-            patch.rate(&state.depth, state.radius_squared).ok_or_else(|| edge_not_found(motion))?;
+        let found = mesh_slip_zone(&life.surface, &contact, motion, constants, settings, worn_volume)?;
+        let Some((patch, mut state, mut rate)) = found else { break };
         let mut volume = 0.0;
         let mut step =
             if life.next_step > 0.0 { life.next_step } else { first_step(&patch, &rate, settings) };
@@ -184,12 +182,15 @@ pub(crate) fn integrate(
         if !(life.volume.is_finite() && life.defect.is_finite() && on_mesh.is_finite()) {
             return Err(edge_not_found(motion));
         }
-        // on cells that do not follow the body at its edge the depths may carry a tenth of the
-        // work's volume
-        if let Some(body) = patch.body.worn()
-            && (nodes.worn_volume() - body.worn_volume() - volume).abs() > MISSING * volume
-        {
-            return Err(edge_not_found(motion));
+        worn_volume = Some(on_mesh);
+        if let Some(body) = patch.body.worn() {
+            let worn = nodes.worn_volume();
+            // on cells that do not follow the body at its edge the depths may carry a tenth of the
+            // work's volume
+            if (worn - body.worn_volume() - volume).abs() > MISSING * volume {
+                return Err(edge_not_found(motion));
+            }
+            worn_volume = Some(worn);
         }
         life.surface.set_worn(Some(nodes));
     }

@@ -3,7 +3,7 @@
 use super::Constants;
 use super::life::{IntegrationSettings, MISSING, THINNING};
 use super::mesh::UnitMesh;
-use super::patch::{FRONT_CELLS, Frozen, Motion, Patch, RIM, State, edge_not_found};
+use super::patch::{FRONT_CELLS, Frozen, Motion, Patch, RIM, Rate, State, edge_not_found};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
@@ -40,15 +40,17 @@ const FAINT: f64 = 1e-2;
 /// known to a cell: in cells of an even mesh over the slipping region.
 const EDGE_CELLS: f64 = 1.0;
 
-/// The slipping region of a contact, with the state that its surface gives it; `None` where nothing
-/// slips.
+/// The slipping region of a contact, with the state that its surface gives it and the rate of that;
+/// `None` where nothing slips. The worn volume, m³, may be
+/// known.
 pub(super) fn mesh_slip_zone(
     surface: &Surface,
     contact: &Contact,
     motion: &Motion,
     constants: &Constants,
     settings: &IntegrationSettings,
-) -> Result<Option<(Patch, State)>, Error> {
+    volume: Option<f64>,
+) -> Result<Option<(Patch, State, Rate)>, Error> {
     let motion = &motion.on(surface, contact, constants.bound_slope());
     if contact.is_open() || motion.sliding.amplitude() == 0.0 {
         return Ok(None);
@@ -85,8 +87,9 @@ pub(super) fn mesh_slip_zone(
                  images: &dyn Fn(&[f64]) -> Vec<f64>| {
         let patch = Patch::new((body, inside), mesh.clone(), front, *motion, rim, constants);
         let depth = patch.depths(&images(&patch.radii(radius_squared)), radius_squared);
-        let radius_squared = patch.rate(&depth, radius_squared)?.radius_squared;
-        Some((patch, State { depth, radius_squared }))
+        let rate = patch.rate(&depth, radius_squared)?;
+        let radius_squared = rate.radius_squared;
+        Some((patch, State { depth, radius_squared }, rate))
     };
     if let Some(nodes) = surface.worn() {
         // the mesh goes on where it was left
@@ -103,11 +106,11 @@ pub(super) fn mesh_slip_zone(
                 edge * edge,
                 &images,
             );
-            if let Some((patch, state)) = kept
+            if let Some((patch, state, rate)) = kept
                 && rim == (edge == outer)
                 && (state.radius_squared - edge * edge).abs() <= 1e-4 * patch.span(state.radius_squared)
             {
-                return Ok(Some((patch, state)));
+                return Ok(Some((patch, state, rate)));
             }
         }
         // it is made again where it can carry all the wear there is, else the wear so far is left
@@ -118,16 +121,13 @@ pub(super) fn mesh_slip_zone(
             let images = |x: &[f64]| x.iter().map(|x| nodes.smooth_image(*x)).collect();
             let made =
                 start(surface.unworn(), inside(surface, front, settings.tolerance), front, a * a, &images);
-            let volume = nodes.worn_volume();
-            if let Some((patch, state)) = made
-                && patch.rate(&state.depth, state.radius_squared).is_some_and(|rate| {
-                    let missing = (patch.volume(&rate) - volume).abs();
-                    let off = (state.radius_squared - a * a).abs();
-                    missing <= MISSING * volume.min(patch.own_volume(&rate))
-                        && off <= EDGE_CELLS * 2.0 * patch.span(a * a) / settings.cells as f64
-                })
+            let volume = volume.unwrap_or_else(|| nodes.worn_volume());
+            if let Some((patch, state, rate)) = made
+                && (patch.volume(&rate) - volume).abs() <= MISSING * volume.min(patch.own_volume(&rate))
+                && (state.radius_squared - a * a).abs()
+                    <= EDGE_CELLS * 2.0 * patch.span(a * a) / settings.cells as f64
             {
-                return Ok(Some((patch, state)));
+                return Ok(Some((patch, state, rate)));
             }
         }
     }

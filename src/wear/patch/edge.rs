@@ -84,7 +84,8 @@ impl Patch {
                 break;
             }
             radius_squared += change;
-            if change.abs() <= 1e-13 * radius_squared {
+            // the next change would be about the square of this one, both over L
+            if change.abs() <= 1e-8 * self.span(radius_squared) {
                 return Some(radius_squared);
             }
         }
