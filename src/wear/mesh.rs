@@ -13,10 +13,12 @@
 //! through three nodes are of third order.
 
 mod finer;
+mod row_blocks;
 mod weights;
 
 use crate::surface::Region;
 use crate::transform::{add, dot};
+use row_blocks::RowBlocks;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use weights::Places;
 
@@ -33,6 +35,9 @@ pub(crate) struct UnitMesh {
     inverse: Vec<f64>,
     /// Column j: K̂₀ⱼ … K̂ⱼⱼ; the last is that of a line which falls to zero at the last node.
     pressure: Vec<f64>,
+    /// D̂ and K̂, without its last column, for products.
+    inverse_rows: RowBlocks,
+    pressure_rows: RowBlocks,
     /// Column j: φ dw/dφ at all nodes where zⱼ is 1 and the others are 0.
     drift_of_image: Vec<f64>,
     /// Last column of K̂ for a body that ends at the last node, where the line jumps to zero.
@@ -96,6 +101,8 @@ impl UnitMesh {
             drift,
             inverse: places.inverse_table(),
             pressure: places.pressure_table(),
+            inverse_rows: RowBlocks::new(0, |_, _| 0.0),
+            pressure_rows: RowBlocks::new(0, |_, _| 0.0),
             drift_of_image: Vec::new(),
             rim: Vec::new(),
             share,
@@ -107,6 +114,11 @@ impl UnitMesh {
             volume_of_image: volume,
         };
         mesh.rim = places.rim_column(|i| mesh.pressure_column(cells)[i]);
+        let inverse = |i: usize, j: usize| if j <= i { mesh.inverse_column(j)[i - j] } else { 0.0 };
+        let pressure =
+            |i: usize, j: usize| if i <= j && j < cells { mesh.pressure_column(j)[i] } else { 0.0 };
+        (mesh.inverse_rows, mesh.pressure_rows) =
+            (RowBlocks::new(cells + 1, inverse), RowBlocks::new(cells + 1, pressure));
         mesh.drift_of_image = (0..=cells).flat_map(|j| mesh.drift_of_unit_image(j)).collect();
         mesh.edge_image = mesh.in_depths(edge);
         mesh.mean_image = mesh.in_depths(mesh.width.clone());
@@ -154,10 +166,7 @@ impl UnitMesh {
 
     /// w = D̂ z.
     pub(crate) fn inverse_abel(&self, z: &[f64], w: &mut [f64]) {
-        w.fill(0.0);
-        for j in 0..=self.cells {
-            add(&mut w[j..], z[j], self.inverse_column(j));
-        }
+        self.inverse_rows.times(z, w);
     }
 
     /// z with D̂ z = w, from the first unknown node on.
@@ -175,13 +184,9 @@ impl UnitMesh {
     /// K̂ q for a line q that is zero at the last node, or with `rim` for one that jumps to zero
     /// there.
     pub(crate) fn pressure(&self, q: &[f64], rim: bool, p: &mut [f64]) {
-        let n = self.cells;
-        p.fill(0.0);
-        for j in 0..n {
-            add(&mut p[..=j], q[j], self.pressure_column(j));
-        }
+        self.pressure_rows.times(q, p);
         if rim {
-            add(p, q[n], &self.rim);
+            add(p, q[self.cells], &self.rim);
         }
     }
 

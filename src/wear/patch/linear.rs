@@ -71,14 +71,16 @@ impl Patch {
         let size = n + 1 - first;
         let (span, a) = (self.span(rate.radius_squared), rate.radius_squared.sqrt());
         let root = span.sqrt();
-        // of the rates at the nodes, to the pressure over √L and to the slip of the springs over m
+        // how −γτ times the rates at the nodes change with the pressure, times √L, and with the slip
+        // of the springs, over m
         let wears = |i: usize| i < end && rate.surface_slip[i] > 0.0;
         let at_nodes = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
-            (0..=n).map(|i| if wears(i) { self.factor * rate.share * value(i) } else { 0.0 }).collect()
+            let factor = -gamma_step * self.factor * rate.share;
+            (0..=n).map(|i| if wears(i) { factor * value(i) } else { 0.0 }).collect()
         };
         let stiffness = at_nodes(&|i| rate.surface_slip[i] / root);
         let softening = at_nodes(&|i| rate.pressure[i] * self.bound_slope);
-        let speed = rate.area_rate * rate.drift_share / span;
+        let speed = -gamma_step * rate.area_rate * rate.drift_share / span;
         let edge = rate.edge.as_ref().map(|condition| self.edge_change(condition, depth, rate));
         let approach = self.is_force().then(|| self.approach_change(rate, &stiffness, &softening));
         let mut volume_row = vec![0.0; n + 1];
@@ -112,19 +114,20 @@ impl Patch {
             if let Some(edge) = &edge {
                 add(column, speed, &mesh.drift_column(j)[first..]);
                 let moved = -dot(&edge.condition.depth[first..], column) / edge.total;
-                let radius_squared = self.area_change(j, rate) / edge.condition.radius_squared;
                 add(column, moved, &rate.drift[first..]);
-                add(column, radius_squared, &edge.growth[first..]);
-                volume_row[j] += radius_squared * edge.volume;
+                let radius_squared = self.area_change(j, rate) / edge.condition.radius_squared;
+                if radius_squared != 0.0 {
+                    add(column, -gamma_step * radius_squared, &edge.growth[first..]);
+                    volume_row[j] += radius_squared * edge.volume;
+                }
             }
-            column.iter_mut().for_each(|entry| *entry *= -gamma_step);
             add(&mut column[j - first..], 1.0, mesh.inverse_column(j));
         }
         (jacobian, volume_row)
     }
 
-    /// How the rates at the nodes and the volume rate change with the approach of the bodies, at a
-    /// given image.
+    /// How −γτ times the rates at the nodes, and the volume rate, change with the approach of the
+    /// bodies, at a given image.
     fn approach_change(&self, rate: &Rate, stiffness: &[f64], softening: &[f64]) -> (Vec<f64>, f64) {
         let (mesh, n, end) = (&*self.mesh, self.cells(), self.end());
         let sensitivity = self.sensitivity(rate);
