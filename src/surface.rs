@@ -126,6 +126,15 @@ impl Surface {
         self.profile.image(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).0)
     }
 
+    /// Images at several radii, m.
+    pub(crate) fn images(&self, radii: &[f64]) -> Vec<f64> {
+        let mut images = self.profile.images(radii);
+        if let Some(nodes) = &self.worn {
+            images.iter_mut().zip(radii).for_each(|(image, x)| *image += nodes.worn_part(*x).0);
+        }
+        images
+    }
+
     /// Image at the axis, m.
     pub(crate) fn tip(&self) -> f64 {
         // the first node lies there

@@ -219,6 +219,19 @@ impl Profile {
         }
     }
 
+    /// Images at several radii, m.
+    pub(crate) fn images(&self, radii: &[f64]) -> Vec<f64> {
+        match self {
+            // the usual bodies without asking which they are at each radius
+            Self::Parabola { radius } => radii.iter().map(|x| x * x / radius).collect(),
+            Self::Cone { .. } => {
+                let slope = self.image_slope(0.0);
+                radii.iter().map(|x| slope * x).collect()
+            }
+            _ => radii.iter().map(|x| self.image(*x)).collect(),
+        }
+    }
+
     /// Image g(x), m, at x ≥ 0.
     pub fn image(&self, x: f64) -> f64 {
         match self {

@@ -129,7 +129,7 @@ impl UnitMesh {
     /// φ dw/dφ at a node inside.
     pub(crate) fn drift_of(&self, w: &[f64], i: usize) -> f64 {
         let (first, weights) = &self.drift[i];
-        w[*first..].iter().zip(weights).map(|(w, weight)| weight * w).sum()
+        w[*first..][..weights.len()].iter().zip(weights).map(|(w, weight)| weight * w).sum()
     }
 
     /// φ dw/dφ at all nodes where zⱼ is 1 and the others are 0.

@@ -141,6 +141,17 @@ impl Patch {
         }
     }
 
+    /// The same at several radii.
+    fn scales(&self, span: f64, radii: &[f64]) -> Vec<f64> {
+        match self.mesh.region {
+            Region::Annulus => {
+                let root = span.sqrt();
+                radii.iter().map(|x| root / x).collect()
+            }
+            Region::Disc => vec![1.0; radii.len()],
+        }
+    }
+
     /// z at the inner edge of an annulus, which is given.
     fn inner_image(&self, span: f64) -> f64 {
         match self.mesh.region {

@@ -40,7 +40,7 @@ impl RowBlocks {
                     sums[row] += column[row] * x;
                 }
             }
-            product.copy_from_slice(&sums[..product.len()]);
+            product.iter_mut().zip(sums).for_each(|(product, sum)| *product = sum);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! How fast a state wears.
 
 use super::{EdgeCondition, Patch};
-use crate::transform::dot;
+use crate::transform::{add, dot};
 use std::f64::consts::PI;
 
 /// Most by which the scaling of a rate may differ from 1: beyond it next to nothing wears or moves,
@@ -64,7 +64,7 @@ impl Patch {
         let (mesh, n) = (&*self.mesh, self.cells());
         let (a, span) = (radius_squared.sqrt(), self.span(radius_squared));
         let radius = self.radii(radius_squared);
-        let scale: Vec<f64> = radius.iter().map(|x| self.scale(span, *x)).collect();
+        let scale = self.scales(span, &radius);
         let mut edge_slope = 0.0;
         if !self.rim {
             (depth[n], edge_slope) = self.edge_depth(radius_squared);
@@ -73,7 +73,8 @@ impl Patch {
         if mesh.first() == 1 {
             image[0] = self.inner_image(span);
         }
-        let whole: Vec<f64> = (0..=n).map(|i| self.body.image(radius[i]) + image[i] / scale[i]).collect();
+        let mut whole = self.body.images(&radius);
+        whole.iter_mut().zip(&image).zip(&scale).for_each(|((g, z), b)| *g += z / b);
         let indentation = if !self.is_force() {
             self.motion.value
         } else if self.rim {
@@ -82,7 +83,8 @@ impl Patch {
         } else {
             whole[n]
         };
-        let mut overlap: Vec<f64> = whole.iter().map(|g| indentation - g).collect();
+        let mut overlap = whole;
+        overlap.iter_mut().for_each(|g| *g = indentation - *g);
         if !self.rim {
             overlap[n] = 0.0;
         }
@@ -94,11 +96,13 @@ impl Patch {
         }
         let mut pressure = vec![0.0; n + 1];
         mesh.pressure(&overlap, self.rim, &mut pressure);
-        pressure.iter_mut().for_each(|p| *p /= span.sqrt());
+        let root = span.sqrt();
+        pressure.iter_mut().for_each(|p| *p /= root);
         let scaled: Vec<f64> = slip.iter().zip(&scale).map(|(s, b)| s * b).collect();
         let mut surface_slip = vec![0.0; n + 1];
         mesh.inverse_abel(&scaled, &mut surface_slip);
-        let mut growth: Vec<f64> = (0..=n).map(|i| self.factor * pressure[i] * surface_slip[i]).collect();
+        let mut growth: Vec<f64> =
+            pressure.iter().zip(&surface_slip).map(|(p, s)| self.factor * p * s).collect();
         if !self.rim {
             growth[n] = 0.0;
         }
@@ -118,9 +122,7 @@ impl Patch {
             let condition = self.edge_condition((&depth, image[n]), radius_squared, edge_slope);
             area_rate =
                 -dot(&condition.depth, &growth) / (condition.radius_squared + dot(&condition.depth, &drift));
-            for i in 0..n {
-                growth[i] += drift[i] * area_rate;
-            }
+            add(&mut growth, area_rate, &drift);
             edge = Some(condition);
         }
         Rate {
