@@ -273,15 +273,11 @@ fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, settings: &Integrat
     let parts = parts(patch.mesh.cells, settings.cells);
     let radii = patch.radii_of(&patch.mesh.shares(parts), rate.radius_squared);
     let cells = radii.len() - 1;
-    for (i, (r, own)) in radii.iter().zip(patch.mesh.depths(parts, &state.depth)).enumerate() {
-        depth.push(if i == cells && !patch.rim {
-            0.0
-        } else if i == 0 && first > 0 {
-            inner_depth
-        } else {
-            (own + patch.depth_from_inside(*r)).max(0.0)
-        });
+    let mut outside = patch.depth_outside(state, rate);
+    if first > 0 {
+        outside[0] = inner_depth;
     }
+    depth.extend(patch.mesh.depths(parts, &outside).into_iter().map(|w| w.max(0.0)));
     image.extend(patch.worn_image(rate, parts, &radii));
     x.extend(radii);
     let place = MeshPlace { region: patch.mesh.region, cells, first, contact: patch.contact(rate) };

@@ -21,8 +21,8 @@ impl Patch {
         self.span(rate.radius_squared) * dot(&self.mesh.volume_of_image, &rate.image)
     }
 
-    /// Worn depth outside the front at the nodes, m.
-    fn depth_outside(&self, state: &State, rate: &Rate) -> Vec<f64> {
+    /// Worn depth outside the front at the nodes, m; 0 where it is no unknown.
+    pub(crate) fn depth_outside(&self, state: &State, rate: &Rate) -> Vec<f64> {
         let (first, end) = (self.mesh.first(), self.end());
         let depth = |i: usize| state.depth[i] + self.depth_from_inside(rate.radius[i]);
         (0..=self.cells()).map(|i| if i >= first && i < end { depth(i) } else { 0.0 }).collect()
