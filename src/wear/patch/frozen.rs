@@ -35,7 +35,7 @@ impl Sources {
         (depth.iter().sum(), slope.iter().sum())
     }
 
-    /// ∫ r w dr up to a radius, m³, without what the image does at the axis: Σ W √(r² − x²).
+    /// ∫ r w dr of the depth up to a radius, m³.
     pub(super) fn integral(&self, radius_squared: f64) -> f64 {
         let pairs = self.0.iter().flat_map(|(squares, weights)| squares.iter().zip(weights));
         pairs.map(|(square, weight)| weight * (radius_squared - square).max(0.0).sqrt()).sum()

@@ -84,8 +84,8 @@ impl Patch {
         let edge = rate.edge.as_ref().map(|condition| self.edge_change(condition, depth, rate));
         let approach = self.is_force().then(|| self.approach_change(rate, &stiffness, &softening));
         let mut volume_row = vec![0.0; n + 1];
-        let mut jacobian = vec![0.0; size * size];
-        for (j, column) in (first..).zip(jacobian.chunks_exact_mut(size)) {
+        let mut matrix = vec![0.0; size * size];
+        for (j, column) in (first..).zip(matrix.chunks_exact_mut(size)) {
             // h = z/b, and so the overlap, which is zero at a moving edge
             let softness = 1.0 / rate.scale[j];
             let slips = rate.slip[j] > 0.0;
@@ -123,7 +123,7 @@ impl Patch {
             }
             add(&mut column[j - first..], 1.0, mesh.inverse_column(j));
         }
-        (jacobian, volume_row)
+        (matrix, volume_row)
     }
 
     /// How −γτ times the rates at the nodes, and the volume rate, change with the approach of the
