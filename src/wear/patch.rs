@@ -177,9 +177,10 @@ impl Patch {
         self.mesh.inverse_abel(&z, &mut depth);
         if !self.rim {
             // the depth at the edge is known: the error of taking the image over must not all go to
-            // the last cell
+            // the last cell; and none to the image next to the front, or it would creep
             let error = self.edge_depth(radius_squared).0 - depth[n];
-            depth.iter_mut().zip(&self.mesh.share).for_each(|(w, share)| *w += error * share);
+            let behind = depth.iter_mut().zip(&self.mesh.share).skip(FRONT_CELLS + 1);
+            behind.for_each(|(w, share)| *w += error * share);
         }
         depth
     }

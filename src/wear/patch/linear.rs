@@ -1,18 +1,16 @@
 //! The linear system (1 − γτ J) x = y of a step, as D̂ − γτ J D̂ in the unknowns z at the nodes
 //! first ..= n, and its LU factors. At a moving edge its last row keeps the depth there.
 
-mod lu;
-
 use super::{EdgeCondition, Patch, Rate};
 use crate::counters::Counters;
 use crate::transform::{add, dot};
-use lu::Lu;
+use nalgebra::{DMatrix, DVectorViewMut, Dyn, LU};
 
 /// The system, factorised.
 #[derive(Debug)]
 pub(in crate::wear) struct Linear<'a> {
     patch: &'a Patch,
-    lu: Lu,
+    lu: LU<f64, Dyn, Dyn>,
     /// Change of the volume rate with z at all nodes.
     volume_row: Vec<f64>,
 }
@@ -27,14 +25,18 @@ impl<'a> Linear<'a> {
     ) -> Option<Self> {
         counters.factorisations += 1;
         let (matrix, volume_row) = patch.matrix(state, gamma_step);
-        Some(Self { patch, lu: Lu::new(matrix, volume_row.len() - patch.mesh.first())?, volume_row })
+        let size = volume_row.len() - patch.mesh.first();
+        let lu = DMatrix::from_vec(size, size, matrix).lu();
+        lu.is_invertible().then_some(Self { patch, lu, volume_row })
     }
 
     /// Replaces a right side at the nodes by the solution z, which is zero at a given inner edge.
     pub(in crate::wear) fn solve(&self, right: &mut [f64]) {
         let first = self.patch.mesh.first();
         right[..first].fill(0.0);
-        self.lu.solve(&mut right[first..]);
+        let unknowns = right.len() - first;
+        // a regular system, as it was found to be
+        self.lu.solve_mut(&mut DVectorViewMut::from_slice(&mut right[first..], unknowns));
     }
 
     /// Depths that belong to a solution z, zero at a moving edge.
