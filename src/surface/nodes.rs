@@ -142,14 +142,7 @@ impl Nodes {
         if self.mesh.is_none() {
             return self.volume(&self.depth);
         }
-        let cells = self.x.windows(2).zip(self.worn_image.windows(2));
-        let end = self.x[self.last()];
-        cells
-            .map(|(x, h)| {
-                let (inner, outer) = depth_volume(x[0], x[1], end);
-                inner * h[0] + outer * h[1]
-            })
-            .sum()
+        depth_volume(&self.x, &self.worn_image)
     }
 
     /// ∫ 2πr w dr of a field given at the nodes, linear in r² between them (m³ for a depth in m):

@@ -103,7 +103,8 @@ impl Places {
         (first, weights.map(|weight| weight * ratio))
     }
 
-    /// Columns of D̂ from the diagonal down: (1/π) ∫ z dX/√(Z − X) on an annulus, (2/π) ∫ z dx/√(r² − x²) on a disc.
+    /// Columns of D̂ from the diagonal down: (1/π) ∫ z dX/√(Z − X) on an annulus,
+    /// (2/π) ∫ z dx/√(r² − x²) on a disc.
     pub(super) fn inverse_table(self) -> Vec<f64> {
         let n = self.cells;
         let rule = gauss_legendre::<POINTS>();
@@ -155,7 +156,8 @@ impl Places {
         }
     }
 
-    /// Columns of K̂ down to the diagonal, for a line that falls to zero at the end: −(1/π) ∫ dq/√(X − Z).
+    /// Columns of K̂ down to the diagonal, for a line that falls to zero at the end:
+    /// −(1/π) ∫ dq/√(X − Z).
     pub(super) fn pressure_table(self) -> Vec<f64> {
         let n = self.cells;
         let rule = gauss_legendre::<POINTS>();

@@ -120,8 +120,8 @@ impl Patch {
         Some(high)
     }
 
-    /// The condition at given depths, of which w̃ at the edge has the given slope in A, and z at the
-    /// edge.
+    /// The condition at given depths, of which w̃ at the edge has the given slope in A, and at z
+    /// there.
     pub(super) fn edge_condition(
         &self,
         (depth, edge_image): (&[f64], f64),

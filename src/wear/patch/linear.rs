@@ -73,8 +73,8 @@ impl Patch {
         let size = n + 1 - first;
         let (span, a) = (self.span(rate.radius_squared), rate.radius_squared.sqrt());
         let root = span.sqrt();
-        // how −γτ times the rates at the nodes change with the pressure, times √L, and with the slip
-        // of the springs, over m
+        // how −γτ times the rates at the nodes change with the pressure, times √L, and with the
+        // slip of the springs, over m
         let wears = |i: usize| i < end && rate.surface_slip[i] > 0.0;
         let at_nodes = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
             let factor = -gamma_step * self.factor * rate.share;
@@ -109,9 +109,9 @@ impl Patch {
             if let Some((growth, volume)) = &approach
                 && (self.rim || j == n)
             {
-                let sinking = if self.rim { root * mesh.width[j] / a } else { softness };
-                add(column, sinking, &growth[first..]);
-                volume_row[j] += sinking * volume;
+                let approach_of_image = if self.rim { root * mesh.width[j] / a } else { softness };
+                add(column, approach_of_image, &growth[first..]);
+                volume_row[j] += approach_of_image * volume;
             }
             if let Some(edge) = &edge {
                 add(column, speed, &mesh.drift_column(j)[first..]);
