@@ -17,7 +17,7 @@ const JUST_ALL: f64 = 1e-4;
 
 /// Radius of that front, and the least of any, relative to the contact radius. The image of an
 /// annulus is carried as z in proportion to 1/x, which is singular at the axis: where slip just
-/// reaches it, worn volumes are off by 5e-4 (ball) and 1.6e-3 (cone).
+/// reaches it, worn volumes are off by 6e-4 (cone).
 const LEAST_FRONT: f64 = 1e-3;
 
 /// Cells of the coarsest mesh of an annulus: with 16, worn volumes on the way are off by 0.3 to

@@ -140,14 +140,14 @@ fn the_final_state_at_constant_depth_is_the_closed_one() {
             contact.tangential_force() / end.tangential_force(G_STAR, scene.amplitude) - 1.0,
             contact.wear_depth() / end.deepest_wear().1 - 1.0
         );
-        assert!(worst <= 5e-3, "{profile:?}: {worst:e} d0");
-        close_to(contact.wear_volume(), end.worn_volume(), 5e-3, "V");
+        assert!(worst <= 3e-4, "{profile:?}: {worst:e} d0");
+        close_to(contact.wear_volume(), end.worn_volume(), 3e-4, "V");
         // in the end g = d all over the slip zone, to the tolerance: where they cross last is
         // ill-defined
         close_to(contact.contact_radius(), end.outer_radius(), 0.05, "a");
-        close_to(contact.normal_reaction(), end.normal_force(E_STAR), 5e-3, "F_N");
-        close_to(contact.tangential_force(), end.tangential_force(G_STAR, scene.amplitude), 5e-3, "T");
-        close_to(contact.wear_depth(), end.deepest_wear().1, 5e-3, "deepest wear");
+        close_to(contact.normal_reaction(), end.normal_force(E_STAR), 3e-4, "F_N");
+        close_to(contact.tangential_force(), end.tangential_force(G_STAR, scene.amplitude), 1e-9, "T");
+        close_to(contact.wear_depth(), end.deepest_wear().1, 1e-3, "deepest wear");
         close_to(contact.stick_radius(), 0.4 * a, 1e-9, "c");
         assert_stick_unworn(&contact, "final state");
         assert_volumes_agree(&contact, 1e-2, &format!("{profile:?} to the final state"));
