@@ -20,8 +20,8 @@ BOUNDS = {
     "Gross slip: worn volume": 1e-3,
     "Partial slip: volume from": 0.05,  # 64 probes across a steep-edged ring
     "Gross slip: volume from": 0.02,
-    "Partial slip: cycle by cycle": 0.1,  # three cycles that wear as much as thousands
-    "Gross slip: cycle by cycle": 0.1,
+    "Partial slip: cycle by cycle": 5e-3,  # three cycles that wear as much as thousands
+    "Gross slip: cycle by cycle": 2e-3,
     "amplitude with friction": 0.02,  # of a second-order scheme at 64 steps a period
     "friction work: counted": 0.03,  # of the same scheme; and the joint keeps some elastic energy
     "worn volume against": 1e-3,
