@@ -71,24 +71,22 @@ impl FrettingContact {
         self.memory.get().slips.clear();
     }
 
-    /// Whether the profile has to follow before the body turns to a direction.
-    pub(super) fn turns_to_update(&self, direction: f64) -> bool {
+    /// Whether the profile has to follow before the body goes on in a direction, 0 where it stays.
+    /// That is asked before a motion, not after it: so T at the end of a step does not jump where a
+    /// master tries another end.
+    pub(super) fn update_is_due(&self, direction: f64) -> bool {
         let Some(wear) = &self.state.wear else { return false };
-        direction != 0.0
-            && direction != self.state.direction
-            && self.model.constants.wear_per_work * wear.backlog.work > wear.limit
-    }
-
-    /// Whether the profile has to follow at the end of a line in a contact that does more work (J),
-    /// also during a stroke.
-    pub(super) fn needs_update(&self, to: &Contact, work: f64, stick_radius: f64) -> bool {
-        let Some(wear) = &self.state.wear else { return false };
-        let volume = self.model.constants.wear_per_work * (wear.backlog.work + work);
+        let volume = self.model.constants.wear_per_work * wear.backlog.work;
         if wear.limit == 0.0 || volume <= wear.limit {
             return false;
         }
         // at constant load an update can wait for the reversal, which leaves strokes whole
-        volume > STROKE * wear.limit || !wear.backlog.is_at(to.depth) || stick_radius == 0.0
+        let turns = direction != 0.0 && direction != self.state.direction;
+        turns
+            || self.state.planar.is_some()
+            || volume > STROKE * wear.limit
+            || !wear.backlog.is_at(self.state.contact.depth)
+            || self.stick_radius() == 0.0
     }
 
     /// Work (J) that a slide may do before an update may be due.
@@ -206,6 +204,14 @@ impl FrettingContact {
     fn defer(&mut self, work: f64) {
         if let Some(wear) = &mut self.state.wear {
             wear.deferred_work += work;
+        }
+    }
+
+    /// Defers the wear of the whole backlog.
+    pub(super) fn defer_backlog(&mut self) {
+        self.view.forget();
+        if let Some(wear) = &mut self.state.wear {
+            wear.deferred_work += wear.backlog.take().work;
         }
     }
 

@@ -158,16 +158,27 @@ impl FrettingContact {
                 this.bounded(|this| this.slide_on(displacement))
             });
         }
-        let direction = self.direction_to(displacement);
-        if self.turns_to_update(direction) {
-            return self.transaction(|this| {
+        if !self.update_is_due(self.direction_to(displacement)) {
+            return self.walk_on(value, displacement, splits);
+        }
+        let updated = self.transaction(|this| {
+            this.bounded(|this| {
+                this.absorb_backlog()?;
+                this.walk_on(value, displacement, splits)
+            })
+        });
+        // a profile that cannot follow under this load may do so under less
+        updated.or_else(|error| {
+            if value >= self.state.contact.control {
+                return Err(error);
+            }
+            self.transaction(|this| {
                 this.bounded(|this| {
-                    this.absorb_backlog()?;
+                    this.defer_backlog();
                     this.walk_on(value, displacement, splits)
                 })
-            });
-        }
-        self.walk_on(value, displacement, splits)
+            })
+        })
     }
 
     /// Sign of the way to a displacement.
@@ -219,20 +230,9 @@ impl FrettingContact {
                 this.bounded(Self::absorb_backlog)
             });
         }
-        let advance = |this: &mut Self| {
-            this.gather(work, &to, Vector2::new(this.direction_to(displacement), 0.0));
-            this.arrive(to, displacement, springs, work);
-            this.set_limit();
-        };
-        if self.needs_update(&to, work, inner) {
-            return self.transaction(|this| {
-                this.bounded(|this| {
-                    advance(this);
-                    this.absorb_backlog()
-                })
-            });
-        }
-        advance(self);
+        self.gather(work, &to, Vector2::new(self.direction_to(displacement), 0.0));
+        self.arrive(to, displacement, springs, work);
+        self.set_limit();
         Ok(())
     }
 

@@ -117,13 +117,6 @@ impl FrettingContact {
         if self.state.planar.is_none() {
             self.enter_plane()?;
         }
-        if self.turns_in_plane(place) && self.turns_to_update(-self.state.direction) {
-            self.bounded(Self::absorb_backlog)?;
-            if self.state.planar.is_none() {
-                // the body has worn free
-                self.enter_plane()?;
-            }
-        }
         self.slip_in_plane(value, place, MOST_HALVINGS)
     }
 
@@ -202,6 +195,19 @@ impl FrettingContact {
     /// Walks one piece; where it wears more than the profile can take at once, in halves, after
     /// each of which the profile follows.
     fn slip_in_plane(&mut self, value: f64, place: Vector2<f64>, halvings: u32) -> Result<(), Error> {
+        if self.update_is_due(0.0) {
+            let updated = self.transaction(|this| this.bounded(Self::absorb_backlog));
+            if updated.is_err() {
+                if value >= self.state.contact.control {
+                    return updated;
+                }
+                self.defer_backlog();
+            }
+            if self.state.planar.is_none() {
+                // the body has worn free
+                self.enter_plane()?;
+            }
+        }
         let end = self.try_in_plane(value, place)?;
         if self.state.wear.is_some() && end.work > 0.0 {
             let volume = self.model.constants.wear_per_work * end.work;
@@ -213,21 +219,17 @@ impl FrettingContact {
             let middle = 0.5 * (self.place() + place);
             if far && halvings > 0 && middle != place && middle != self.place() {
                 let between = 0.5 * (self.state.contact.control + value);
-                for (value, place) in [(between, middle), (value, place)] {
-                    if self.state.planar.is_none() {
-                        self.enter_plane()?;
-                    }
-                    self.slip_in_plane(value, place, halvings - 1)?;
-                    self.bounded(Self::absorb_backlog)?;
+                self.slip_in_plane(between, middle, halvings - 1)?;
+                if self.state.planar.is_none() {
+                    self.enter_plane()?;
                 }
-                return Ok(());
+                return self.slip_in_plane(value, place, halvings - 1);
             }
-            let update = self.needs_update(&end.to, end.work, 0.0);
             let moved = place - self.place();
             self.gather(end.work, &end.to, moved.try_normalize(0.0).unwrap_or_default());
             self.arrive_in_plane(end, place);
             self.set_limit();
-            return if update { self.bounded(Self::absorb_backlog) } else { Ok(()) };
+            return Ok(());
         }
         self.arrive_in_plane(end, place);
         Ok(())

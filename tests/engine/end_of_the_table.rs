@@ -158,3 +158,31 @@ fn a_contact_that_grows_into_a_hollow_is_refused() {
         (0..20_000).find_map(|k| strokes.advance_to(40.0, if k % 2 == 0 { 5e-6 } else { -5e-6 }).err());
     assert!(error.is_some_and(refused));
 }
+
+/// Where a stroke is refused since the contact would grow beyond the table, less load can be taken:
+/// on a line, behind a rig and in the plane.
+#[test]
+fn a_contact_at_the_end_of_its_table_can_be_unloaded() {
+    for (rig, amplitude, y) in [(f64::INFINITY, 5e-6, 0.0), (3.5e7, 8e-6, 0.0), (f64::INFINITY, 5e-6, 1e-6)] {
+        for swing in [0.0, 3.0] {
+            let parameters = Parameters {
+                profile: table(),
+                wear_coefficient: 0.02,
+                rig_stiffness: rig,
+                ..Parameters::default()
+            };
+            let mut contact = FrettingContact::new(parameters).unwrap();
+            contact.start_at(100.0, 0.0).unwrap();
+            let to = |contact: &mut FrettingContact, force: f64, x: f64| {
+                contact.advance_to_planar(force, [x, x.signum() * y])
+            };
+            let refused = (1..20_000).find_map(|k: u32| {
+                let side = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+                to(&mut contact, 100.0 + side * swing, side * amplitude).err()
+            });
+            assert!(matches!(refused, Some(Error::BeyondTable { .. })), "{rig} {y} {swing}: {refused:?}");
+            to(&mut contact, 80.0, 0.0).unwrap_or_else(|error| panic!("{rig} {y} {swing}: {error}"));
+            to(&mut contact, 80.0, amplitude).unwrap();
+        }
+    }
+}
