@@ -41,6 +41,7 @@ mod save_point;
 mod slide;
 mod state;
 mod steady;
+mod tuning;
 mod view;
 
 pub use crate::counters::Counters;

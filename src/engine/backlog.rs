@@ -7,24 +7,8 @@ use crate::surface::{Contact, FrontMotion, Nodes, Surface};
 use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
 use nalgebra::Vector2;
 
-/// How much more than the limit between two updates may wear where an update can wait for the next
-/// reversal: at constant load, whose strokes make one law however many they are.
-pub(super) const STROKE: f64 = 20.0;
-
-/// An annulus that slips is taken to begin at most at this share of the contact radius: what
-/// little wears in a thin one need not be followed at once.
-pub(super) const WIDE: f64 = 0.9;
-
-/// Largest share of the work of an update by which deferred work may add to it: much of it at one
-/// place would dig a groove there.
-pub(super) const PLACED_WITH: f64 = 0.25;
-
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
 pub(super) const MOST_SCALE: f64 = 1.5;
-
-/// Largest share of the work of a slip that a surplus of work before may take: what is counted
-/// goes on growing.
-const MOST_TAKEN: f64 = 0.5;
 
 /// How near two amplitudes are that are taken for one, relative.
 const SAME_AMPLITUDE: f64 = 1e-3;
@@ -84,7 +68,7 @@ impl FrettingContact {
         let turns = direction != 0.0 && direction != self.state.direction;
         turns
             || self.state.planar.is_some()
-            || volume > STROKE * wear.limit
+            || volume > self.model.tuning.stroke * wear.limit
             || !wear.backlog.is_at(self.state.contact.depth)
             || self.stick_radius() == 0.0
     }
@@ -109,7 +93,7 @@ impl FrettingContact {
 
     /// Volume that may wear before the profile follows, m³.
     pub(super) fn update_limit(&self) -> f64 {
-        let inner = self.stick_radius().min(WIDE * self.state.contact.radius);
+        let inner = self.stick_radius().min(self.model.widest_stick(&self.state.contact));
         wear::update_limit(self.model.parameters.tolerance, &self.surface, &self.state.contact, inner)
     }
 
@@ -195,7 +179,7 @@ impl FrettingContact {
     /// Takes `WearState::deferred_share` off.
     fn take_deferred(&mut self, work: f64) -> f64 {
         let Some(wear) = &mut self.state.wear else { return 0.0 };
-        let taken = wear.deferred_share(work);
+        let taken = wear.deferred_share(self.model.tuning.placed_with * work.abs());
         wear.deferred_work -= taken;
         taken
     }
@@ -221,7 +205,7 @@ impl FrettingContact {
         if let Some(wear) = &mut self.state.wear
             && wear.surplus > 0.0
         {
-            let taken = wear.surplus.min(MOST_TAKEN * work);
+            let taken = wear.surplus.min(work);
             wear.surplus -= taken;
             counted -= taken;
         }

@@ -1,21 +1,12 @@
 //! Transient histories: straight lines in (load, displacement), and the wear that they bring.
 
 use super::FrettingContact;
-use super::backlog::STROKE;
 use super::line::Line;
 use crate::error::Error;
 use crate::friction::{Path, Springs};
 use crate::surface::Contact;
 use crate::wear;
 use nalgebra::Vector2;
-
-/// Largest change of √F_N, relative to the larger one, over which the depth is taken for a parabola
-/// in F_N. The error of the friction work is of second order in it, 6e-5 in random histories.
-const ROOT_SHARE: f64 = 0.15;
-
-/// Largest change of load, relative to the larger one, over which slip wears under one depth, and
-/// the body behind a rig is taken to move evenly, and the bound of springs in the plane.
-const LOAD_SHARE: f64 = 0.05;
 
 /// Most pieces into which wear may split a line.
 const MOST_PIECES: f64 = 512.0;
@@ -121,7 +112,7 @@ impl FrettingContact {
     fn pieces(&self, line: &Line) -> u32 {
         match (&self.state.wear, self.model.constants.force_control) {
             (Some(_), _) => self.even_pieces(line),
-            (None, true) => self.pieces_by(line, f64::sqrt, ROOT_SHARE),
+            (None, true) => self.pieces_by(line, f64::sqrt, self.model.tuning.root_share),
             // the bound changes evenly: all is exact
             (None, false) => 1,
         }
@@ -129,7 +120,7 @@ impl FrettingContact {
 
     /// Pieces over which the load changes by the same little.
     pub(super) fn even_pieces(&self, line: &Line) -> u32 {
-        self.pieces_by(line, |load| load, LOAD_SHARE)
+        self.pieces_by(line, |load| load, self.model.tuning.load_share)
     }
 
     /// Pieces over which a measure of the load changes by at most a share of the larger one.
@@ -190,7 +181,8 @@ impl FrettingContact {
     /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where
     /// it exceeds that.
     pub(super) fn exceeds_limit(&self, volume: f64, contact: &Contact, stick_radius: f64) -> Option<f64> {
-        let tolerance = if stick_radius > 0.0 { STROKE } else { 1.0 } * self.model.parameters.tolerance;
+        let tolerance =
+            if stick_radius > 0.0 { self.model.tuning.stroke } else { 1.0 } * self.model.parameters.tolerance;
         wear::exceeds_limit(volume, tolerance, &self.surface, contact, stick_radius)
     }
 

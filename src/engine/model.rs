@@ -2,9 +2,11 @@
 //! the coefficient of friction while friction runs in.
 
 use super::axes::Axes;
+use super::tuning::{Tuning, USUAL};
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
+use crate::surface::Contact;
 use crate::wear::Constants;
 use std::sync::Arc;
 
@@ -19,6 +21,7 @@ pub(crate) struct Model {
     /// 1/k_rig, m/N; 0 where the contact is driven directly.
     pub(super) compliance: f64,
     pub(super) axes: Axes,
+    pub(super) tuning: Tuning,
 }
 
 impl Model {
@@ -56,7 +59,13 @@ impl Model {
             parameters,
             constants,
             axes,
+            tuning: USUAL,
         }
+    }
+
+    /// Largest stick radius (m) by which wear is planned: of a thinner annulus little wears.
+    pub(super) fn widest_stick(&self, contact: &Contact) -> f64 {
+        (1.0 - self.tuning.least_width) * contact.radius
     }
 
     /// Whether wear is computed.

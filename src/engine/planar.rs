@@ -13,7 +13,6 @@ mod derivatives;
 mod rig;
 
 use super::FrettingContact;
-use super::backlog::WIDE;
 use super::line::Line;
 use crate::error::Error;
 use crate::friction::{PlanarPath, PlanarRow, Resting, Samples, SlipPiece, Springs};
@@ -22,9 +21,6 @@ use crate::surface::Contact;
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 use std::mem::{replace, take};
-
-/// Samples of the row for each cell of the resolution, across the contact.
-const SAMPLES_PER_CELL: usize = 2;
 
 /// Most halvings of a piece that wears more than the profile can take at once.
 const MOST_HALVINGS: u32 = 9;
@@ -142,7 +138,7 @@ impl FrettingContact {
 
     /// Samples across the contact.
     pub(super) fn samples(&self) -> Samples {
-        Samples(SAMPLES_PER_CELL * self.model.parameters.resolution)
+        Samples(self.model.tuning.samples_per_cell * self.model.parameters.resolution)
     }
 
     /// The path from the present state to a contact and a place.
@@ -211,7 +207,7 @@ impl FrettingContact {
         let end = self.try_in_plane(value, place)?;
         if self.state.wear.is_some() && end.work > 0.0 {
             let volume = self.model.constants.wear_per_work * end.work;
-            let far = self.exceeds_limit(volume, &end.to, WIDE * end.to.radius).is_some();
+            let far = self.exceeds_limit(volume, &end.to, self.model.widest_stick(&end.to)).is_some();
             let whole = self.exceeds_limit(volume, &end.to, 0.0).unwrap_or(0.0);
             if whole > MOST_WEAR || (halvings == 0 && self.exceeds_wear_capacity(end.work)) {
                 return Err(Error::WearOutrun { from: self.state.displacement, displacement: place.x });

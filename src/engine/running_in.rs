@@ -32,10 +32,6 @@ const LEAST_PART: f64 = 1e-3;
 /// Relative difference from μ_end below which μ is constant.
 const RUN_IN: f64 = 1e-9;
 
-/// Relative change of μ within one update of the worn profile: V is 0.1 % off, up to 0.4 % without
-/// a bound.
-const DRIFT: f64 = 0.02;
-
 /// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds
 /// are halved instead.
 const MOST_ITERATIONS: u32 = 8;
@@ -207,7 +203,7 @@ impl FrettingContact {
     fn absorb_after_drift(&mut self) -> Result<(), Error> {
         let Some(wear) = &self.state.wear else { return Ok(()) };
         let before = self.model.parameters.friction_coefficient_after(self.state.work - wear.backlog.work);
-        if (self.model.constants.friction_coefficient / before - 1.0).abs() <= DRIFT {
+        if (self.model.constants.friction_coefficient / before - 1.0).abs() <= self.model.tuning.drift {
             return Ok(());
         }
         self.bounded(Self::absorb_backlog)?;

@@ -6,7 +6,6 @@
 //! over, so that it needs none.
 
 use super::FrettingContact;
-use super::backlog::PLACED_WITH;
 use super::coating::Coating;
 use super::model::Model;
 use super::planar::Planar;
@@ -113,9 +112,8 @@ impl WearState {
         *self = Self { backlog, ..*other };
     }
 
-    /// As much of the deferred work as may add to an update of some work, J.
-    pub(super) fn deferred_share(&self, work: f64) -> f64 {
-        let most = PLACED_WITH * work.abs();
+    /// The deferred work, at most so much, J.
+    pub(super) fn deferred_share(&self, most: f64) -> f64 {
         self.deferred_work.max(-most).min(most)
     }
 }

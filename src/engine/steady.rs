@@ -1,7 +1,6 @@
 //! Motion that repeats at constant load, worn by its law of time.
 
 use super::FrettingContact;
-use super::backlog::STROKE;
 use crate::error::Error;
 use crate::wear::{Sliding, SlipAtDepth, share_of_room};
 
@@ -78,7 +77,13 @@ impl FrettingContact {
         };
         let volume = self.model.constants.wear_per_work * unit_work * left;
         let tolerance = self.model.parameters.tolerance;
-        let ratio = share_of_room(volume, (STROKE * tolerance, tolerance), &self.surface, &contact, stick);
+        let ratio = share_of_room(
+            volume,
+            (self.model.tuning.stroke * tolerance, tolerance),
+            &self.surface,
+            &contact,
+            stick,
+        );
         // what is no number has to stop the loop
         let amount = if ratio <= 1.0 { left } else { left / ratio };
         (amount, unit_work * amount)

@@ -97,7 +97,7 @@ impl FrettingContact {
             * self.model.constants.friction_coefficient
             * self.model.constants.normal_modulus;
         let volume = per_sum * surface.worn().map_or(0.0, |nodes| nodes.volume(&reading.depth));
-        let work = wear.backlog.work + wear.deferred_share(wear.backlog.work);
+        let work = wear.backlog.work + wear.deferred_share(self.model.tuning.placed_with * wear.backlog.work);
         let scale = (self.model.constants.wear_per_work * work / volume).min(MOST_SCALE);
         let factor = if volume > 0.0 { per_sum * scale } else { 0.0 };
         reading.depth.iter_mut().for_each(|depth| *depth *= factor);

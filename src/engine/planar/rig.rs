@@ -19,9 +19,6 @@ use crate::surface::Contact;
 use nalgebra::{Matrix2, Vector2};
 use std::mem::take;
 
-/// How far the body may be from the chord halfway, over the displacement of full slip.
-const BENT: f64 = 3e-4;
-
 /// Most halvings of one piece for that sake.
 const MOST_HALVINGS: u32 = 8;
 
@@ -113,7 +110,7 @@ impl FrettingContact {
         let halfway = 0.5 * (self.state.contact.control + value);
         if halvings > 0 && halfway > self.touch_control() && drive != from {
             let half = from + 0.5 * (drive - from);
-            let near = BENT * self.model.bound_slope * self.state.contact.depth.abs()
+            let near = self.model.tuning.bent * self.model.bound_slope * self.state.contact.depth.abs()
                 + ROUNDING * self.scale_of(drive, &self.state.contact);
             let middle = Equilibrium::near(0.5 * (here + found.place));
             let between = self.balance_nearly(halfway, half, middle, 0.1 * near)?;
