@@ -19,6 +19,7 @@ use crate::parameters::NormalControl;
 use crate::profile::{Profile, ProfileTable};
 use crate::range;
 use crate::roots;
+use std::mem::{swap, take};
 use std::sync::Arc;
 
 /// Image values at one radius.
@@ -103,6 +104,14 @@ impl Surface {
         match (&self.worn, &other.worn) {
             (Some(own), Some(others)) => Arc::ptr_eq(own, others) || own == others,
             (own, others) => own.is_none() && others.is_none(),
+        }
+    }
+
+    /// Gives its nodes for others, which no other surface shares.
+    pub(crate) fn swap_worn(&mut self, nodes: &mut Nodes) {
+        match self.worn.as_mut().and_then(Arc::get_mut) {
+            Some(worn) => swap(worn, nodes),
+            None => self.worn = Some(Arc::new(take(nodes))),
         }
     }
 

@@ -4,7 +4,8 @@
 use super::state::Mark;
 use super::stroke::StrokeStart;
 use crate::friction::{PlanarRow, SlipPiece, Springs};
-use crate::surface::TransformCache;
+use crate::surface::{NodeTransforms, Nodes, TransformCache};
+use std::sync::Arc;
 
 /// Made when a step first needs it: a contact of an interface has none between two steps.
 #[derive(Debug, Clone, Default)]
@@ -16,9 +17,9 @@ impl Memory {
         self.0.get_or_insert_default()
     }
 
-    /// Tables of the nodes at rest.
-    pub(super) fn transforms(&self) -> TransformCache {
-        self.0.as_ref().map_or_else(TransformCache::default, |buffers| buffers.transforms.clone())
+    /// The tables of nodes where they are there.
+    pub(super) fn transforms_of(&self, nodes: &Nodes) -> Option<Arc<NodeTransforms>> {
+        self.0.as_ref().and_then(|buffers| buffers.transforms.find(nodes).cloned())
     }
 }
 

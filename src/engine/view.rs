@@ -36,9 +36,12 @@ struct Reading {
     /// The surface of the last update.
     base: Option<Surface>,
     /// The same with nodes for the slip since then, and their transforms.
-    surface: Option<(Surface, Arc<NodeTransforms>)>,
-    /// Radii from which and up to which these nodes serve, m.
-    span: (f64, f64),
+    surface: Option<Surface>,
+    transforms: Option<Arc<NodeTransforms>>,
+    /// Radii from which and up to which these nodes serve, m, where they do.
+    span: Option<(f64, f64)>,
+    /// Memory for nodes.
+    nodes: Nodes,
     wear: FirstOrderWear,
     /// Depth by which the backlog has worn the nodes, m.
     depth: Vec<f64>,
@@ -68,27 +71,23 @@ impl FrettingContact {
         if !same_base || reading.computed_for != Some(now) {
             if !same_base {
                 reading.forget();
-                (reading.base, reading.surface) = (Some(self.surface.clone()), None);
+                (reading.base, reading.span) = (Some(self.surface.clone()), None);
             }
             self.compute(reading);
             reading.computed_for = Some(now);
         }
-        let (surface, _) = reading.surface.as_ref()?;
-        surface.worn().map(|nodes| read(nodes, &reading.depth))
+        let nodes = reading.surface.as_ref()?.worn()?;
+        Some(read(nodes, &reading.depth))
     }
 
     fn compute(&self, reading: &mut Reading) {
         let Some(wear) = &self.state.wear else { return };
         let front = reading.wear.read(&wear.backlog);
         let span = self.span_of_slip(front, wear.backlog.radius);
-        if reading.surface.is_none() || reading.span != span {
-            let surface = self.with_nodes_over(span);
-            let transforms = surface.worn().map(|nodes| self.memory.transforms().get(nodes).0);
-            reading.wear.set_surface(&surface);
-            reading.surface = transforms.map(|transforms| (surface, transforms));
-            reading.span = span;
+        if reading.span != Some(span) {
+            self.set_nodes(span, reading);
         }
-        let Some((surface, transforms)) = &reading.surface else { return };
+        let (Some(surface), Some(transforms)) = (&reading.surface, &reading.transforms) else { return };
         let at_present = !self.state.contact.is_open() && wear.backlog.is_at(self.state.contact.depth);
         let present = at_present.then_some(&self.state.contact);
         reading.wear.sum((surface, transforms), present, &mut reading.depth);
@@ -119,19 +118,31 @@ impl FrettingContact {
         (start, outer)
     }
 
-    /// The present surface with nodes over a span of radii.
-    fn with_nodes_over(&self, (inner, outer): (f64, f64)) -> Surface {
-        let mut surface = self.surface.clone();
-        let profile = surface.profile();
-        let nodes = match surface.worn() {
-            None => Nodes::around(profile, self.model.parameters.resolution, outer, inner),
-            Some(nodes) => {
-                let mut nodes = nodes.clone();
-                nodes.cover(profile, (inner, outer));
-                nodes
+    /// Sets the present surface with nodes over a span of radii, and their transforms.
+    fn set_nodes(&self, span: (f64, f64), reading: &mut Reading) {
+        let (profile, nodes) = (self.surface.profile(), &mut reading.nodes);
+        match self.surface.worn() {
+            None => *nodes = Nodes::around(profile, self.model.parameters.resolution, span.1, span.0),
+            Some(worn) => {
+                nodes.copy_from(worn);
+                nodes.cover(profile, span);
             }
-        };
-        surface.set_worn(Some(nodes));
-        surface
+        }
+        let is_new = reading.span.replace(span).is_none();
+        let surface = reading.surface.get_or_insert_with(|| self.surface.unworn());
+        if surface.worn().is_none_or(|worn| worn.x() != nodes.x()) {
+            let own = reading.transforms.as_mut().and_then(Arc::get_mut);
+            match (self.memory.transforms_of(nodes), own) {
+                (None, Some(own)) => own.renew(nodes.x()),
+                (known, _) => {
+                    let made = || Arc::new(NodeTransforms::new(nodes.x()));
+                    reading.transforms = Some(known.unwrap_or_else(made));
+                }
+            }
+        } else if !is_new {
+            return;
+        }
+        surface.swap_worn(nodes);
+        reading.wear.set_surface(surface);
     }
 }

@@ -1,7 +1,8 @@
 //! The transforms between image, profile and pressure at the nodes of a surface.
 
 use super::Nodes;
-use crate::transform::{Abel, Scratch};
+use crate::transform::{Abel, DenseAbel, Scratch};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The transforms of one set of nodes.
@@ -11,33 +12,50 @@ pub(crate) struct NodeTransforms {
     /// 1/unit of the radii that the transforms are made for, 1/m: squares of tiny radii must not
     /// vanish.
     per_metre: f64,
-    nodes: usize,
+    /// Squares of the radii in these units.
+    squares: Vec<f64>,
 }
 
 impl NodeTransforms {
     pub(crate) fn new(x: &[f64]) -> Self {
-        let per_metre = (-x[x.len() - 1].log2().floor()).clamp(-1000.0, 1000.0).exp2();
-        let squares: Vec<f64> = x.iter().map(|x| (x * per_metre).powi(2)).collect();
-        Self { abel: Abel::new(&squares), per_metre, nodes: x.len() }
+        let mut transforms =
+            Self { abel: Abel::Dense(DenseAbel::default()), per_metre: 1.0, squares: Vec::new() };
+        transforms.renew(x);
+        transforms
+    }
+
+    /// Becomes [`Self::new`] of other nodes.
+    pub(crate) fn renew(&mut self, x: &[f64]) {
+        self.per_metre = (-x[x.len() - 1].log2().floor()).clamp(-1000.0, 1000.0).exp2();
+        self.squares.clear();
+        self.squares.extend(x.iter().map(|x| (x * self.per_metre).powi(2)));
+        self.abel.renew(&self.squares);
     }
 
     /// Depth (m) of the profile that belongs to an image (m), or slip to that of the springs. Zero
     /// up to the first value that is not.
     pub(crate) fn inverse_abel(&self, image: &[f64]) -> Vec<f64> {
         let mut depth = Vec::new();
-        self.inverse_abel_into(image, &mut depth, &mut Scratch::default());
+        self.inverse_abel_at(0..image.len(), image, &mut depth, &mut Scratch::default());
         depth
     }
 
-    /// [`Self::inverse_abel`] in memory that is there.
-    pub(crate) fn inverse_abel_into(&self, image: &[f64], depth: &mut Vec<f64>, scratch: &mut Scratch) {
-        depth.resize(self.nodes, 0.0);
-        self.abel.inverse_abel(image, depth, scratch);
+    /// [`Self::inverse_abel`] at some nodes, from where the image begins to change, in memory that
+    /// is there. The depth at others is not to be used.
+    pub(crate) fn inverse_abel_at(
+        &self,
+        targets: Range<usize>,
+        image: &[f64],
+        depth: &mut Vec<f64>,
+        scratch: &mut Scratch,
+    ) {
+        depth.resize(self.squares.len(), 0.0);
+        self.abel.inverse_abel_at(targets, image, depth, scratch);
     }
 
     /// The inverse of [`Self::inverse_abel`].
     pub(crate) fn abel(&self, depth: &[f64]) -> Vec<f64> {
-        let mut image = vec![0.0; self.nodes];
+        let mut image = vec![0.0; self.squares.len()];
         self.abel.abel(depth, &mut image, &mut Scratch::default());
         image
     }
@@ -45,16 +63,25 @@ impl NodeTransforms {
     /// Pressure (Pa) of a line load (N/m) that goes on beyond the given nodes as it ends there.
     pub(crate) fn pressure(&self, load: &[f64]) -> Vec<f64> {
         let mut pressure = Vec::new();
-        self.pressure_into(&mut load.to_vec(), &mut pressure, &mut Scratch::default());
+        let load = &mut load.to_vec();
+        self.pressure_at(0..load.len(), load, &mut pressure, &mut Scratch::default());
         pressure
     }
 
-    /// [`Self::pressure`] in memory that is there; the load then goes on to the last node.
-    pub(crate) fn pressure_into(&self, load: &mut Vec<f64>, pressure: &mut Vec<f64>, scratch: &mut Scratch) {
-        load.resize(self.nodes, load.last().copied().unwrap_or(0.0));
-        pressure.resize(self.nodes, 0.0);
-        self.abel.pressure(load, pressure, scratch);
-        pressure.iter_mut().for_each(|p| *p *= self.per_metre);
+    /// [`Self::pressure`] at some of the given nodes up to the last of them, in memory that is
+    /// there; the load then goes on to the last node of all. The pressure at others is not to be
+    /// used.
+    pub(crate) fn pressure_at(
+        &self,
+        targets: Range<usize>,
+        load: &mut Vec<f64>,
+        pressure: &mut Vec<f64>,
+        scratch: &mut Scratch,
+    ) {
+        load.resize(self.squares.len(), load.last().copied().unwrap_or(0.0));
+        pressure.resize(self.squares.len(), 0.0);
+        self.abel.pressure_at(targets.clone(), load, pressure, scratch);
+        pressure[targets].iter_mut().for_each(|p| *p *= self.per_metre);
     }
 }
 
@@ -65,6 +92,11 @@ pub(crate) struct TransformCache {
 }
 
 impl TransformCache {
+    /// Those for the present nodes where they are there.
+    pub(crate) fn find(&self, nodes: &Nodes) -> Option<&Arc<NodeTransforms>> {
+        self.present.as_ref().filter(|(x, _)| *x == nodes.x()).map(|(_, transforms)| transforms)
+    }
+
     /// Those for the present nodes; the flag says whether they had to be made.
     pub(crate) fn get(&mut self, nodes: &Nodes) -> (Arc<NodeTransforms>, bool) {
         match &self.present {

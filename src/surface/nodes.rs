@@ -15,7 +15,7 @@ pub(crate) use thinning::kept_nodes;
 /// Nodes 0 = x₀ < x₁ < … with the image h of the wear at each, linear in X = x² between them;
 /// behind the last node, where nothing has worn yet, h falls as 1/x² (the far field of a worn
 /// volume).
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(crate) struct Nodes {
     x: Vec<f64>,
     worn_image: Vec<f64>,
@@ -81,6 +81,18 @@ impl Nodes {
 
     pub(crate) fn last(&self) -> usize {
         self.x.len() - 1
+    }
+
+    /// Becomes a copy of other nodes in its own memory.
+    pub(crate) fn copy_from(&mut self, other: &Self) {
+        self.x.clone_from(&other.x);
+        self.worn_image.clone_from(&other.worn_image);
+        self.depth.clone_from(&other.depth);
+        self.whole.clone_from(&other.whole);
+        self.worn_load.clone_from(&other.worn_load);
+        self.square.clone_from(&other.square);
+        self.mesh.clone_from(&other.mesh);
+        (self.resolution, self.remains) = (other.resolution, other.remains);
     }
 
     /// Place of the moving mesh whose state the nodes hold.

@@ -3,6 +3,7 @@
 use super::dense::DenseAbel;
 use super::fast::FastAbel;
 use super::sweep::Expansions;
+use std::ops::Range;
 
 /// Number of nodes from which the fast transforms are the quicker ones. Measured with `cargo bench
 /// --bench transforms`: at 128 cells both take 2 µs; at half as many the tables take a sixth less,
@@ -48,6 +49,14 @@ impl Abel {
         }
     }
 
+    /// Becomes [`Self::new`] of other nodes; tables do so in their own memory.
+    pub(crate) fn renew(&mut self, nodes: &[f64]) {
+        match self {
+            Self::Dense(dense) if nodes.len() < CROSSOVER => dense.renew(nodes),
+            _ => *self = Self::new(nodes),
+        }
+    }
+
     /// Multiplications of one Abel transform or its inverse, and of one pressure.
     pub fn work(&self) -> (usize, usize) {
         match self {
@@ -64,6 +73,21 @@ impl Abel {
         }
     }
 
+    /// [`Self::inverse_abel`] at some nodes, of values that are equal at all nodes before the
+    /// first of them. What stands at other nodes is not to be used.
+    pub(crate) fn inverse_abel_at(
+        &self,
+        targets: Range<usize>,
+        values: &[f64],
+        out: &mut [f64],
+        scratch: &mut Scratch,
+    ) {
+        match self {
+            Self::Dense(dense) => dense.inverse_abel_at(targets, values, out, scratch),
+            Self::Fast(fast) => fast.inverse_abel_at(targets, values, out, scratch),
+        }
+    }
+
     /// As [`FastAbel::abel`].
     pub fn abel(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         match self {
@@ -77,6 +101,21 @@ impl Abel {
         match self {
             Self::Dense(dense) => dense.pressure(q, out, scratch),
             Self::Fast(fast) => fast.pressure(q, out, scratch),
+        }
+    }
+
+    /// [`Self::pressure`] at some nodes, of a load that is constant from the last of them on. What
+    /// stands at other nodes is not to be used.
+    pub(crate) fn pressure_at(
+        &self,
+        targets: Range<usize>,
+        q: &[f64],
+        out: &mut [f64],
+        scratch: &mut Scratch,
+    ) {
+        match self {
+            Self::Dense(dense) => dense.pressure_at(targets, q, out, scratch),
+            Self::Fast(fast) => fast.pressure_at(targets, q, out, scratch),
         }
     }
 }
@@ -107,6 +146,30 @@ mod tests {
             for (a, b) in chosen[2].iter().zip(&v) {
                 assert!((a - b).abs() < 1e-12, "{nodes} nodes: {a} back from {b}");
             }
+        }
+    }
+
+    /// Values that begin to change at a node, and a load that ends at another.
+    #[test]
+    fn some_nodes_have_the_values_that_they_have_among_all() {
+        for (nodes, first, end) in
+            [(100, 37, 81), (100, 1, 100), (300, 37, 38), (300, 90, 211), (300, 150, 300)]
+        {
+            let x: Vec<f64> = (0..nodes).map(|i| (i as f64 / (nodes - 1) as f64).powi(2)).collect();
+            let transforms = Abel::new(&x);
+            let values = |from: usize, to: usize| -> Vec<f64> {
+                (0..nodes).map(|i| 1.0 + x[i.clamp(from, to)].sin()).collect()
+            };
+            let (slip, load) = (values(first - 1, nodes), values(0, end - 1));
+            let mut scratch = Scratch::default();
+            let (mut all, mut some) = (vec![0.0; nodes], vec![0.0; nodes]);
+            transforms.inverse_abel(&slip, &mut all, &mut scratch);
+            transforms.inverse_abel_at(first..end, &slip, &mut some, &mut scratch);
+            let mut off: Vec<f64> = (first..end).map(|i| some[i] - all[i]).collect();
+            transforms.pressure(&load, &mut all, &mut scratch);
+            transforms.pressure_at(first..end, &load, &mut some, &mut scratch);
+            off.extend((first..end).map(|i| some[i] - all[i]));
+            assert!(off.iter().all(|off| off.abs() < 1e-12), "{nodes} nodes, {first} to {end}");
         }
     }
 

@@ -4,11 +4,13 @@
 //! tables of a disc of unit width serve all that have its shape.
 
 use super::{Scratch, cell, dot};
+use std::ops::Range;
 
 /// Transforms on fixed nodes by full tables, O(n²).
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct DenseAbel {
-    nodes: usize,
+    /// Radii of the nodes.
+    root: Vec<f64>,
     /// Row i: weights of the values at nodes 0 … i, from i = 1 on.
     inverse: Vec<f64>,
     /// Row i: weights of the drops over cells i … n − 1.
@@ -18,22 +20,26 @@ pub struct DenseAbel {
 impl DenseAbel {
     /// Tabulates the weights for nodes X (m² or any unit), rising strictly from 0.
     pub fn new(nodes: &[f64]) -> Self {
+        let mut tables = Self::default();
+        tables.renew(nodes);
+        tables
+    }
+
+    /// Becomes [`Self::new`] of other nodes in its own memory.
+    pub(super) fn renew(&mut self, nodes: &[f64]) {
         let last = nodes.len() - 1;
-        let root: Vec<f64> = nodes.iter().map(|x| x.max(0.0).sqrt()).collect();
-        let mut inverse = vec![0.0; last * (last + 3) / 2];
-        let mut pressure = vec![0.0; last * (last + 1) / 2];
-        let (mut rows, mut drops) = (&mut inverse[..], &mut pressure[..]);
+        let Self { root, inverse, pressure } = self;
+        root.clear();
+        root.extend(nodes.iter().map(|x| x.max(0.0).sqrt()));
+        inverse.clear();
+        inverse.resize(last * (last + 3) / 2, 0.0);
+        pressure.resize(last * (last + 1) / 2, 0.0);
         for i in 1..=last {
-            let (row, rest) = rows.split_at_mut(i + 1);
-            cell::add_inverse(nodes, &root, nodes[i], 0..i, row);
-            rows = rest;
+            cell::add_inverse(nodes, root, nodes[i], 0..i, &mut inverse[inverse_row(i)]);
         }
         for i in 0..last {
-            let (row, rest) = drops.split_at_mut(last - i);
-            cell::pressure(nodes, nodes[i], i..last, row);
-            drops = rest;
+            cell::pressure(nodes, nodes[i], i..last, &mut pressure[pressure_row(i, last)]);
         }
-        Self { nodes: nodes.len(), inverse, pressure }
     }
 
     /// Multiplications of one Abel transform or its inverse, and of one pressure.
@@ -41,24 +47,31 @@ impl DenseAbel {
         (self.inverse.len(), self.pressure.len())
     }
 
-    fn inverse_rows(&self) -> impl Iterator<Item = &[f64]> {
-        (1..self.nodes).scan(&self.inverse[..], |rest, i| {
-            let (row, tail) = rest.split_at(i + 1);
-            *rest = tail;
-            Some(row)
-        })
+    fn nodes(&self) -> usize {
+        self.root.len()
     }
 
     /// As [`super::FastAbel::inverse_abel`].
     pub fn inverse_abel(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
-        let base = values[0];
-        let (shifted, _) = scratch.parts(self.nodes);
-        for (shifted, value) in shifted.iter_mut().zip(values) {
+        self.inverse_abel_at(0..self.nodes(), values, out, scratch);
+    }
+
+    /// As [`super::Abel::inverse_abel_at`].
+    pub(super) fn inverse_abel_at(
+        &self,
+        targets: Range<usize>,
+        values: &[f64],
+        out: &mut [f64],
+        scratch: &mut Scratch,
+    ) {
+        let (base, first) = (values[0], targets.start);
+        let (shifted, _) = scratch.parts(self.nodes());
+        for (shifted, value) in shifted[targets.clone()].iter_mut().zip(&values[first..]) {
             *shifted = value - base;
         }
         out[0] = base;
-        for (i, row) in self.inverse_rows().enumerate() {
-            out[i + 1] = base + dot(row, &shifted[..=i + 1]);
+        for i in first.max(1)..targets.end {
+            out[i] = base + dot(&self.inverse[inverse_row(i)][first..], &shifted[first..=i]);
         }
     }
 
@@ -66,10 +79,10 @@ impl DenseAbel {
     pub fn abel(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
         let base = s[0];
         out[0] = base;
-        let (values, _) = scratch.parts(self.nodes);
+        let (values, _) = scratch.parts(self.nodes());
         values[0] = 0.0;
-        for (i, row) in self.inverse_rows().enumerate() {
-            let target = i + 1;
+        for target in 1..self.nodes() {
+            let row = &self.inverse[inverse_row(target)];
             let known = dot(&row[..target], &values[..target]);
             values[target] = (s[target] - base - known) / row[target];
             out[target] = base + values[target];
@@ -78,17 +91,37 @@ impl DenseAbel {
 
     /// As [`super::FastAbel::pressure`].
     pub fn pressure(&self, q: &[f64], out: &mut [f64], scratch: &mut Scratch) {
-        let last = self.nodes - 1;
-        let (drops, _) = scratch.parts(self.nodes);
-        for (drop, pair) in drops.iter_mut().zip(q.windows(2)) {
+        self.pressure_at(0..self.nodes(), q, out, scratch);
+    }
+
+    /// As [`super::Abel::pressure_at`].
+    pub(super) fn pressure_at(
+        &self,
+        targets: Range<usize>,
+        q: &[f64],
+        out: &mut [f64],
+        scratch: &mut Scratch,
+    ) {
+        let (first, last) = (targets.start, targets.end - 1);
+        let (drops, _) = scratch.parts(self.nodes());
+        for (drop, pair) in drops[first..].iter_mut().zip(q[targets].windows(2)) {
             *drop = pair[0] - pair[1];
         }
-        let mut rest = &self.pressure[..];
-        for i in 0..last {
-            let (row, tail) = rest.split_at(last - i);
-            out[i] = dot(row, &drops[i..last]);
-            rest = tail;
+        for i in first..last {
+            let row = &self.pressure[pressure_row(i, self.nodes() - 1)];
+            out[i] = dot(&row[..last - i], &drops[i..last]);
         }
         out[last] = 0.0;
     }
+}
+
+/// Place of the weights of node i, from 1 on, in the table of the inverse transform.
+fn inverse_row(i: usize) -> Range<usize> {
+    (i - 1) * (i + 2) / 2..i * (i + 3) / 2
+}
+
+/// Place of the weights of a node before the last in the table of the pressure.
+fn pressure_row(i: usize, last: usize) -> Range<usize> {
+    let start = |i: usize| i * (2 * last + 1 - i) / 2;
+    start(i)..start(i + 1)
 }

@@ -14,6 +14,7 @@
 use super::Scratch;
 use super::sweep::Sweep;
 use super::tree::Tree;
+use std::ops::Range;
 
 /// Transforms on fixed nodes in O(n).
 #[derive(Debug, Clone)]
@@ -46,6 +47,17 @@ impl FastAbel {
     /// Inverse transform s(Zᵢ) = (1/π) ∫ v dX/√(X (Zᵢ − X)) from 0 to Zᵢ = Xᵢ, for v linear in X
     /// between the values given at the nodes.
     pub fn inverse_abel(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+        self.inverse_abel_at(0..self.nodes, values, out, scratch);
+    }
+
+    /// As [`super::Abel::inverse_abel_at`].
+    pub(super) fn inverse_abel_at(
+        &self,
+        targets: Range<usize>,
+        values: &[f64],
+        out: &mut [f64],
+        scratch: &mut Scratch,
+    ) {
         // a constant is its own transform, and so it is to the last digit
         let base = values[0];
         let (shifted, expansions) = scratch.parts(self.nodes);
@@ -53,7 +65,7 @@ impl FastAbel {
             *shifted = value - base;
         }
         out[0] = base;
-        self.outward.run(shifted, expansions, |target, shifted| {
+        self.outward.run(targets, shifted, expansions, |target, shifted| {
             out[target.index] = base + target.sum(shifted);
         });
     }
@@ -65,7 +77,7 @@ impl FastAbel {
         out[0] = base;
         let (values, expansions) = scratch.parts(self.nodes);
         values[0] = 0.0;
-        self.outward.run(values, expansions, |target, values| {
+        self.outward.run(0..self.nodes, values, expansions, |target, values| {
             values[target.index] = target.solve(s[target.index] - base, values);
             out[target.index] = base + values[target.index];
         });
@@ -74,6 +86,17 @@ impl FastAbel {
     /// Pressure −(1/π) ∫ q' dX/√(X − Zᵢ) from Zᵢ = Xᵢ to Xₙ, for q linear in X between the values
     /// given at the nodes; 0 at the last node.
     pub fn pressure(&self, q: &[f64], out: &mut [f64], scratch: &mut Scratch) {
+        self.pressure_at(0..self.nodes, q, out, scratch);
+    }
+
+    /// As [`super::Abel::pressure_at`].
+    pub(super) fn pressure_at(
+        &self,
+        targets: Range<usize>,
+        q: &[f64],
+        out: &mut [f64],
+        scratch: &mut Scratch,
+    ) {
         let last = self.nodes - 1;
         let (drops, expansions) = scratch.parts(self.nodes);
         // from outside inward
@@ -81,7 +104,8 @@ impl FastAbel {
             *drop = pair[0] - pair[1];
         }
         out[last] = 0.0;
-        self.inward.run(drops, expansions, |target, drops| {
+        let targets = last + 1 - targets.end..last + 1 - targets.start;
+        self.inward.run(targets, drops, expansions, |target, drops| {
             out[last - target.index] = target.sum(drops);
         });
     }

@@ -43,9 +43,12 @@ impl FixedImage {
         let square: Vec<f64> = x.iter().map(|x| x * x).collect();
         let tree = Tree::new(&square);
         let mut image = vec![0.0; heights.len()];
-        Sweep::inverse(&tree, &tree.pairs()).run(&mut image, &mut Expansions::default(), |target, image| {
-            image[target.index] = target.solve(heights[target.index] - heights[0], image)
-        });
+        Sweep::inverse(&tree, &tree.pairs()).run(
+            0..radii.len(),
+            &mut image,
+            &mut Expansions::default(),
+            |target, image| image[target.index] = target.solve(heights[target.index] - heights[0], image),
+        );
         let outside = tree.gather(Edge::Outer, |block, sums| {
             let mut values = image[tree.blocks[block].start..].iter();
             tree.inverse_moments(block, |row| {

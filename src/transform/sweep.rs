@@ -9,6 +9,7 @@
 use super::interpolation::{ORDER, Row, add_scaled, product};
 use super::tree::{Block, Edge, Pairs, Tree};
 use super::{cell, dot};
+use std::ops::Range;
 
 /// Moments and far fields of all blocks during a pass.
 #[derive(Debug, Clone, Default)]
@@ -17,13 +18,23 @@ pub(super) struct Expansions {
     fields: Vec<Row>,
 }
 
+/// What one block does in a pass.
 #[derive(Debug, Clone)]
-enum Step {
+struct Step {
+    /// Cells of the block in the order of the pass; its targets are the nodes at their ends.
+    cells: Range<usize>,
+    /// First of its weights.
+    weights: usize,
+    kind: Kind,
+}
+
+#[derive(Debug, Clone)]
+enum Kind {
     /// The far field of a block: that of its parent and those of its own far sources.
     Field {
         block: usize,
         parent: Option<usize>,
-        sources: std::ops::Range<usize>,
+        sources: Range<usize>,
     },
     Leaf(Leaf),
     /// Moments of a block from those of its children.
@@ -33,18 +44,15 @@ enum Step {
     },
 }
 
-/// Cells `start..end` in the order of the pass; targets are the nodes `start + 1 ..= end`.
 #[derive(Debug, Clone)]
 struct Leaf {
     block: usize,
-    start: usize,
-    end: usize,
     receives: bool,
     emits: bool,
     /// First of the sources that adjoin each other up to the target and act by exact weights.
     near: usize,
     /// Sources further back that do so too.
-    apart: std::ops::Range<usize>,
+    apart: Range<usize>,
 }
 
 /// Steps of one pass with their weights.
@@ -55,7 +63,7 @@ pub(super) struct Sweep {
     /// Far source blocks of the fields.
     sources: Vec<usize>,
     /// Sources of [`Leaf::apart`].
-    apart: Vec<std::ops::Range<usize>>,
+    apart: Vec<Range<usize>>,
     blocks: usize,
     /// 1 where the values belong to nodes, 0 where to cells.
     extra: usize,
@@ -142,9 +150,11 @@ impl Sweep {
         !self.apart.is_empty()
     }
 
-    /// Goes through all targets in order. `finish` may change the value at its target.
+    /// Goes through some targets in order. Sources before the first of them are zero. `finish` may
+    /// change the value at its target.
     pub(super) fn run(
         &self,
+        targets: Range<usize>,
         values: &mut [f64],
         expansions: &mut Expansions,
         mut finish: impl FnMut(Target<'_>, &mut [f64]),
@@ -152,10 +162,16 @@ impl Sweep {
         expansions.moments.resize(self.blocks, [0.0; ORDER]);
         expansions.fields.resize(self.blocks, [0.0; ORDER]);
         let (moments, fields) = (&mut expansions.moments[..], &mut expansions.fields[..]);
-        let mut weights = Reader(&self.weights);
-        for step in &self.steps {
-            match step {
-                Step::Field { block, parent, sources } => {
+        for Step { cells, weights, kind } in &self.steps {
+            let mut weights = Reader(&self.weights[*weights..]);
+            let is_before = cells.end < targets.start;
+            match kind {
+                Kind::Field { .. } | Kind::Leaf(_) if cells.start + 1 >= targets.end => break,
+                Kind::Field { .. } if is_before => {}
+                Kind::Moments { block, .. } | Kind::Leaf(Leaf { block, .. }) if is_before => {
+                    moments[*block] = [0.0; ORDER];
+                }
+                Kind::Field { block, parent, sources } => {
                     let mut field = [0.0; ORDER];
                     if let Some(parent) = *parent {
                         weights.add_product(&fields[parent], &mut field);
@@ -165,15 +181,23 @@ impl Sweep {
                     }
                     fields[*block] = field;
                 }
-                Step::Moments { block, children } => {
+                Kind::Moments { block, children } => {
                     let mut sum = [0.0; ORDER];
                     for &child in children {
                         weights.add_product(&moments[child], &mut sum);
                     }
                     moments[*block] = sum;
                 }
-                Step::Leaf(leaf) => {
-                    for target in leaf.start + 1..=leaf.end {
+                Kind::Leaf(leaf) => {
+                    let apart: usize = self.apart[leaf.apart.clone()].iter().map(Range::len).sum();
+                    let weights_of = |target: usize| {
+                        usize::from(leaf.receives) * ORDER + apart + target + self.extra - leaf.near
+                    };
+                    let first = targets.start.max(cells.start + 1);
+                    weights.take((cells.start + 1..first).map(weights_of).sum());
+                    // sources that are zero
+                    let zeros = targets.start.saturating_sub(leaf.near);
+                    for target in first..=cells.end.min(targets.end - 1) {
                         let mut known = 0.0;
                         if leaf.receives {
                             known = product(weights.row(), &fields[leaf.block]);
@@ -182,11 +206,15 @@ impl Sweep {
                             known += dot(weights.take(apart.len()), &values[apart.clone()]);
                         }
                         let run = weights.take(target + self.extra - leaf.near);
-                        finish(Target { index: target, known, first: leaf.near, weights: run }, values);
+                        let (first, weights) = (leaf.near + zeros, &run[zeros..]);
+                        finish(Target { index: target, known, first, weights }, values);
+                    }
+                    if cells.end >= targets.end {
+                        break;
                     }
                     if leaf.emits {
                         let mut sum = [0.0; ORDER];
-                        for value in &values[leaf.start..leaf.end + self.extra] {
+                        for value in &values[cells.start..cells.end + self.extra] {
                             add_scaled(*value, weights.row(), &mut sum);
                         }
                         moments[leaf.block] = sum;
@@ -216,7 +244,10 @@ impl<'a> Reader<'a> {
     /// sum += Mᵀ v.
     fn add_product(&mut self, vector: &Row, sum: &mut Row) {
         for factor in vector {
-            add_scaled(*factor, self.row(), sum);
+            let row = self.row();
+            if *factor != 0.0 {
+                add_scaled(*factor, row, sum);
+            }
         }
     }
 }
@@ -245,7 +276,7 @@ impl Builder<'_> {
     fn build(
         mut self,
         moments: impl Fn(usize, &mut dyn FnMut(Row)),
-        exact: impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
+        exact: impl Fn(usize, Range<usize>, &mut [f64]),
     ) -> Sweep {
         for source in self.far.iter().flatten() {
             self.emitting[*source] = true;
@@ -264,9 +295,14 @@ impl Builder<'_> {
     }
 
     /// Cells of a block in the order of the pass.
-    fn cells(&self, block: usize) -> std::ops::Range<usize> {
+    fn cells(&self, block: usize) -> Range<usize> {
         let (cells, block) = (self.tree.square.len() - 1, &self.tree.blocks[block]);
         if self.outward { block.start..block.end } else { cells - block.end..cells - block.start }
+    }
+
+    fn push(&mut self, block: usize, weights: usize, kind: Kind) {
+        let cells = self.cells(block);
+        self.sweep.steps.push(Step { cells, weights, kind });
     }
 
     fn append(&mut self, rows: impl IntoIterator<Item = Row>) {
@@ -278,12 +314,13 @@ impl Builder<'_> {
         block: usize,
         parent_receives: bool,
         moments: &impl Fn(usize, &mut dyn FnMut(Row)),
-        exact: &impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
+        exact: &impl Fn(usize, Range<usize>, &mut [f64]),
     ) {
         let (target_edge, source_edge) =
             if self.outward { (Edge::Inner, Edge::Outer) } else { (Edge::Outer, Edge::Inner) };
         let Block { parent, children, .. } = self.tree.blocks[block];
         let receives = parent_receives || !self.far[block].is_empty();
+        let weights = self.sweep.weights.len();
         if receives {
             if parent_receives && let Some(rows) = self.tree.in_parent(block, target_edge) {
                 self.append(transposed(&rows));
@@ -295,7 +332,7 @@ impl Builder<'_> {
             }
             let parent = parent.filter(|_| parent_receives);
             let sources = first..self.sweep.sources.len();
-            self.sweep.steps.push(Step::Field { block, parent, sources });
+            self.push(block, weights, Kind::Field { block, parent, sources });
         }
         let Some([inner, outer]) = children else {
             return self.leaf(block, receives, moments, exact);
@@ -305,11 +342,12 @@ impl Builder<'_> {
             self.visit(child, receives, moments, exact);
         }
         if self.emitting[block] {
+            let weights = self.sweep.weights.len();
             for child in children {
                 let rows = self.tree.in_parent(child, source_edge);
                 self.append(rows.into_iter().flatten());
             }
-            self.sweep.steps.push(Step::Moments { block, children });
+            self.push(block, weights, Kind::Moments { block, children });
         }
     }
 
@@ -318,9 +356,9 @@ impl Builder<'_> {
         block: usize,
         receives: bool,
         moments: &impl Fn(usize, &mut dyn FnMut(Row)),
-        exact: &impl Fn(usize, std::ops::Range<usize>, &mut [f64]),
+        exact: &impl Fn(usize, Range<usize>, &mut [f64]),
     ) {
-        let (last, extra) = (self.tree.square.len() - 1, self.sweep.extra);
+        let (last, extra, weights) = (self.tree.square.len() - 1, self.sweep.extra, self.sweep.weights.len());
         let cells = self.cells(block);
         // sources from the leaf backwards: those that adjoin it, then what lies apart, adjoining
         // pieces as one
@@ -354,8 +392,7 @@ impl Builder<'_> {
             moments(block, &mut |row| self.sweep.weights.extend(row));
         }
         let apart = first..self.sweep.apart.len();
-        let (start, end) = (cells.start, cells.end);
-        self.sweep.steps.push(Step::Leaf(Leaf { block, start, end, receives, emits, near, apart }));
+        self.push(block, weights, Kind::Leaf(Leaf { block, receives, emits, near, apart }));
     }
 }
 

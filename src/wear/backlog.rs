@@ -329,7 +329,25 @@ pub(crate) struct SlipAtDepth {
 impl SlipAtDepth {
     /// Slip path of the springs of an image and its slope there, m and 1.
     pub(crate) fn at(&self, image: f64) -> (f64, f64) {
-        let above = self.knots.partition_point(|knot| knot.0 < image);
+        self.behind(self.knots.partition_point(|knot| knot.0 < image), image)
+    }
+
+    /// Slip paths of the springs of images that hardly ever fall, m.
+    pub(crate) fn along(&self, images: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
+        let mut above = 0;
+        images.map(move |image| {
+            while above < self.knots.len() && self.knots[above].0 < image {
+                above += 1;
+            }
+            while above > 0 && self.knots[above - 1].0 >= image {
+                above -= 1;
+            }
+            self.behind(above, image).0
+        })
+    }
+
+    /// [`Self::at`] where so many knots are below the image.
+    fn behind(&self, above: usize, image: f64) -> (f64, f64) {
         let (slope, offset) = match above {
             0 => self.first,
             k => (self.knots[k - 1].1, self.knots[k - 1].2),

@@ -59,20 +59,20 @@ impl Edge {
 pub(crate) fn pressure_nodes(transforms: &NodeTransforms, x: &[f64], load: &[f64], edge: &Edge) -> Vec<f64> {
     let mut pressure = Vec::new();
     let load = &mut load[..=edge.last].to_vec();
-    pressure_nodes_into(transforms, x, (load, edge), (&mut pressure, &mut Scratch::default()));
+    pressure_nodes_into(transforms, (x, 0), (load, edge), (&mut pressure, &mut Scratch::default()));
     pressure
 }
 
-/// [`pressure_nodes`] in memory that is there.
+/// [`pressure_nodes`] from one of them on in memory that is there.
 pub(super) fn pressure_nodes_into(
     transforms: &NodeTransforms,
-    x: &[f64],
+    (x, first): (&[f64], usize),
     (load, edge): (&mut Vec<f64>, &Edge),
     (pressure, scratch): (&mut Vec<f64>, &mut Scratch),
 ) {
-    transforms.pressure_into(load, pressure, scratch);
+    transforms.pressure_at(first..edge.last + 1, load, pressure, scratch);
     pressure.truncate(edge.last + 1);
-    for (i, p) in pressure.iter_mut().enumerate() {
+    for (i, p) in pressure.iter_mut().enumerate().skip(first) {
         *p += load[edge.last] * edge.weight(x, i);
     }
 }

@@ -80,7 +80,7 @@ impl SlipFields {
             images.iter().map(|g| constants.normal_modulus * (contact.depth - g).max(0.0)).collect();
         let pressure = pressure_nodes(transforms, nodes.x(), &load, &edge);
         // springs out of contact have gone along with the body, as those at the edge have
-        let slip: Vec<f64> = images.iter().map(|g| law.at(g.min(contact.depth)).0).collect();
+        let slip: Vec<f64> = law.along(images.iter().map(|g| g.min(contact.depth))).collect();
         let path = transforms.inverse_abel(&slip);
         self.transforms += 1;
         let (mut gain, mut healing) = (vec![0.0; path.len()], vec![0.0; path.len()]);

@@ -6,18 +6,22 @@ use super::edge::{Edge, pressure_nodes_into};
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, NodeTransforms, Surface};
 use crate::transform::Scratch;
+use std::ops::Range;
 
 /// The wear of the slip under one depth.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct LevelWear {
     bin: i32,
     /// Σ ∫ e dx of the slip in the law, m².
     slip: f64,
     law: SlipAtDepth,
     contact: Option<Contact>,
-    /// Pressure at the nodes inside the contact, over E*, and slip path (m).
+    /// Pressure at the nodes inside the contact, over E*, from one of them on.
     pressure: Vec<f64>,
+    first: usize,
+    /// Slip path (m) at the nodes that have slipped inside the contact.
     path: Vec<f64>,
+    slipped: Range<usize>,
     is_stale: bool,
 }
 
@@ -25,6 +29,8 @@ struct LevelWear {
 #[derive(Debug, Default)]
 pub(crate) struct FirstOrderWear {
     levels: Vec<LevelWear>,
+    /// Levels whose memory is free.
+    spare: Vec<LevelWear>,
     /// Image at the nodes, m.
     images: Vec<f64>,
     values: Vec<f64>,
@@ -34,7 +40,7 @@ pub(crate) struct FirstOrderWear {
 impl FirstOrderWear {
     /// Forgets the slip.
     pub(crate) fn clear(&mut self) {
-        self.levels.clear();
+        self.spare.append(&mut self.levels);
     }
 
     /// Takes the slip of a backlog, which has only grown since the last call. Returns the image
@@ -43,7 +49,9 @@ impl FirstOrderWear {
         let mut front = f64::INFINITY;
         for (k, (level, hinges)) in backlog.levels().enumerate() {
             if self.levels.get(k).is_none_or(|known| known.bin != level.bin) {
-                self.levels.insert(k, LevelWear::new(level.bin));
+                let mut new = self.spare.pop().unwrap_or_default();
+                (new.bin, new.slip, new.contact, new.is_stale) = (level.bin, 0.0, None, true);
+                self.levels.insert(k, new);
             }
             let known = &mut self.levels[k];
             if known.slip != level.slip {
@@ -82,38 +90,40 @@ impl FirstOrderWear {
                 _ => surface.contact(NormalControl::Indentation, depth, 1.0).ok(),
             };
             let Some(contact) = contact.filter(|contact| !contact.is_open()) else { continue };
-            if level.contact != Some(contact) {
+            let is_moved = level.contact != Some(contact);
+            if is_moved || level.is_stale {
                 let edge = Edge::new(nodes, &contact, surface.profile().outer_radius());
-                self.values.clear();
-                self.values.extend(self.images[..=edge.last].iter().map(|g| (contact.depth - g).max(0.0)));
-                let memory = (&mut level.pressure, &mut self.scratch);
-                pressure_nodes_into(transforms, nodes.x(), (&mut self.values, &edge), memory);
-                (level.contact, level.is_stale) = (Some(contact), true);
-            }
-            if level.is_stale {
+                let inside = &self.images[..=edge.last];
                 self.values.clear();
                 // springs out of contact have gone along with the body, as those at the edge have
-                self.values.extend(self.images.iter().map(|g| level.law.at(g.min(contact.depth)).0));
-                transforms.inverse_abel_into(&self.values, &mut level.path, &mut self.scratch);
-                level.is_stale = false;
+                self.values.extend(level.law.along(inside.iter().map(|g| g.min(contact.depth))));
+                let axis = self.values[0];
+                let front = self.values.iter().position(|slip| *slip != axis).unwrap_or(inside.len());
+                level.path.clear();
+                level.path.resize(front, axis);
+                transforms.inverse_abel_at(
+                    front..inside.len(),
+                    &self.values,
+                    &mut level.path,
+                    &mut self.scratch,
+                );
+                level.slipped = if axis > 0.0 { 0 } else { front }..inside.len();
+                if is_moved || level.slipped.start < level.first {
+                    level.first = level.slipped.start;
+                    self.values.clear();
+                    self.values.extend(inside.iter().map(|g| (contact.depth - g).max(0.0)));
+                    let memory = (&mut level.pressure, &mut self.scratch);
+                    let nodes = (nodes.x(), level.first);
+                    pressure_nodes_into(transforms, nodes, (&mut self.values, &edge), memory);
+                }
+                (level.contact, level.is_stale) = (Some(contact), false);
             }
-            for ((sum, pressure), path) in sum.iter_mut().zip(&level.pressure).zip(&level.path) {
+            let fields = level.pressure.iter().zip(&level.path);
+            for (sum, (pressure, path)) in
+                sum.iter_mut().zip(fields).take(level.slipped.end).skip(level.slipped.start)
+            {
                 *sum += pressure * path.max(0.0);
             }
-        }
-    }
-}
-
-impl LevelWear {
-    fn new(bin: i32) -> Self {
-        Self {
-            bin,
-            slip: 0.0,
-            law: SlipAtDepth::default(),
-            contact: None,
-            pressure: Vec::new(),
-            path: Vec::new(),
-            is_stale: true,
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use crate::counting::allocations;
 use crate::host::{Fmu, OK, reference};
+use fretting_contact::{FrettingContact, Parameters};
 use std::f64::consts::TAU;
 
 /// Steps of a cycle.
@@ -92,6 +93,38 @@ fn with_wear_between_two_updates() {
     asks_for_nothing("varying load", 1e-9, 1e-6, 30.0);
     asks_for_nothing("widely varying load", 1e-11, 1e-6, 60.0);
     asks_for_nothing_in_the_plane(1e-11);
+}
+
+/// Load (N) and displacements (m) of a step.
+type Inputs<'a> = &'a dyn Fn(u32) -> [f64; 3];
+
+/// The depth of the wear, read after every step where updates of the profile come and go: its
+/// buffers grow now and then, and are kept.
+#[test]
+fn readings_of_the_depth() {
+    let sine = |amplitude: f64, step: u32| amplitude * (TAU * f64::from(step) / f64::from(STEPS)).sin();
+    let scenes: [(&str, Inputs); 4] = [
+        ("cycles", &|step| [100.0, sine(1.5e-6, step), 0.0]),
+        ("varying load", &|step| [100.0 + sine(30.0, step + 5), sine(1.5e-6, step), 0.0]),
+        ("changing strokes", &|step| [100.0 + sine(40.0, 7 * step), sine(2e-6, 17 * step), 0.0]),
+        ("orbit", &|step| [100.0, sine(1.5e-6, step), sine(1.5e-6, step + 10)]),
+    ];
+    for (what, inputs) in scenes {
+        let parameters = Parameters { wear_coefficient: 0.032, ..Parameters::default() };
+        let mut contact = FrettingContact::new(parameters).expect("valid parameters");
+        contact.start_at(100.0, 0.0).expect("the load is carried");
+        let (mut asked, mut deepest) = (0, 0.0_f64);
+        for step in 1..50 * STEPS {
+            let [force, x, y] = inputs(step);
+            contact.advance_to_planar(force, [x, y]).expect("the step is taken");
+            let before = allocations();
+            deepest = deepest.max(contact.wear_depth());
+            asked += if step > 25 * STEPS { allocations() - before } else { 0 };
+        }
+        let updates = contact.counters().profile_updates;
+        println!("{what}: {asked} requests, {updates} updates");
+        assert!(deepest > 0.0 && updates > 20 && asked < u64::from(STEPS) / 4, "{what}: {asked}, {updates}");
+    }
 }
 
 /// The counter counts: building an instance asks for memory.
