@@ -27,8 +27,10 @@
 //! everything is constant, except the depth under depth control.
 
 use super::FrettingContact;
+use crate::friction::Tangent;
 use crate::quadrature;
 use crate::surface::Contact;
+use nalgebra::{Matrix2, Vector2};
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 /// Partial derivatives of one quantity.
@@ -78,31 +80,33 @@ const INSIDE: f64 = 1e-9;
 /// Derivatives by the inputs, and rates per cycle.
 impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
-    fn gradient(&self, by_depth: f64, by_displacement: f64) -> Gradient {
-        let by_normal = by_depth * self.depth_per_normal();
-        let gradient = Gradient { normal: by_normal, displacement: by_displacement, ..Gradient::default() };
-        let gradient = if self.model.compliance > 0.0 { self.behind_the_rig(gradient) } else { gradient };
-        gradient.times(if self.state.contact.is_open() { 0.0 } else { 1.0 })
+    pub(super) fn gradient(&self, by_depth: f64, by_place: Vector2<f64>) -> Gradient {
+        let [displacement, displacement_y] = by_place.into();
+        let normal = by_depth * self.depth_per_normal();
+        let gradient = Gradient { normal, displacement, displacement_y, ..Gradient::default() };
+        self.behind_the_rig(gradient).times(if self.state.contact.is_open() { 0.0 } else { 1.0 })
     }
 
-    /// With D = U + T/k_rig given in place of U: dU = (dD − ∂T/∂n dn/k_rig) / (1 + k/k_rig), k =
-    /// ∂T/∂U.
-    fn behind_the_rig(&self, gradient: Gradient) -> Gradient {
-        let (by_depth, stiffness) = self.force_slopes();
-        let own = 1.0 / (1.0 + self.model.compliance * stiffness);
-        let by_normal = -self.model.compliance * by_depth * self.depth_per_normal() * own;
-        Gradient {
-            normal: gradient.normal + gradient.displacement * by_normal,
-            displacement: gradient.displacement * own,
-            ..gradient
-        }
+    /// The same where nothing depends on the displacement along y.
+    fn gradient_on_line(&self, by_depth: f64, by_displacement: f64) -> Gradient {
+        self.gradient(by_depth, Vector2::new(by_displacement, 0.0))
     }
 
-    /// ∂T/∂d and ∂T/∂U.
-    fn force_slopes(&self) -> (f64, f64) {
-        let (stick, side) = self.moving_zone();
+    /// Derivatives of force and work for going on in the present direction.
+    pub(super) fn tangent(&self) -> Tangent {
         let row = 2.0 * self.model.constants.tangential_modulus;
-        (row * self.model.bound_slope * side * (self.state.contact.radius - stick), row * stick)
+        if let Some(standing) = self.standing() {
+            return standing.tangent(self.direction_in_plane()).scaled(row);
+        }
+        let ((stick, side), radius) = (self.moving_zone(), self.state.contact.radius);
+        let (bound_slope, room) = (self.model.bound_slope, self.room_outside(stick));
+        let on_line = Tangent {
+            stiffness: Matrix2::new(stick, 0.0, 0.0, self.model.axes.stiffness_ratio * radius),
+            by_depth: Vector2::new(bound_slope * side * (radius - stick), 0.0),
+            work: Vector2::new(bound_slope * side * room, 0.0),
+            work_by_depth: -bound_slope * bound_slope * room,
+        };
+        on_line.scaled(row)
     }
 
     /// ∂d/∂(prescribed normal quantity) of a closed contact.
@@ -114,13 +118,19 @@ impl FrettingContact {
     /// empty.
     fn moving_zone(&self) -> (f64, f64) {
         let onward = if self.state.direction < 0.0 { -1.0 } else { 1.0 };
+        (self.sticking(onward), onward)
+    }
+
+    /// Radius up to which springs stick for going on to a side, m.
+    #[inline]
+    pub(super) fn sticking(&self, onward: f64) -> f64 {
         let (stick, side) = self.state.springs.slip_zone(
             &self.state.contact,
             self.model.bound_slope,
             self.state.displacement,
         );
         // a zone on the side that the motion leaves comes off its bound
-        if side * onward < 0.0 { (self.state.contact.radius, onward) } else { (stick, onward) }
+        if side * onward < 0.0 { self.state.contact.radius } else { stick }
     }
 
     /// I = ∫ from c to a of (d − g) dx, m².
@@ -134,13 +144,13 @@ impl FrettingContact {
 
     /// Of [`Self::normal_reaction`].
     pub fn normal_reaction_gradient(&self) -> Gradient {
-        self.gradient(self.normal_stiffness(), 0.0)
+        self.gradient_on_line(self.normal_stiffness(), 0.0)
     }
 
     /// Of [`Self::indentation_depth`].
     pub fn indentation_depth_gradient(&self) -> Gradient {
         if self.model.constants.force_control {
-            self.gradient(1.0, 0.0)
+            self.gradient_on_line(1.0, 0.0)
         } else {
             Gradient { normal: 1.0, ..Gradient::default() }
         }
@@ -152,7 +162,7 @@ impl FrettingContact {
         if radius >= self.surface.profile().outer_radius() {
             return Gradient::default();
         }
-        self.gradient(self.model.axes.size / self.surface.image_slope(radius), 0.0)
+        self.gradient_on_line(self.model.axes.size / self.surface.image_slope(radius), 0.0)
     }
 
     /// Of the two [`Self::contact_semi_axes`].
@@ -169,19 +179,35 @@ impl FrettingContact {
     /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`] k
     /// or, behind a rig, k k_rig/(k + k_rig).
     pub fn tangential_force_gradient(&self) -> Gradient {
-        if let Some(gradient) = self.force_gradient_in_plane(0) {
-            return gradient;
-        }
-        let (by_depth, stiffness) = self.force_slopes();
-        self.gradient(by_depth, stiffness)
+        self.force_gradient(0)
+    }
+
+    /// Of [`Self::tangential_force_y`].
+    pub fn tangential_force_y_gradient(&self) -> Gradient {
+        self.force_gradient(1)
+    }
+
+    fn force_gradient(&self, component: usize) -> Gradient {
+        let tangent = self.tangent();
+        self.gradient(tangent.by_depth[component], tangent.stiffness.row(component).transpose())
     }
 
     /// Of [`Self::displacement`].
     pub fn displacement_gradient(&self) -> Gradient {
+        self.place_gradient(Vector2::new(1.0, 0.0))
+    }
+
+    /// Of [`Self::displacement_y`].
+    pub fn displacement_y_gradient(&self) -> Gradient {
+        self.place_gradient(Vector2::new(0.0, 1.0))
+    }
+
+    /// Of the displacement in a direction.
+    fn place_gradient(&self, along: Vector2<f64>) -> Gradient {
         if self.state.contact.is_open() {
-            Gradient { displacement: 1.0, ..Gradient::default() }
+            Gradient { displacement: along.x, displacement_y: along.y, ..Gradient::default() }
         } else {
-            self.displacement_gradient_in_plane().unwrap_or_else(|| self.gradient(0.0, 1.0))
+            self.gradient(0.0, along)
         }
     }
 
@@ -202,7 +228,8 @@ impl FrettingContact {
         let per_bound = 1.0
             / (self.surface.image_slope(stick * (1.0 - INSIDE))
                 * (self.model.bound_slope - side * origin_slope));
-        self.gradient(self.model.bound_slope * per_bound, -side * per_bound).times(self.model.axes.size)
+        self.gradient_on_line(self.model.bound_slope * per_bound, -side * per_bound)
+            .times(self.model.axes.size)
     }
 
     /// Of [`Self::tangential_stiffness`].
@@ -216,13 +243,8 @@ impl FrettingContact {
 
     /// Of [`Self::dissipated_energy`].
     pub fn dissipated_energy_gradient(&self) -> Gradient {
-        if let Some(gradient) = self.work_gradient_in_plane() {
-            return gradient;
-        }
-        let (stick, side) = self.moving_zone();
-        let limit =
-            2.0 * self.model.constants.tangential_modulus * self.model.bound_slope * self.room_outside(stick);
-        self.gradient(-self.model.bound_slope * limit, side * limit)
+        let tangent = self.tangent();
+        self.gradient(tangent.work_by_depth, tangent.work)
     }
 
     /// Of [`Self::wear_volume`].
@@ -249,12 +271,16 @@ impl FrettingContact {
             let traction = (side * self.shear_traction_at(r)).max(0.0);
             if traction.is_finite() { self.model.constants.wear_per_work * traction * share } else { 0.0 }
         };
-        let rate = match self.deepest() {
+        let rate = if self.state.wear.is_some() { self.at_deepest(rate) } else { 0.0 };
+        self.gradient_on_line(-self.model.bound_slope * rate, side * rate)
+    }
+
+    /// A rate at the deepest worn point, or the largest where nothing has worn.
+    fn at_deepest(&self, rate: impl Fn(f64) -> f64) -> f64 {
+        match self.deepest() {
             Some(r) => rate(r),
             None => self.reached_radii().into_iter().map(rate).fold(0.0, f64::max),
-        };
-        let rate = if self.state.wear.is_some() { rate } else { 0.0 };
-        self.gradient(-self.model.bound_slope * rate, side * rate)
+        }
     }
 
     /// Radius of the deepest worn point, m, once something has worn.
@@ -284,7 +310,7 @@ impl FrettingContact {
                 Contact { depth: depth + change, radius: radius + growth * change, ..self.state.contact };
             self.max_pressure_in(&moved)
         };
-        self.gradient((pressure(step) - pressure(-step)) / (2.0 * step), 0.0)
+        self.gradient_on_line((pressure(step) - pressure(-step)) / (2.0 * step), 0.0)
     }
 
     /// Work of one cycle of this amplitude (m) at the present load and profile, J. The amplitude is
@@ -334,9 +360,6 @@ impl FrettingContact {
             let rate = 4.0 * per_length * self.pressure_at(r) * slip;
             if rate.is_finite() { rate } else { 0.0 }
         };
-        match self.deepest() {
-            Some(r) => rate(r),
-            None => self.reached_radii().into_iter().map(rate).fold(0.0, f64::max),
-        }
+        self.at_deepest(rate)
     }
 }

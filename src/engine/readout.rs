@@ -113,13 +113,7 @@ impl FrettingContact {
         if let Some(stiffness) = self.stiffness_in_plane() {
             return stiffness;
         }
-        let (stick, side) = self.state.springs.slip_zone(
-            &self.state.contact,
-            self.model.constants.bound_slope(),
-            self.state.displacement,
-        );
-        let sticking = if side * self.state.direction < 0.0 { self.state.contact.radius } else { stick };
-        2.0 * self.model.constants.tangential_modulus * sticking
+        2.0 * self.model.constants.tangential_modulus * self.sticking(self.state.direction)
     }
 }
 

@@ -133,14 +133,8 @@ impl FrettingContact {
         if !moves {
             return None;
         }
-        let (stick, zone) = self.state.springs.slip_zone(
-            &self.state.contact,
-            self.model.bound_slope,
-            self.state.displacement,
-        );
-        let sticking = if zone * side < 0.0 { self.state.contact.radius } else { stick };
-        let newton =
-            pull / (1.0 + self.model.compliance * 2.0 * self.model.constants.tangential_modulus * sticking);
+        let row_modulus = 2.0 * self.model.constants.tangential_modulus;
+        let newton = pull / (1.0 + self.model.compliance * row_modulus * self.sticking(side));
         let limit = self.model.constants.friction_coefficient * self.normal_reaction();
         let gross_slip = side * (drive - self.state.displacement) - self.model.compliance * limit;
         let target = self.state.displacement + side * newton.max(gross_slip);
@@ -200,8 +194,7 @@ impl FrettingContact {
         let contact = self.state.contact;
         let row_modulus = 2.0 * self.model.constants.tangential_modulus;
         let limit = self.model.constants.friction_coefficient * self.normal_reaction();
-        let mut amplitude = (drive - self.model.compliance * limit).max(0.0);
-        for _ in 0..MOST_WALKS {
+        roots::from_below((drive - self.model.compliance * limit).max(0.0), |amplitude| {
             let (mut force, mut stick) = (0.0, contact.radius);
             if amplitude > 0.0 {
                 let (springs, _) = self.quarter(&contact, amplitude);
@@ -209,13 +202,7 @@ impl FrettingContact {
                 stick = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
             }
             let pull = self.pull_on((drive, amplitude), force, limit);
-            let next = amplitude + pull / (1.0 + self.model.compliance * row_modulus * stick);
-            let moves = next > amplitude && next.is_finite();
-            if !moves {
-                break;
-            }
-            amplitude = next;
-        }
-        amplitude
+            pull / (1.0 + self.model.compliance * row_modulus * stick)
+        })
     }
 }

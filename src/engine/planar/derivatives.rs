@@ -5,7 +5,6 @@
 //! = m **n**, and friction takes b (**n**·dU − m dd).
 
 use crate::engine::{FrettingContact, Gradient};
-use crate::friction::Standing;
 use nalgebra::Vector2;
 
 /// Share of full slip, and of the load, over which the stiffness is differenced.
@@ -13,60 +12,6 @@ const STEP: f64 = 1e-4;
 
 /// Derivatives where there is motion along y.
 impl FrettingContact {
-    /// Gradient from derivatives with respect to depth and displacement.
-    fn gradient_in_plane(&self, by_depth: f64, by_place: Vector2<f64>) -> Gradient {
-        let [displacement, displacement_y] = by_place.into();
-        let normal = by_depth * self.depth_per_normal();
-        let gradient = Gradient { normal, displacement, displacement_y, ..Gradient::default() };
-        self.behind_the_rig_in_plane(gradient).times(1.0)
-    }
-
-    /// ∂T_y/∂U_y while nothing slips along y, N/m.
-    fn sticking_stiffness_y(&self) -> f64 {
-        2.0 * self.model.constants.tangential_modulus
-            * self.model.axes.stiffness_ratio
-            * self.state.contact.radius
-    }
-
-    /// Of [`Self::tangential_force_y`].
-    pub fn tangential_force_y_gradient(&self) -> Gradient {
-        if let Some(gradient) = self.force_gradient_in_plane(1) {
-            return gradient;
-        }
-        let stiffness = self.sticking_stiffness_y();
-        Gradient {
-            displacement_y: stiffness / (1.0 + self.model.compliance * stiffness),
-            ..Gradient::default()
-        }
-    }
-
-    /// Of [`Self::displacement_y`].
-    pub fn displacement_y_gradient(&self) -> Gradient {
-        if self.state.planar.is_some() {
-            return self.gradient_in_plane(0.0, Vector2::new(0.0, 1.0));
-        }
-        let stiffness = self.sticking_stiffness_y();
-        Gradient { displacement_y: 1.0 / (1.0 + self.model.compliance * stiffness), ..Gradient::default() }
-    }
-
-    /// Of the displacement along x.
-    pub(in crate::engine) fn displacement_gradient_in_plane(&self) -> Option<Gradient> {
-        self.state.planar.is_some().then(|| self.gradient_in_plane(0.0, Vector2::new(1.0, 0.0)))
-    }
-
-    /// Of one component of the force.
-    pub(in crate::engine) fn force_gradient_in_plane(&self, component: usize) -> Option<Gradient> {
-        let tangent = self.tangent_in_plane()?;
-        Some(
-            self.gradient_in_plane(tangent.by_depth[component], tangent.stiffness.row(component).transpose()),
-        )
-    }
-
-    pub(in crate::engine) fn work_gradient_in_plane(&self) -> Option<Gradient> {
-        let tangent = self.tangent_in_plane()?;
-        Some(self.gradient_in_plane(tangent.work_by_depth, tangent.work))
-    }
-
     /// Of the radius at which the springs that stick reach their bound: with r = b − |u| and its
     /// slope r' there, dc = (K **n**·dU − m dd)/r'.
     pub(in crate::engine) fn stick_gradient_in_plane(&self) -> Option<Gradient> {
@@ -75,7 +20,7 @@ impl FrettingContact {
             return Some(Gradient::default());
         };
         let per_room = 1.0 / (fall * self.surface.image_slope(standing.stick_radius() * (1.0 - 1e-9)));
-        let gradient = self.gradient_in_plane(-self.model.bound_slope * per_room, pull * per_room);
+        let gradient = self.gradient(-self.model.bound_slope * per_room, pull * per_room);
         Some(gradient.times(self.model.axes.size))
     }
 
@@ -93,15 +38,8 @@ impl FrettingContact {
             let end = place + moved;
             let path = self.planar_path(to, end);
             let (row, _) = planar.row.walk(&path, super::PlanarRow::default(), None);
-            let standing = Standing {
-                row: &row,
-                surface: &self.surface,
-                contact: &to,
-                bound_slope: self.model.bound_slope,
-                stiffness_ratio: self.model.axes.stiffness_ratio,
-                displacement: self.model.axes.for_springs(end),
-            };
-            let along = ahead.dot(&(standing.tangent(ahead).stiffness * ahead));
+            let tangent = self.standing_at(end, &row, &to).tangent(ahead);
+            let along = ahead.dot(&(tangent.stiffness * ahead));
             let stiffness = 2.0 * self.model.constants.tangential_modulus * along;
             Some((stiffness - now) / step)
         };
@@ -116,7 +54,7 @@ impl FrettingContact {
             displacement_y: change(control, Vector2::new(0.0, way(1)), way(1))?,
             ..Gradient::default()
         };
-        Some(self.behind_the_rig_in_plane(gradient).times(1.0))
+        Some(self.behind_the_rig(gradient).times(1.0))
     }
 
     /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest in the
@@ -139,6 +77,6 @@ impl FrettingContact {
                 self.reached_radii().into_iter().map(rates).max_by(|a, b| along(a).total_cmp(&along(b)))?
             }
         };
-        Some(self.gradient_in_plane(by_depth, by_place))
+        Some(self.gradient(by_depth, by_place))
     }
 }

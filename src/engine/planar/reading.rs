@@ -1,8 +1,9 @@
 //! What can be read from a contact that moves in both tangential directions.
 
 use crate::engine::FrettingContact;
-use crate::friction::{PlanarRow, Standing, Tangent};
+use crate::friction::{PlanarRow, Standing};
 use crate::range::LEAST_RISE;
+use crate::surface::Contact;
 use crate::transform;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -42,14 +43,25 @@ impl FrettingContact {
 
     /// The row where it stands.
     pub(in crate::engine) fn standing(&self) -> Option<Standing<'_>> {
-        self.state.planar.as_ref().map(|planar| Standing {
-            row: &planar.row,
+        let planar = self.state.planar.as_ref()?;
+        Some(self.standing_at(self.place(), &planar.row, &self.state.contact))
+    }
+
+    /// A row in another contact and place.
+    pub(super) fn standing_at<'a>(
+        &'a self,
+        place: Vector2<f64>,
+        row: &'a PlanarRow,
+        contact: &'a Contact,
+    ) -> Standing<'a> {
+        Standing {
+            row,
             surface: &self.surface,
-            contact: &self.state.contact,
+            contact,
             bound_slope: self.model.bound_slope,
             stiffness_ratio: self.model.axes.stiffness_ratio,
-            displacement: self.model.axes.for_springs(self.place()),
-        })
+            displacement: self.model.axes.for_springs(place),
+        }
     }
 
     /// Direction of the last movement, a unit vector.
@@ -57,17 +69,11 @@ impl FrettingContact {
         self.state.planar.as_ref().map_or(Vector2::new(1.0, 0.0), |planar| planar.direction)
     }
 
-    /// Derivatives of the whole row for going on in the present direction, by displacement and
-    /// depth.
-    pub(in crate::engine) fn tangent_in_plane(&self) -> Option<Tangent> {
-        let row = 2.0 * self.model.constants.tangential_modulus;
-        Some(self.standing()?.tangent(self.direction_in_plane()).scaled(row))
-    }
-
     /// ∂T/∂U for going on in the direction of the last movement, along it, N/m.
     pub(in crate::engine) fn stiffness_in_plane(&self) -> Option<f64> {
+        self.state.planar.as_ref()?;
         let ahead = self.direction_in_plane();
-        Some(ahead.dot(&(self.tangent_in_plane()?.stiffness * ahead)))
+        Some(ahead.dot(&(self.tangent().stiffness * ahead)))
     }
 
     /// Tangential traction at radius r, Pa: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²) by components.

@@ -14,7 +14,7 @@
 
 use crate::engine::{FrettingContact, Gradient};
 use crate::error::Error;
-use crate::friction::{PlanarRow, Standing};
+use crate::friction::PlanarRow;
 use crate::surface::Contact;
 use nalgebra::{Matrix2, Vector2};
 use std::mem::take;
@@ -220,15 +220,8 @@ impl FrettingContact {
         ahead: Vector2<f64>,
         row: &PlanarRow,
     ) -> Matrix2<f64> {
-        let standing = Standing {
-            row,
-            surface: &self.surface,
-            contact: to,
-            bound_slope: self.model.bound_slope,
-            stiffness_ratio: self.model.axes.stiffness_ratio,
-            displacement: self.model.axes.for_springs(place),
-        };
-        Matrix2::identity() + self.compliance_of_row() * standing.tangent(ahead).stiffness
+        let tangent = self.standing_at(place, row, to).tangent(ahead);
+        Matrix2::identity() + self.compliance_of_row() * tangent.stiffness
     }
 
     /// Displacement of the rig over the integral of the springs' deflection, 1/m.
@@ -238,10 +231,11 @@ impl FrettingContact {
 
     /// The derivatives of a quantity by the drive where those by the body are given: d**U** = (1 +
     /// K/k_rig)⁻¹ (d**D** − ∂**T**/∂n dn/k_rig).
-    pub(super) fn behind_the_rig_in_plane(&self, of: Gradient) -> Gradient {
-        let Some(tangent) = self.tangent_in_plane().filter(|_| self.model.compliance > 0.0) else {
+    pub(in crate::engine) fn behind_the_rig(&self, of: Gradient) -> Gradient {
+        if self.model.compliance == 0.0 {
             return of;
-        };
+        }
+        let tangent = self.tangent();
         let matrix = Matrix2::identity() + self.model.compliance * tangent.stiffness;
         let right = Vector2::new(of.displacement, of.displacement_y);
         let by_place = solved(&matrix.transpose(), right).unwrap_or_default();
