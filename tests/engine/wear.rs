@@ -539,6 +539,21 @@ fn the_counted_work_stays_bounded() {
     assert_eq!(counters.transform_tables, 0, "{counters}");
 }
 
+/// Steps far longer than the relaxation, at which the quadrature of the rate is all rounding.
+#[test]
+fn a_call_of_far_more_cycles_than_a_life_wears_no_more_than_it() {
+    for profile in [BALL, CONE, ROUNDED] {
+        let amplitude = 0.84 * exact(&profile, FORCE).full_slip();
+        let volume = |cycles: f64| {
+            let mut contact = started(Parameters { profile: profile.clone(), ..Parameters::default() });
+            contact.advance_cycles(FORCE, amplitude, cycles).expect("the cycles are followed");
+            contact.wear_volume()
+        };
+        let more = volume(1e12) / volume(1e9) - 1.0;
+        assert!(more.abs() < 1e-5, "{profile:?}: {more:e}");
+    }
+}
+
 /// One step that would wear many times the depth is refused; the contact is as it was and can be
 /// moved on.
 #[test]
