@@ -8,7 +8,6 @@
 //! (2/π) ∫ s dx/√(r² − x²) from 0 to r.
 
 use super::FrettingContact;
-use super::state::State;
 use crate::friction::Springs;
 use crate::parameters::Parameters;
 use crate::quadrature::GAUSS_3;
@@ -68,12 +67,20 @@ impl FrettingContact {
         self.state.springs = springs;
         let place = self.model.axes.for_springs(self.place());
         self.next_stroke(place);
-        let State { stroke, springs, planar, .. } = &mut self.state;
-        match planar {
-            Some(planar) => stroke.origins.extend(planar.row.knots().iter().map(|k| (k.place.x, k.origin))),
-            None => stroke
-                .origins
-                .extend(springs.knots().iter().map(|k| (k.place.x, Vector2::new(k.origin, place.y)))),
+        let mut origins = take(&mut self.state.stroke.origins);
+        self.origins_into(&mut origins);
+        self.state.stroke.origins = origins;
+    }
+
+    /// Appends radii with the present origins of their springs.
+    fn origins_into(&self, origins: &mut Vec<(f64, Vector2<f64>)>) {
+        match &self.state.planar {
+            Some(planar) => origins.extend(planar.row.knots().iter().map(|k| (k.place.x, k.origin))),
+            None => {
+                let y = self.model.axes.for_springs(self.place()).y;
+                let knots = self.state.springs.knots().iter();
+                origins.extend(knots.map(|k| (k.place.x, Vector2::new(k.origin, y))));
+            }
         }
     }
 
@@ -117,17 +124,8 @@ impl FrettingContact {
         if self.state.contact.is_open() || r > self.state.contact.radius {
             return 0.0;
         }
-        let place = self.model.axes.for_springs(self.place());
-        let now: Vec<(f64, Vector2<f64>)> = match &self.state.planar {
-            Some(planar) => planar.row.knots().iter().map(|k| (k.place.x, k.origin)).collect(),
-            None => self
-                .state
-                .springs
-                .knots()
-                .iter()
-                .map(|k| (k.place.x, Vector2::new(k.origin, place.y)))
-                .collect(),
-        };
+        let mut now = Vec::new();
+        self.origins_into(&mut now);
         let start = &self.state.stroke;
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
         let kinks = now.iter().chain(&start.origins).map(|knot| knot.0).chain(nodes.iter().copied());

@@ -2,7 +2,7 @@
 //! SIAM J. Sci. Stat. Comput. 7 (1986), 856) with an approximate inverse applied first, by modified
 //! Gram–Schmidt and Givens rotations.
 
-use crate::transform::dot;
+use crate::transform::{add, dot};
 
 /// x with ‖right − A x‖ ≤ tolerance·‖right‖ in the Euclidean norm, and the number of iterations;
 /// `None` where `most` of them do not suffice or numbers are not finite.
@@ -78,10 +78,6 @@ pub(super) fn solve(
 
 fn norm(v: &[f64]) -> f64 {
     dot(v, v).sqrt()
-}
-
-fn add(sum: &mut [f64], factor: f64, term: &[f64]) {
-    sum.iter_mut().zip(term).for_each(|(s, t)| *s += factor * t);
 }
 
 #[cfg(test)]

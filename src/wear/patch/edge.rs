@@ -2,6 +2,7 @@
 //! and how that changes.
 
 use super::Patch;
+use crate::roots;
 use crate::surface::Region;
 use crate::transform::dot;
 
@@ -92,7 +93,7 @@ impl Patch {
         self.bisect_area(guess, sums)
     }
 
-    /// The residual rises with A: a bracket around a guess, then halves.
+    /// The residual rises with A: a bracket around a guess, then the root in it.
     fn bisect_area(&self, guess: f64, sums: (f64, f64)) -> Option<f64> {
         let inner = self.inner_radius * self.inner_radius;
         let span = self.span(guess);
@@ -113,11 +114,7 @@ impl Patch {
         if !(residual(low) <= 0.0 && residual(high) >= 0.0) {
             return None;
         }
-        while high - low > 1e-13 * high {
-            let middle = 0.5 * (low + high);
-            if residual(middle) > 0.0 { high = middle } else { low = middle }
-        }
-        Some(high)
+        Some(roots::of_rising(low, high, |radius_squared| self.edge_residual(radius_squared, sums)))
     }
 
     /// The condition at given depths, of which w̃ at the edge has the given slope in A, and at z
