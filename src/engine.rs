@@ -46,7 +46,7 @@ mod view;
 
 pub use crate::counters::Counters;
 pub use derivatives::Gradient;
-pub(crate) use member::unworn_load;
+pub(crate) use member::{Models, unworn_load};
 pub(crate) use memory::Memory;
 pub(crate) use model::Model;
 pub(crate) use save_point::SavePoints;

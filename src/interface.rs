@@ -28,11 +28,12 @@
 //!
 //! # How is a step followed?
 //! Under force control the approach is a curve in the force. A step that changes force and
-//! displacement at once is divided until that curve is straight to the tolerance; each contact then
-//! follows a straight line in depth and displacement. After its contacts have worn, the approach
-//! follows at rest. A part of a step in which that would lose more than a set share of the force is
-//! divided further. Cycles at a constant force are run in blocks in which each contact has a
-//! constant force of its own.
+//! displacement at once is divided until that curve is straight to the tolerance, unless all
+//! contacts keep their shares of the force. A contact that does so follows a straight line in its
+//! force, and wears at its force; the others follow one in depth. Afterwards all are pressed to a
+//! common approach at rest. A part of a step in which that would change more than a set share of
+//! the force is divided further. Cycles at a constant force are run in blocks in which each contact
+//! has a constant force of its own.
 
 mod approach;
 mod coating;
@@ -49,6 +50,7 @@ pub use summit::Summit;
 use crate::engine::FrettingContact;
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
+use approach::Approach;
 use members::Members;
 use serde::{Deserialize, Serialize};
 
@@ -93,9 +95,8 @@ pub struct Interface {
     control: f64,
     /// Cycles of the last block of cyclic loading.
     block: f64,
-    /// The approach (m) under a force (N) that a step is about to ask for, on the profiles as they
-    /// are.
-    ahead: Option<(f64, f64)>,
+    /// The approach under a force (N) that a step is about to ask for, on the profiles as they are.
+    ahead: Option<(f64, Approach)>,
     /// Pose, control and block before the present call, where the contacts have their save points.
     before: (Pose, f64, f64),
 }
@@ -170,6 +171,7 @@ impl Interface {
             .retune_bodies(friction_coefficient, wear_coefficients)?;
         let pose = self.pose;
         self.transaction(|this| {
+            this.update_profiles()?;
             this.members.turn(&pose, &pose, |contact, _, _| {
                 contact.retune_bodies(friction_coefficient, wear_coefficients)
             })?;

@@ -59,6 +59,14 @@ impl Contact {
     pub(crate) fn is_open(&self) -> bool {
         self.radius == 0.0
     }
+
+    /// The quantity that is controlled, m² of load or m.
+    pub(crate) fn value_of(&self, control: NormalControl) -> f64 {
+        match control {
+            NormalControl::Force => self.load,
+            NormalControl::Indentation => self.depth,
+        }
+    }
 }
 
 impl Surface {
@@ -90,13 +98,6 @@ impl Surface {
             Arc::new(worn)
         });
         Self { profile: self.profile.clone(), worn }
-    }
-
-    /// Lets a contact that was found under its load be found at its depth, to the bit.
-    pub(crate) fn control_by_depth(&mut self) {
-        if let Some(nodes) = self.worn.as_mut().filter(|nodes| nodes.mesh().is_some()) {
-            Arc::make_mut(nodes).control_by_depth();
-        }
     }
 
     /// Whether another surface of this profile has worn as this one has.
@@ -211,10 +212,10 @@ impl Surface {
         force_scale: f64,
     ) -> Result<Contact, Error> {
         if let Some(place) = self.worn().and_then(Nodes::mesh)
-            && place.contact.control == value
+            && place.contact.value_of(control) == value
         {
             self.check_one_disc(place.contact.radius)?;
-            return Ok(place.contact);
+            return Ok(Contact { control: value, ..place.contact });
         }
         let touch = self.tip();
         let apart = if control == NormalControl::Force { touch } else { value };
@@ -304,6 +305,20 @@ impl Surface {
         let outer = self.profile.outer_radius();
         if outer.is_finite() && load >= self.load(outer) {
             return self.outer_edge(outer, "normal_force", load * force_scale);
+        }
+        if let Some((nodes, cell)) =
+            self.worn().and_then(|nodes| Some((nodes, nodes.outermost_cell_below_load(&self.profile, load)?)))
+        {
+            let line = nodes.cell_line(cell);
+            let ((low, high), profile) = (line.ends, &self.profile);
+            return Ok(roots::of_rising(low, high, |x| {
+                let (worn, slope) = if line.holds(x) {
+                    (line.parts(x).1, line.slope_at(x))
+                } else {
+                    (nodes.worn_part(x).1, nodes.worn_slope(x))
+                };
+                (profile.load_integral(x) + worn - load, x * (profile.image_slope(x) + slope))
+            }));
         }
         let (low, high) = self.bracket(outer, |x| self.load(x), load);
         Ok(roots::of_rising(low, high, |x| (self.load(x) - load, x * self.image_slope(x))))

@@ -375,4 +375,29 @@ impl FrettingContact {
         }
         Ok(stored - self.stored_energy())
     }
+
+    /// A larger depth, m, to which the wear of other contacts has pressed this one: in truth that
+    /// came little by little, and the springs that slip have followed their bound.
+    ///
+    /// # Errors
+    /// Those of the normal contact.
+    pub(super) fn sink_to(&mut self, depth: f64) -> Result<(), Error> {
+        let to = self.contact_at(depth)?;
+        if self.state.planar.is_some() {
+            self.rest_in_plane(to);
+            return Ok(());
+        }
+        let (slope, displacement) = (self.model.bound_slope, self.state.displacement);
+        let zone = self.state.springs.slip_zone(&self.state.contact, slope, displacement);
+        let spare = std::mem::take(&mut self.memory.get().springs);
+        let (mut springs, _) = self.state.springs.walk(&self.path_to(to, displacement), spare, None);
+        if zone.1 != 0.0 {
+            springs.follow_bound(zone, &to, slope, displacement);
+        }
+        springs.simplify(&to, slope);
+        self.memory.get().springs = std::mem::replace(&mut self.state.springs, springs);
+        self.state.contact = to;
+        self.state.reach = self.state.reach.max(to.radius);
+        Ok(())
+    }
 }

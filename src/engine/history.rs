@@ -49,8 +49,14 @@ impl FrettingContact {
     pub(super) fn advance_on_line(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
         let (value, displacement) = self.checked(normal, displacement)?;
         if self.state.planar.is_some() {
-            return self.advance_off_line(normal, Vector2::new(displacement, self.drive_displacement_y()));
+            return self.advance_off_line(value, Vector2::new(displacement, self.drive_displacement_y()));
         }
+        self.advance_value_on_line(value, displacement)
+    }
+
+    /// The same for a value of the control, m² of load or m, and a displacement that are checked.
+    #[inline]
+    pub(super) fn advance_value_on_line(&mut self, value: f64, displacement: f64) -> Result<(), Error> {
         if self.model.compliance > 0.0 {
             return self.advance_drive(value, displacement);
         }

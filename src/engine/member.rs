@@ -3,11 +3,21 @@
 use super::model::Model;
 use super::{FrettingContact, Memory};
 use crate::error::Error;
-use crate::parameters::Parameters;
 use crate::profile::Profile;
 use crate::surface::{Contact, Surface, TransformCache};
+use nalgebra::Vector2;
 use std::mem::swap;
 use std::sync::Arc;
+
+/// Share of the depth by which a contact moves along its tangent: the error is its square.
+const STILL: f64 = 1e-9;
+
+/// What the contacts of an interface share, each of them held at its depth, or at its force.
+#[derive(Debug, Clone)]
+pub(crate) struct Models {
+    pub(crate) at_depth: Arc<Model>,
+    pub(crate) at_force: Arc<Model>,
+}
 
 /// Normal force (N) and contact radius (m) of an unworn profile at an indentation depth, m.
 ///
@@ -54,8 +64,11 @@ impl FrettingContact {
     /// # Errors
     /// As [`Self::advance_to`].
     pub(crate) fn load_at(&self, depth: f64) -> Result<(f64, f64), Error> {
-        if depth == self.state.contact.control {
-            return Ok((self.normal_reaction(), self.state.contact.radius));
+        let contact = self.state.contact;
+        let change = depth - contact.depth;
+        if change == 0.0 || change.abs() <= STILL * (contact.depth - self.surface.tip()) {
+            let load = contact.load + contact.radius * change;
+            return Ok((self.force_scale() * load, contact.radius));
         }
         match self.surface.load_in_cell(depth) {
             Some((load, radius)) => Ok((self.force_scale() * load, radius)),
@@ -63,34 +76,68 @@ impl FrettingContact {
         }
     }
 
-    /// [`Self::advance_cycles`] of a contact under depth control at a constant force (N), for
-    /// which the parameters are given, too. The depth is what comes of it.
+    /// Runs a change of a contact under depth control as one under force control, which it is in
+    /// the meantime: its profile wears at its force, and the depth is what comes of it.
     ///
     /// # Errors
-    /// As [`Self::advance_cycles`].
-    pub(crate) fn advance_cycles_at_force(
+    /// Those of the change.
+    pub(crate) fn under_force<T>(
         &mut self,
-        at_force: &Arc<Parameters>,
-        force: f64,
-        amplitude: f64,
-        cycles: f64,
-    ) -> Result<(), Error> {
-        // friction that runs in has changed its own model
-        self.absorb_backlog()?;
-        let at_depth = self.model.clone();
-        let mut model = (*at_depth).clone();
-        (model.parameters, model.constants.force_control) = (at_force.clone(), true);
-        self.model = Arc::new(model);
+        models: &Models,
+        change: impl FnOnce(&mut Self) -> Result<T, Error>,
+    ) -> Result<T, Error> {
+        self.exchange_model((&models.at_depth, &models.at_force));
         self.state.contact.control = self.state.contact.load;
-        let run = self.advance_cycles(force, amplitude, cycles);
-        let model = Arc::make_mut(&mut self.model);
-        (model.parameters, model.constants.force_control) = (at_depth.parameters.clone(), false);
-        if *self.model == *at_depth {
-            self.model = at_depth;
-        }
+        let result = change(self);
+        self.exchange_model((&models.at_force, &models.at_depth));
         self.state.contact.control = self.state.contact.depth;
-        self.surface.control_by_depth();
-        run
+        result
+    }
+
+    /// Takes another model in place of one, with its own friction where that has run in.
+    fn exchange_model(&mut self, (from, to): (&Arc<Model>, &Arc<Model>)) {
+        if Arc::ptr_eq(&self.model, from) {
+            self.model = to.clone();
+        } else {
+            let model = Arc::make_mut(&mut self.model);
+            model.parameters = to.parameters.clone();
+            model.constants.force_control = to.constants.force_control;
+        }
+    }
+
+    /// Presses the contact at rest to a depth (m) to which the wear of all contacts has brought it.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to`].
+    pub(crate) fn follow_wear_to(&mut self, depth: f64) -> Result<(), Error> {
+        if self.state.contact.is_open() || depth < self.state.contact.depth {
+            let place = self.drive_place();
+            return self.advance_to_planar(depth, place.into());
+        }
+        self.sink_to(depth)
+    }
+
+    /// Wears off what waits for the next update of the profile.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to`].
+    pub(crate) fn update_profile(&mut self) -> Result<(), Error> {
+        self.absorb_backlog()
+    }
+
+    /// [`Self::advance_to_planar`] under the load as it is, to the bit.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to_planar`].
+    pub(crate) fn advance_under_load(&mut self, displacement: [f64; 2]) -> Result<(), Error> {
+        let (value, place) = (self.state.contact.control, Vector2::from(displacement));
+        if self.runs_in() {
+            return self.run_in_to(value * self.force_scale(), place);
+        }
+        if self.state.planar.is_none() && place.y == self.drive_displacement_y() {
+            return self.advance_value_on_line(value, place.x);
+        }
+        self.advance_off_line(value, place)
     }
 
     /// Depth of the wear at the last update of the profile, m: [`Self::wear_depth`] without what

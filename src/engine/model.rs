@@ -74,7 +74,7 @@ impl Model {
     }
 
     /// 2E*, the ratio of force to load integral, Pa.
-    pub(super) fn force_scale(&self) -> f64 {
+    pub(crate) fn force_scale(&self) -> f64 {
         2.0 * self.constants.normal_modulus
     }
 }

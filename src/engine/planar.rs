@@ -55,14 +55,14 @@ impl FrettingContact {
         if self.state.planar.is_none() && displacement.y == self.drive_displacement_y() {
             return self.advance_on_line(normal, displacement.x);
         }
-        self.advance_off_line(normal, displacement)
+        let (value, _) = self.checked(normal, displacement.x)?;
+        self.advance_off_line(value, displacement)
     }
 
-    /// The same where the body has moved or moves along y.
-    pub(super) fn advance_off_line(&mut self, normal: f64, displacement: Vector2<f64>) -> Result<(), Error> {
-        let [x, y] = displacement.into();
-        let (value, _) = self.checked(normal, x)?;
-        range::input(Y, y)?;
+    /// The same for a value of the control, m² of load or m, where the body has moved or moves
+    /// along y.
+    pub(super) fn advance_off_line(&mut self, value: f64, displacement: Vector2<f64>) -> Result<(), Error> {
+        range::input(Y, displacement.y)?;
         if value == self.state.contact.control && displacement == self.drive_place() {
             self.state.counters.steps += 1;
             return Ok(());
@@ -74,7 +74,7 @@ impl FrettingContact {
             self.solve_contact(value)?;
         }
         self.transaction(|this| this.walk_line_in_plane(&line, displacement))
-            .map_err(|error| self.error_of_step(error, x))?;
+            .map_err(|error| self.error_of_step(error, displacement.x))?;
         self.state.counters.steps += 1;
         Ok(())
     }

@@ -18,11 +18,14 @@ const SLOW: usize = 8;
 const LAST_STEP: f64 = 1e-8;
 
 /// An approach, and the normal stiffness near to it.
+#[derive(Debug, Clone)]
 pub(super) struct Approach {
     /// m.
     pub(super) value: f64,
     /// Σ ∂F/∂d, N/m.
     pub(super) stiffness: f64,
+    /// Normal force of each contact, N: they add up to the force to rounding.
+    pub(super) forces: Vec<f64>,
 }
 
 impl Interface {
@@ -42,6 +45,10 @@ impl Interface {
         let mut loads = Loads::new();
         let (mut low, mut high, mut refused) = (touch, f64::INFINITY, None);
         let mut value = if guess > touch { guess } else { touch + self.first_depth(force) };
+        let found = |next: f64, value: f64, stiffness: f64, loads: &Loads| {
+            let forces = self.members.forces(loads, next - value, force);
+            Ok(Approach { value: next, stiffness, forces })
+        };
         for count in 1..=MOST_STEPS {
             let resolved = 4.0 * f64::EPSILON * value.abs().max(touch.abs());
             let total = match self.total_at(value, &mut loads) {
@@ -59,7 +66,7 @@ impl Interface {
             let (carried, stiffness) = total;
             let excess = carried - force;
             if excess == 0.0 {
-                return Ok(Approach { value, stiffness });
+                return found(value, value, stiffness, &loads);
             }
             if excess > 0.0 {
                 high = value;
@@ -70,12 +77,12 @@ impl Interface {
             let next = value + step;
             let small = LAST_STEP * (value - touch);
             if (step.abs() <= small || step.abs() <= resolved) && next > touch {
-                return Ok(Approach { value: next, stiffness });
+                return found(next, value, stiffness, &loads);
             }
             // a worn profile is not convex
             let slow = count % SLOW == 0 && high.is_finite();
             if high - low <= resolved && refused.is_none() {
-                return Ok(Approach { value, stiffness });
+                return found(value, value, stiffness, &loads);
             }
             value = if next > low && next < high && !slow {
                 next

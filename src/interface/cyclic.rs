@@ -52,10 +52,11 @@ impl Interface {
         }
         self.transaction(|this| {
             let at_force = this.parameters.normal_control == NormalControl::Force;
-            let approach = if at_force { this.approach_or_touch(normal)? } else { normal };
+            let under = if at_force { Some(this.approach_or_touch(normal)?) } else { None };
+            let approach = under.as_ref().map_or(normal, |under| under.value);
             let pose = Pose { approach, displacement: [amplitude, y], rotation: 0.0, ..this.pose };
-            if at_force && normal <= 0.0 {
-                this.members.start(&pose, true)?;
+            if let Some(apart) = under.filter(|_| normal <= 0.0) {
+                this.members.start(&pose, Some(&apart.forces))?;
                 this.pose = Pose { cycles: pose.cycles + cycles, ..pose };
             } else if at_force && this.wears() && cycles > 0.0 {
                 this.run_blocks(normal, pose, cycles)?;
@@ -73,7 +74,7 @@ impl Interface {
         let tolerance = self.parameters.tolerance;
         let (most_change, most_error) = ((CHANGE * tolerance).sqrt(), MEAN_ERROR * tolerance);
         let amplitude = pose.displacement[0];
-        let mut before = self.shares(force, pose.approach)?;
+        let mut before = self.approach_under(force, pose.approach)?.forces;
         let mut left = cycles;
         let mut block = if self.block > 0.0 { self.block } else { cycles };
         // by how much the forces are expected to change in the block, N
@@ -85,8 +86,8 @@ impl Interface {
             let mean: Vec<f64> =
                 before.iter().zip(&expected).map(|(force, change)| (force + 0.5 * change).max(0.0)).collect();
             let run = self.members.cycle_at_forces(&pose, &mean, amplitude, length).and_then(|()| {
-                let next = self.approach_under(force, pose.approach)?.value;
-                Ok((next, self.shares(force, next)?))
+                let next = self.approach_under(force, self.guess(force))?;
+                Ok((next.value, next.forces))
             });
             let of_force = |parts: &mut dyn Iterator<Item = f64>| parts.map(f64::abs).sum::<f64>() / force;
             let (change, error) = match &run {
@@ -102,10 +103,17 @@ impl Interface {
                     pose.cycles += length;
                     pose.approach = next;
                     trials = 0;
+                    // contacts that exchange nothing are as one: no need for blocks
+                    let next_block = match change {
+                        0.0 => f64::MAX,
+                        _ => length * (AIM * most_change / change).clamp(0.5, 2.0),
+                    };
                     if left <= 0.0 {
+                        // the last block may be a short one
+                        block = if change == 0.0 { next_block } else { block };
                         break;
                     }
-                    block = length * (AIM * most_change / change).clamp(0.5, 2.0);
+                    block = next_block;
                     let growth = block.min(left) / length;
                     expected =
                         after.iter().zip(&before).map(|(after, before)| growth * (after - before)).collect();
@@ -141,17 +149,8 @@ impl Interface {
             return Err(Error::InterfaceOutrun { share: 1.0, what, parts: MOST_BLOCKS });
         }
         self.block = block;
-        self.members.cycle(&pose, amplitude, 0.0)?;
+        self.members.end_cycles(&pose, amplitude, force)?;
         self.pose = pose;
         Ok(())
-    }
-
-    /// Normal force of each contact at the approach under a force, N: they add up to it to
-    /// rounding.
-    fn shares(&self, force: f64, approach: f64) -> Result<Vec<f64>, Error> {
-        let mut shares = self.members.forces(approach)?;
-        let factor = force / shares.iter().sum::<f64>();
-        shares.iter_mut().for_each(|share| *share *= factor);
-        Ok(shares)
     }
 }

@@ -1,6 +1,9 @@
 //! Transient histories: straight lines in (force or approach, displacement, rotation).
 
+use super::approach::Approach;
+use super::members::{ForceChange, Loading};
 use super::{Interface, Pose};
+use crate::engine::FrettingContact;
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::range;
@@ -10,11 +13,15 @@ use crate::range;
 /// eighth of that change, which makes an error of the tangential force of a twelfth of its square.
 const STIFFNESS_SHARE: f64 = 2.0;
 
+/// Largest change of the share of the force that a contact carries at which its force follows a
+/// straight line along a part of a step, relative, over the root of the tolerance.
+const SHARE_CHANGE: f64 = 1.0;
+
 /// Most parts of a step under force control, whatever the tolerance.
 const MOST_PARTS: f64 = 1024.0;
 
-/// Largest share of the normal force that the wear of a part of a step may take before the approach
-/// follows, over the tolerance, where a contact wears in several updates.
+/// Largest share of the normal force by which the wear of a part of a step may change the forces of
+/// the contacts, over the tolerance, where a contact wears in several updates.
 const LOST_SHARE: f64 = 4.0;
 
 /// Most parts into which wear divides a part of a step.
@@ -31,7 +38,7 @@ const MOST_CORRECTIONS: usize = 8;
 enum Outcome {
     /// It is done; `easy` where a longer part would have been.
     Done { easy: bool },
-    /// It has to be divided: a share of the force was lost to wear.
+    /// It has to be divided: wear changed the forces of the contacts by a share of their sum.
     TooLong { lost: f64 },
 }
 
@@ -68,7 +75,7 @@ impl Interface {
         self.transaction(|this| {
             let to = Pose { approach: normal, displacement, rotation, ..this.pose };
             match this.parameters.normal_control {
-                NormalControl::Indentation => this.go_to(to, false)?,
+                NormalControl::Indentation => this.go_to(to, &Loading::Depths)?,
                 NormalControl::Force => this.walk_line(to)?,
             }
             this.control = normal;
@@ -85,12 +92,13 @@ impl Interface {
         self.check(normal, displacement, rotation)?;
         let mut pose = Pose { approach: normal, displacement, rotation, ..self.pose };
         self.transaction(|this| {
-            let mut apart = false;
+            let mut forces = None;
             if this.parameters.normal_control == NormalControl::Force {
-                apart = normal <= 0.0;
-                pose.approach = this.approach_or_touch(normal)?;
+                this.update_profiles()?;
+                let approach = this.approach_or_touch(normal)?;
+                (pose.approach, forces) = (approach.value, Some(approach.forces));
             }
-            this.members.start(&pose, apart)?;
+            this.members.start(&pose, forces.as_deref())?;
             this.pose = pose;
             this.control = normal;
             this.settle()
@@ -138,13 +146,13 @@ impl Interface {
             return Ok(1);
         }
         let before = self.normal_stiffness();
-        let after = if to > 0.0 {
-            let found = self.approach_under(to, self.guess(to))?;
-            self.ahead = Some((to, found.value));
-            found.stiffness
-        } else {
-            0.0
-        };
+        let found = self.approach_or_touch(to)?;
+        let after = found.stiffness;
+        let (change, pose) = self.force_change((from, to), found.clone(), end);
+        self.ahead = Some((to, found));
+        if self.members.change_evenly(&self.pose, &pose, &change) {
+            return Ok(1);
+        }
         let change = (after - before).abs() / after.max(before);
         let parts = change / (STIFFNESS_SHARE * self.parameters.tolerance.sqrt());
         // a share that is no number has one part, too
@@ -200,7 +208,7 @@ impl Interface {
         Ok(())
     }
 
-    /// Share of the force that the wear of one part of a step may take.
+    /// Share of the force by which the wear of one part of a step may change those of the contacts.
     fn most_lost(&self) -> f64 {
         LOST_SHARE * self.parameters.tolerance
     }
@@ -226,15 +234,28 @@ impl Interface {
     }
 
     /// Takes all contacts straight to where they carry a force (N), and lets the approach follow
-    /// their wear. Returns the share of the force that was lost before it followed.
-    fn press_to(&mut self, force: f64, mut end: Pose) -> Result<f64, Error> {
-        end.approach = match self.ahead.take() {
-            _ if self.carries(force) => self.pose.approach,
-            Some((ahead, approach)) if ahead == force => approach,
-            _ => self.approach_or_touch(force)?,
-        };
-        self.go_to(end, force <= 0.0)?;
+    /// their wear. Returns the share of the force by which that changed their forces.
+    fn press_to(&mut self, force: f64, end: Pose) -> Result<f64, Error> {
+        let ahead = self.ahead.take();
+        if self.carries(force) {
+            self.go_to(Pose { approach: self.pose.approach, ..end }, &Loading::Held)?;
+        } else {
+            let approach = match ahead {
+                Some((ahead, approach)) if ahead == force => approach,
+                _ => self.approach_or_touch(force)?,
+            };
+            let (change, end) = self.force_change((self.normal_reaction(), force), approach, &end);
+            self.go_to(end, &Loading::Forces(change))?;
+        }
         self.follow(force)
+    }
+
+    /// The change of the normal force (N) to an approach, and the pose there.
+    fn force_change(&self, (from, to): (f64, f64), approach: Approach, end: &Pose) -> (ForceChange, Pose) {
+        let most_change = SHARE_CHANGE * self.parameters.tolerance.sqrt();
+        let change =
+            ForceChange { total: (from.max(0.0), to.max(0.0)), forces: approach.forces, most_change };
+        (change, Pose { approach: approach.value, ..*end })
     }
 
     /// Whether the contacts carry a force (N) where they are.
@@ -243,24 +264,32 @@ impl Interface {
     }
 
     /// First guess of the approach under a force, N.
-    fn guess(&self, force: f64) -> f64 {
-        let (carried, stiffness) = (self.normal_reaction(), self.normal_stiffness());
-        let guess = self.pose.approach + (force - carried) / stiffness;
+    pub(super) fn guess(&self, force: f64) -> f64 {
+        let (approach, stiffness) = self.members.mean_approach();
+        let guess = approach + (force - self.normal_reaction()) / stiffness;
         if guess.is_finite() { guess } else { f64::NEG_INFINITY }
     }
 
     /// The approach under a force, N; that of first touch where there is none.
-    pub(super) fn approach_or_touch(&self, force: f64) -> Result<f64, Error> {
+    pub(super) fn approach_or_touch(&self, force: f64) -> Result<Approach, Error> {
         if force > 0.0 {
-            Ok(self.approach_under(force, self.guess(force))?.value)
-        } else {
-            Ok(self.members.first_touch())
+            return self.approach_under(force, self.guess(force));
         }
+        let forces = vec![0.0; self.summits().len()];
+        Ok(Approach { value: self.members.first_touch(), stiffness: 0.0, forces })
     }
 
-    fn go_to(&mut self, to: Pose, apart: bool) -> Result<(), Error> {
-        self.members.advance(&self.pose, &to, apart)?;
+    fn go_to(&mut self, to: Pose, loading: &Loading) -> Result<(), Error> {
+        self.members.advance(&self.pose, &to, loading)?;
         self.pose = to;
+        Ok(())
+    }
+
+    /// Updates the profiles of all contacts, under force control each at its force.
+    pub(super) fn update_profiles(&mut self) -> Result<(), Error> {
+        if self.parameters.normal_control == NormalControl::Force {
+            self.members.update_profiles(&self.pose)?;
+        }
         Ok(())
     }
 
@@ -272,23 +301,27 @@ impl Interface {
         Ok(())
     }
 
-    /// Corrects the approach so that the contacts carry a force, N. Returns the share of it that
-    /// they did not carry before.
+    /// Presses the contacts to a common approach under which they carry a force, N. Returns the
+    /// share of it by which their forces differ from those before.
     pub(super) fn follow(&mut self, force: f64) -> Result<f64, Error> {
         if force <= 0.0 || !self.wears() {
             return Ok(0.0);
         }
-        let lost = (self.normal_reaction() - force).abs() / force;
+        let mut exchanged = None;
         for _ in 0..MOST_CORRECTIONS {
-            if self.carries(force) {
+            if self.carries(force) && self.members.misfit(self.pose.approach) <= ROUNDING * force {
                 break;
             }
-            let approach = self.approach_under(force, self.guess(force))?.value;
-            if approach == self.pose.approach {
-                break;
+            let approach = self.approach_under(force, self.guess(force))?;
+            if exchanged.is_none() {
+                let change = |(index, contact): (usize, &FrettingContact)| {
+                    (approach.forces[index] - contact.normal_reaction()).abs()
+                };
+                exchanged = Some(self.members.touched().map(change).sum::<f64>() / force);
             }
-            self.go_to(Pose { approach, ..self.pose }, false)?;
+            self.members.press(&self.pose, approach.value)?;
+            self.pose.approach = approach.value;
         }
-        Ok(lost)
+        Ok(exchanged.unwrap_or(0.0))
     }
 }

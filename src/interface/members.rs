@@ -5,7 +5,7 @@
 
 use super::Pose;
 use super::summit::Summit;
-use crate::engine::{FrettingContact, Mark, Memory, Model, SavePoints, unworn_load};
+use crate::engine::{FrettingContact, Mark, Memory, Model, Models, SavePoints, unworn_load};
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
@@ -16,6 +16,12 @@ use std::sync::Arc;
 #[cfg(feature = "threads")]
 const CHUNK: usize = 32;
 
+/// Share of the force of a contact that counts as rounding.
+const ROUNDING: f64 = 1e-12;
+
+/// Share of a change of depth that counts as rounding.
+const TOUCH: f64 = 1e-9;
+
 /// A contact that has touched, or its place.
 type Slot = Option<Box<FrettingContact>>;
 
@@ -25,10 +31,8 @@ pub(super) type Marks = Vec<(usize, Mark)>;
 /// All contacts.
 #[derive(Debug, Clone)]
 pub(super) struct Members {
-    /// That of every contact, under depth control; bodies are apart.
-    model: Arc<Model>,
-    /// Parameters of a contact under force control, for cycles at constant force.
-    at_force: Arc<Parameters>,
+    /// Those of every contact; between two calls it is held at its depth.
+    models: Models,
     summits: Arc<[Summit]>,
     /// Contacts by rising offset.
     order: Arc<[u32]>,
@@ -41,13 +45,48 @@ pub(super) struct Members {
     pub(super) in_threads: bool,
 }
 
+/// How the contacts carry the normal force along a part of a step.
+pub(super) enum Loading {
+    /// Each at its depth under the approach.
+    Depths,
+    /// Each with the force that it carries.
+    Held,
+    /// Under a force that changes.
+    Forces(ForceChange),
+}
+
+/// A straight line in the normal force.
+#[derive(Debug, Clone)]
+pub(super) struct ForceChange {
+    /// The force before and after, N; 0 where the bodies are apart.
+    pub(super) total: (f64, f64),
+    /// Of each contact after it, N.
+    pub(super) forces: Vec<f64>,
+    /// Largest change of the share of a contact that counts as none, relative.
+    pub(super) most_change: f64,
+}
+
+impl ForceChange {
+    /// Whether a contact that carries a force (N) before carries a share of the force that hardly
+    /// changes, from its first touch on where the bodies touch or part: then its force follows a
+    /// straight line, and else nearly its depth does. `depths` are those before and after beyond
+    /// the depth of touch, m.
+    fn is_even(&self, (before, index): (f64, usize), depths: (f64, f64)) -> bool {
+        let after = self.forces[index];
+        let touches =
+            |force: f64, depth: f64| force > 0.0 || depth >= -TOUCH * depths.0.abs().max(depths.1.abs());
+        let (a, b) = (before * self.total.1, after * self.total.0);
+        touches(before, depths.0) && touches(after, depths.1) && (a - b).abs() <= self.most_change * a.max(b)
+    }
+}
+
 /// Normal force (N) and contact radius (m) of all contacts in turn at one approach.
 pub(super) type Loads = Vec<(f64, f64)>;
 
 impl Members {
     pub(super) fn new(parameters: &Parameters, summits: &[Summit]) -> Result<Self, Error> {
         // the body of an ellipse is its equivalent sphere
-        let (model, body) = Model::new(controlled(parameters, NormalControl::Indentation))?;
+        let (models, body) = models(parameters)?;
         // bodies of one size share their profile
         let mut sizes: HashMap<u64, Arc<Profile>> = HashMap::new();
         let mut profiles = Vec::with_capacity(summits.len());
@@ -70,8 +109,7 @@ impl Members {
         let mut order: Vec<u32> = (0..summits.len() as u32).collect();
         order.sort_by(|a, b| summits[*a as usize].offset.total_cmp(&summits[*b as usize].offset));
         Ok(Self {
-            model: Arc::new(model),
-            at_force: Arc::new(controlled(parameters, NormalControl::Force)),
+            models,
             order: order.into(),
             profiles: profiles.into(),
             slots: vec![None; summits.len()],
@@ -112,7 +150,7 @@ impl Members {
 
     /// A contact that has not touched, as it stands in a pose.
     pub(super) fn untouched(&self, index: usize, pose: &Pose) -> FrettingContact {
-        untouched(&self.model, &self.profiles[index], &self.summits[index], pose)
+        untouched(&self.models.at_depth, &self.profiles[index], &self.summits[index], pose)
     }
 
     /// Gives all contacts other parameters after each has taken them over.
@@ -120,10 +158,9 @@ impl Members {
     /// # Errors
     /// Those of [`FrettingContact::new`].
     pub(super) fn share(&mut self, parameters: &Parameters) -> Result<(), Error> {
-        self.model = Arc::new(Model::new(controlled(parameters, NormalControl::Indentation))?.0);
-        self.at_force = Arc::new(controlled(parameters, NormalControl::Force));
+        (self.models, _) = models(parameters)?;
         for contact in self.slots.iter_mut().flatten() {
-            contact.share_parameters(&self.model);
+            contact.share_parameters(&self.models.at_depth);
         }
         Ok(())
     }
@@ -147,7 +184,7 @@ impl Members {
             let depth = approach - self.summits[index].offset;
             let load = match &self.slots[index] {
                 Some(contact) => contact.load_at(depth),
-                None => unworn_load(&self.model, &self.profiles[index], depth),
+                None => unworn_load(&self.models.at_depth, &self.profiles[index], depth),
             };
             load.map_err(|problem| Error::InContact { contact: index + 1, problem: Box::new(problem) })
         };
@@ -204,16 +241,86 @@ impl Members {
         since.max().unwrap_or(0)
     }
 
-    /// Takes every contact from one pose to another by a straight line in depth and displacement.
-    /// `apart`: no contact touches in the end.
-    pub(super) fn advance(&mut self, from: &Pose, to: &Pose, apart: bool) -> Result<(), Error> {
-        self.turn(from, to, |contact, summit, _| {
+    /// Takes every contact from one pose to another.
+    pub(super) fn advance(&mut self, from: &Pose, to: &Pose, loading: &Loading) -> Result<(), Error> {
+        let models = self.models.clone();
+        self.turn(from, to, |contact, summit, index| {
+            let place = summit.displacement(to.displacement, to.rotation);
             let mut depth = to.approach - summit.offset;
-            if apart {
-                depth = depth.min(contact.touch_depth());
+            match loading {
+                Loading::Held if contact.contact_radius() > 0.0 => {
+                    return contact.under_force(&models, |contact| contact.advance_under_load(place));
+                }
+                Loading::Forces(change) => {
+                    let touch = contact.touch_depth();
+                    let depths = (from.approach - summit.offset - touch, depth - touch);
+                    if change.is_even((contact.normal_reaction(), index), depths) {
+                        let force = change.forces[index];
+                        return contact
+                            .under_force(&models, |contact| contact.advance_to_planar(force, place));
+                    }
+                    if change.total.1 == 0.0 {
+                        depth = depth.min(touch);
+                    }
+                }
+                _ => {}
             }
-            contact.advance_to_planar(depth, summit.displacement(to.displacement, to.rotation))
+            contact.advance_to_planar(depth, place)
         })
+    }
+
+    /// Whether every contact carries an even share of the force from one pose to another.
+    pub(super) fn change_evenly(&self, from: &Pose, to: &Pose, change: &ForceChange) -> bool {
+        self.slots.iter().enumerate().all(|(index, slot)| {
+            let (force, touch) = match slot {
+                Some(contact) => (contact.normal_reaction(), contact.touch_depth()),
+                None => (0.0, self.profiles[index].image(0.0)),
+            };
+            let [before, after] = [from, to].map(|pose| pose.approach - self.summits[index].offset - touch);
+            // one that is apart all the time
+            force == 0.0 && change.forces[index] == 0.0 && before < 0.0 && after < 0.0
+                || change.is_even((force, index), (before, after))
+        })
+    }
+
+    /// Presses every contact at rest to a common approach, m.
+    pub(super) fn press(&mut self, pose: &Pose, approach: f64) -> Result<(), Error> {
+        let to = Pose { approach, ..*pose };
+        self.turn(pose, &to, |contact, summit, _| {
+            let depth = approach - summit.offset;
+            let change = (depth - contact.indentation_depth()) * contact.normal_stiffness();
+            if change.abs() <= ROUNDING * contact.normal_reaction() && contact.contact_radius() > 0.0 {
+                return Ok(());
+            }
+            contact.follow_wear_to(depth)
+        })
+    }
+
+    /// Updates the profile of every contact at the force that it carries.
+    pub(super) fn update_profiles(&mut self, pose: &Pose) -> Result<(), Error> {
+        let models = self.models.clone();
+        self.turn(pose, pose, |contact, _, _| contact.under_force(&models, FrettingContact::update_profile))
+    }
+
+    /// Σ |∂F/∂d| |d − dᵢ − zᵢ|, N: what the depths of contacts that touch differ from a common
+    /// approach, m.
+    pub(super) fn misfit(&self, approach: f64) -> f64 {
+        let misfit = |(index, contact): (usize, &FrettingContact)| {
+            let depth = approach - self.summits[index].offset;
+            contact.normal_stiffness() * (depth - contact.indentation_depth()).abs()
+        };
+        self.touched().map(misfit).sum()
+    }
+
+    /// Mean approach of the contacts that touch by their stiffness, m, and the sum of that, N/m.
+    pub(super) fn mean_approach(&self) -> (f64, f64) {
+        let (mut sum, mut total) = (0.0, 0.0);
+        for (index, contact) in self.touched() {
+            let stiffness = contact.normal_stiffness();
+            sum += stiffness * (contact.indentation_depth() + self.summits[index].offset);
+            total += stiffness;
+        }
+        (sum / total, total)
     }
 
     /// Displacement cycles of all contacts at the depths of a pose.
@@ -225,13 +332,33 @@ impl Members {
         })
     }
 
-    /// Normal force (N) of each contact at an approach, m; 0 of those that do not touch.
-    pub(super) fn forces(&self, approach: f64) -> Result<Vec<f64>, Error> {
-        let mut loads = Loads::new();
-        self.loads(approach, &mut loads)?;
+    /// Puts all contacts at the depths of a pose and at the amplitude of cycles, m; those that
+    /// touch only if they are not at one approach.
+    pub(super) fn end_cycles(&mut self, pose: &Pose, amplitude: f64, force: f64) -> Result<(), Error> {
+        let fits = self.misfit(pose.approach) <= ROUNDING * force;
+        self.turn(pose, pose, |contact, summit, _| {
+            contact.set_cycles_on_coating(pose.cycles);
+            if fits && contact.contact_radius() > 0.0 {
+                return Ok(());
+            }
+            contact.advance_cycles(pose.approach - summit.offset, amplitude, 0.0)
+        })
+    }
+
+    /// Normal force (N) of each contact from loads by rising offset, which a change of the approach
+    /// (m) alters little, such that they add up to a sum; 0 of those that do not touch.
+    pub(super) fn forces(&self, loads: &Loads, change: f64, sum: f64) -> Vec<f64> {
+        let scale = self.models.at_depth.force_scale() * change;
         let mut forces = vec![0.0; self.slots.len()];
-        self.order.iter().zip(&loads).for_each(|(index, load)| forces[*index as usize] = load.0);
-        Ok(forces)
+        for (index, (force, radius)) in self.order.iter().zip(loads) {
+            forces[*index as usize] = (force + scale * radius).max(0.0);
+        }
+        // by the largest: equal contacts carry the same to the bit, whatever their number
+        let largest = forces.iter().copied().fold(0.0, f64::max);
+        forces.iter_mut().for_each(|force| *force /= largest);
+        let shares = forces.iter().sum::<f64>();
+        forces.iter_mut().for_each(|share| *share = sum * *share / shares);
+        forces
     }
 
     /// Displacement cycles of each contact at a constant force of its own, N; those of a contact
@@ -243,11 +370,12 @@ impl Members {
         amplitude: f64,
         cycles: f64,
     ) -> Result<(), Error> {
-        let at_force = self.at_force.clone();
+        let models = self.models.clone();
         self.turn(pose, pose, |contact, _, index| {
             contact.set_cycles_on_coating(pose.cycles);
-            if forces[index] > 0.0 {
-                contact.advance_cycles_at_force(&at_force, forces[index], amplitude, cycles)
+            let force = forces[index];
+            if force > 0.0 {
+                contact.under_force(&models, |contact| contact.advance_cycles(force, amplitude, cycles))
             } else {
                 Ok(())
             }
@@ -255,14 +383,20 @@ impl Members {
     }
 
     /// Lifts all contacts off and presses them down in a pose, so that none carries a tangential
-    /// force.
-    pub(super) fn start(&mut self, pose: &Pose, apart: bool) -> Result<(), Error> {
-        self.turn(pose, pose, |contact, summit, _| {
+    /// force: to a force each, N, or to their depths.
+    pub(super) fn start(&mut self, pose: &Pose, forces: Option<&[f64]>) -> Result<(), Error> {
+        let models = self.models.clone();
+        self.turn(pose, pose, |contact, summit, index| {
             let mut depth = pose.approach - summit.offset;
-            if apart {
+            let place = summit.displacement(pose.displacement, pose.rotation);
+            if let Some(forces) = forces {
+                let force = forces[index];
+                if force > 0.0 {
+                    return contact.under_force(&models, |contact| contact.start_at_planar(force, place));
+                }
                 depth = depth.min(contact.touch_depth());
             }
-            contact.start_at_planar(depth, summit.displacement(pose.displacement, pose.rotation))
+            contact.start_at_planar(depth, place)
         })
     }
 
@@ -273,7 +407,8 @@ impl Members {
         to: &Pose,
         change: impl Fn(&mut FrettingContact, &Summit, usize) -> Result<(), Error> + Sync,
     ) -> Result<(), Error> {
-        let (model, summits, profiles) = (self.model.clone(), self.summits.clone(), self.profiles.clone());
+        let (model, summits, profiles) =
+            (self.models.at_depth.clone(), self.summits.clone(), self.profiles.clone());
         self.each(|index, slot, memory| {
             let summit = &summits[index];
             if slot.is_none() && to.approach <= summit.offset {
@@ -311,9 +446,12 @@ impl Members {
     }
 }
 
-/// Parameters of a contact: each is held at its depth, or at its force.
-fn controlled(parameters: &Parameters, normal_control: NormalControl) -> Parameters {
-    Parameters { normal_control, ..parameters.clone() }
+/// Models of a contact, and its body.
+fn models(parameters: &Parameters) -> Result<(Models, Profile), Error> {
+    let model = |normal_control| Model::new(Parameters { normal_control, ..parameters.clone() });
+    let (at_depth, body) = model(NormalControl::Indentation)?;
+    let (at_force, _) = model(NormalControl::Force)?;
+    Ok((Models { at_depth: Arc::new(at_depth), at_force: Arc::new(at_force) }, body))
 }
 
 fn untouched(model: &Arc<Model>, profile: &Arc<Profile>, summit: &Summit, pose: &Pose) -> FrettingContact {

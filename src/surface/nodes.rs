@@ -100,13 +100,6 @@ impl Nodes {
         self.mesh.as_deref().copied()
     }
 
-    /// Lets the contact of the mesh be that of its depth, where it was that of its load.
-    pub(super) fn control_by_depth(&mut self) {
-        if let Some(place) = &mut self.mesh {
-            place.contact.control = place.contact.depth;
-        }
-    }
-
     /// Takes new image values with the depths they belong to, and brings the integrals up to date.
     pub(crate) fn set_worn(&mut self, worn_image: Vec<f64>, depth: Vec<f64>, profile: &Profile) {
         self.worn_image = worn_image;

@@ -136,6 +136,17 @@ impl Nodes {
         (inner < self.last()).then_some(inner)
     }
 
+    /// The outermost cell whose inner end has a load integral of the whole profile of `load` (m²)
+    /// at most, and whose outer end has a larger one.
+    pub(crate) fn outermost_cell_below_load(&self, profile: &Profile, load: f64) -> Option<usize> {
+        if self.worn_load.len() != self.x.len() {
+            return None;
+        }
+        let is_below = |(x, worn): (&f64, &f64)| profile.load_integral(*x) + worn <= load;
+        let inner = self.x.iter().zip(&self.worn_load).rposition(is_below)?;
+        (inner < self.last()).then_some(inner)
+    }
+
     /// The worn image along a cell.
     pub(crate) fn cell_line(&self, j: usize) -> CellLine {
         let ends = (self.x[j], self.x[j + 1]);
