@@ -309,15 +309,8 @@ impl Surface {
         if let Some((nodes, cell)) =
             self.worn().and_then(|nodes| Some((nodes, nodes.outermost_cell_below_load(&self.profile, load)?)))
         {
-            let line = nodes.cell_line(cell);
-            let ((low, high), profile) = (line.ends, &self.profile);
-            return Ok(roots::of_rising(low, high, |x| {
-                let (worn, slope) = if line.holds(x) {
-                    (line.parts(x).1, line.slope_at(x))
-                } else {
-                    (nodes.worn_part(x).1, nodes.worn_slope(x))
-                };
-                (profile.load_integral(x) + worn - load, x * (profile.image_slope(x) + slope))
+            return Ok(self.root_in_cell(nodes, cell, |x, (_, worn), slope| {
+                (self.profile.load_integral(x) + worn - load, x * slope)
             }));
         }
         let (low, high) = self.bracket(outer, |x| self.load(x), load);
@@ -338,20 +331,33 @@ impl Surface {
         if let Some((nodes, cell)) =
             self.worn().and_then(|nodes| Some((nodes, nodes.outermost_cell_below(depth)?)))
         {
-            // the cell is known: no search for it at each radius
-            let line = nodes.cell_line(cell);
-            let ((low, high), profile) = (line.ends, &self.profile);
-            return Ok(roots::of_rising(low, high, |x| {
-                let (image, slope) = if line.holds(x) {
-                    (line.parts(x).0, line.slope_at(x))
-                } else {
-                    (nodes.worn_part(x).0, nodes.worn_slope(x))
-                };
-                (profile.image(x) + image - depth, profile.image_slope(x) + slope)
+            return Ok(self.root_in_cell(nodes, cell, |x, (worn, _), slope| {
+                (self.profile.image(x) + worn - depth, slope)
             }));
         }
         let (low, high) = self.bracket(outer, |x| self.image(x), depth);
         Ok(roots::of_rising(low, high, |x| (self.image(x) - depth, self.image_slope(x))))
+    }
+
+    /// The radius in a cell at which a quantity that rises with it is zero: value and slope of the
+    /// quantity at a radius, from the worn parts of image and load integral there and the slope of
+    /// the image. The cell is known, so that it is not looked for at each radius.
+    fn root_in_cell(
+        &self,
+        nodes: &Nodes,
+        cell: usize,
+        quantity: impl Fn(f64, (f64, f64), f64) -> (f64, f64),
+    ) -> f64 {
+        let line = nodes.cell_line(cell);
+        let (low, high) = line.ends;
+        roots::of_rising(low, high, |x| {
+            let (worn, slope) = if line.holds(x) {
+                (line.parts(x), line.slope_at(x))
+            } else {
+                (nodes.worn_part(x), nodes.worn_slope(x))
+            };
+            quantity(x, worn, self.profile.image_slope(x) + slope)
+        })
     }
 
     /// The contact has reached the end of the body: an edge for the punch, an error for a table.
