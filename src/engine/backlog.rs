@@ -6,6 +6,7 @@ use crate::friction::{SlipPiece, Springs};
 use crate::surface::{Contact, FrontMotion, Nodes, Surface};
 use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
 use nalgebra::Vector2;
+use std::mem::take;
 
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
 pub(super) const MOST_SCALE: f64 = 1.5;
@@ -17,7 +18,7 @@ impl FrettingContact {
     /// Memory for the slip of a line, where it is wanted for wear.
     pub(super) fn take_slips(&mut self) -> Option<Vec<SlipPiece>> {
         self.state.wear.as_ref()?;
-        let mut slips = std::mem::take(&mut self.memory.get().slips);
+        let mut slips = take(&mut self.memory.get().slips);
         slips.clear();
         Some(slips)
     }
@@ -191,12 +192,20 @@ impl FrettingContact {
         }
     }
 
-    /// Defers the wear of the whole backlog.
-    pub(super) fn defer_backlog(&mut self) {
-        self.view.forget();
-        if let Some(wear) = &mut self.state.wear {
-            wear.deferred_work += wear.backlog.take().work;
+    /// Wears the backlog off before a motion to a load. A profile that cannot follow under the
+    /// present one may do so under less, as at the end of a table: then the wear is deferred.
+    ///
+    /// # Errors
+    /// As [`Self::absorb_backlog`], where the load does not fall.
+    pub(super) fn update_before(&mut self, value: f64) -> Result<(), Error> {
+        let updated = self.transaction(|this| this.bounded(Self::absorb_backlog));
+        if updated.is_ok() || value >= self.state.contact.control {
+            return updated;
         }
+        self.view.forget();
+        let work = self.state.wear.as_mut().map_or(0.0, |wear| wear.backlog.take().work);
+        self.defer(work);
+        Ok(())
     }
 
     /// Counts work of friction, J.
@@ -356,19 +365,8 @@ impl FrettingContact {
     fn rest_on_worn(&mut self, old: &Surface, zone: (f64, f64)) -> Result<f64, Error> {
         let to = self.contact_at(self.state.contact.control)?;
         let stored = self.stored_energy();
-        if self.state.planar.is_some() {
-            self.rest_in_plane(to);
-        } else {
-            let moved = self.state.springs.moved_to(old, &self.surface);
-            let path = self.path_to(to, self.state.displacement);
-            let (mut springs, _) = moved.walk(&path, Springs::default(), None);
-            if zone.1 != 0.0 && !to.is_open() {
-                springs.follow_bound(zone, &to, self.model.bound_slope, self.state.displacement);
-            }
-            springs.simplify(&to, self.model.bound_slope);
-            (self.state.springs, self.state.contact) = (springs, to);
-            self.state.reach = self.state.reach.max(to.radius);
-        }
+        let moved = self.state.springs.moved_to(old, &self.surface);
+        self.rest_in(to, moved, zone);
         let limit = self.update_limit();
         if let Some(wear) = &mut self.state.wear {
             wear.limit = limit;
@@ -383,21 +381,31 @@ impl FrettingContact {
     /// Those of the normal contact.
     pub(super) fn sink_to(&mut self, depth: f64) -> Result<(), Error> {
         let to = self.contact_at(depth)?;
+        let zone = self.state.springs.slip_zone(
+            &self.state.contact,
+            self.model.bound_slope,
+            self.state.displacement,
+        );
+        let springs = take(&mut self.state.springs);
+        self.rest_in(to, springs, zone);
+        Ok(())
+    }
+
+    /// A row of springs in another contact at the present displacement, where those of a zone have
+    /// followed their bound.
+    fn rest_in(&mut self, to: Contact, from: Springs, zone: (f64, f64)) {
         if self.state.planar.is_some() {
-            self.rest_in_plane(to);
-            return Ok(());
+            return self.rest_in_plane(to);
         }
         let (slope, displacement) = (self.model.bound_slope, self.state.displacement);
-        let zone = self.state.springs.slip_zone(&self.state.contact, slope, displacement);
-        let spare = std::mem::take(&mut self.memory.get().springs);
-        let (mut springs, _) = self.state.springs.walk(&self.path_to(to, displacement), spare, None);
-        if zone.1 != 0.0 {
+        let spare = take(&mut self.memory.get().springs);
+        let (mut springs, _) = from.walk(&self.path_to(to, displacement), spare, None);
+        if zone.1 != 0.0 && !to.is_open() {
             springs.follow_bound(zone, &to, slope, displacement);
         }
         springs.simplify(&to, slope);
-        self.memory.get().springs = std::mem::replace(&mut self.state.springs, springs);
-        self.state.contact = to;
+        self.memory.get().springs = from;
+        (self.state.springs, self.state.contact) = (springs, to);
         self.state.reach = self.state.reach.max(to.radius);
-        Ok(())
     }
 }

@@ -158,22 +158,10 @@ impl FrettingContact {
         if !self.update_is_due(self.direction_to(displacement)) {
             return self.walk_on(value, displacement, splits);
         }
-        let updated = self.transaction(|this| {
+        self.transaction(|this| {
             this.bounded(|this| {
-                this.absorb_backlog()?;
+                this.update_before(value)?;
                 this.walk_on(value, displacement, splits)
-            })
-        });
-        // a profile that cannot follow under this load may do so under less
-        updated.or_else(|error| {
-            if value >= self.state.contact.control {
-                return Err(error);
-            }
-            self.transaction(|this| {
-                this.bounded(|this| {
-                    this.defer_backlog();
-                    this.walk_on(value, displacement, splits)
-                })
             })
         })
     }

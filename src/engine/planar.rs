@@ -110,9 +110,6 @@ impl FrettingContact {
             self.state.displacement_y = place.y;
             return Ok(());
         }
-        if self.state.planar.is_none() {
-            self.enter_plane()?;
-        }
         self.slip_in_plane(value, place, MOST_HALVINGS)
     }
 
@@ -121,9 +118,12 @@ impl FrettingContact {
         self.direction_in_plane().dot(&(place - self.place())) < 0.0
     }
 
-    /// Takes the row of knots over into one of vectors, after what the line so far has worn has
-    /// been taken off.
+    /// Takes the row of knots, if there is one, over into one of vectors, after what the line so
+    /// far has worn has been taken off.
     fn enter_plane(&mut self) -> Result<(), Error> {
+        if self.state.planar.is_some() {
+            return Ok(());
+        }
         self.absorb_backlog()?;
         if self.state.direction == 0.0 {
             self.begin_stroke();
@@ -188,21 +188,14 @@ impl FrettingContact {
         Ok(PlanarEnd { to, row, work })
     }
 
-    /// Walks one piece; where it wears more than the profile can take at once, in halves, after
-    /// each of which the profile follows.
+    /// Walks one piece, after the profile has followed where that is due; where it wears more than
+    /// the profile can take at once, in halves.
     fn slip_in_plane(&mut self, value: f64, place: Vector2<f64>, halvings: u32) -> Result<(), Error> {
+        self.enter_plane()?;
         if self.update_is_due(0.0) {
-            let updated = self.transaction(|this| this.bounded(Self::absorb_backlog));
-            if updated.is_err() {
-                if value >= self.state.contact.control {
-                    return updated;
-                }
-                self.defer_backlog();
-            }
-            if self.state.planar.is_none() {
-                // the body has worn free
-                self.enter_plane()?;
-            }
+            self.update_before(value)?;
+            // the body may have worn free
+            self.enter_plane()?;
         }
         let end = self.try_in_plane(value, place)?;
         if self.state.wear.is_some() && end.work > 0.0 {
@@ -216,9 +209,6 @@ impl FrettingContact {
             if far && halvings > 0 && middle != place && middle != self.place() {
                 let between = 0.5 * (self.state.contact.control + value);
                 self.slip_in_plane(between, middle, halvings - 1)?;
-                if self.state.planar.is_none() {
-                    self.enter_plane()?;
-                }
                 return self.slip_in_plane(value, place, halvings - 1);
             }
             let moved = place - self.place();

@@ -91,9 +91,7 @@ impl FrettingContact {
             // what holds the body holds no force then
             return self.walk_in_plane(value, drive);
         }
-        if self.state.planar.is_none() {
-            self.enter_plane()?;
-        }
+        self.enter_plane()?;
         let found = self.balance(value, drive, Equilibrium::near(self.place()))?;
         self.follow_to(value, drive, found, MOST_HALVINGS)
     }
