@@ -62,10 +62,12 @@ pub enum Error {
     },
     /// Motion that a rigid body on several contacts cannot follow in one call.
     #[error(
-        "the interface wears too fast: {share:.3} of the normal force is lost in one part of the step ({what}), and smaller          parts than 1/{parts} of it are not tried: take smaller steps, or check wear_coefficient and hardness"
+        "the interface wears too fast: {share:.3} of the normal force passes between contacts in one part of the step \
+         ({what}), and smaller parts than 1/{parts} of it are not tried: take smaller steps, or check wear_coefficient \
+         and hardness"
     )]
     InterfaceOutrun {
-        /// Share of the normal force that the wear of the last part took.
+        /// Share of the normal force that the wear of the last part moved between contacts.
         share: f64,
         /// What was asked for.
         what: String,
