@@ -10,9 +10,10 @@ type End = (f64, f64);
 /// A share of the way whose motion changes T by rounding.
 const NEAR: f64 = 1e-10;
 
-/// Change of T where the share of the way at which a step ends goes by an update of the profile, in
-/// μF_N: the largest for ends on the way and next to its start on either side.
-fn jump(before: &FrettingContact, from: End, to: End) -> f64 {
+/// Change of T by an update of the profile, in μF_N: from the state before the step to an end next
+/// to it, or where the share of the way at which the step ends goes by an update; and the largest
+/// between two ends of one step next to each other, on the way and at its start.
+fn change_and_jump(before: &FrettingContact, from: End, to: End) -> (f64, f64) {
     let at = |share: f64| {
         let mut contact = before.clone();
         let place = from.1 + share * (to.1 - from.1);
@@ -33,22 +34,26 @@ fn jump(before: &FrettingContact, from: End, to: End) -> f64 {
         }
         force(high) - force(low)
     };
-    across.abs().max(on_the_way.abs()) / (before.parameters().friction_coefficient * from.0.min(to.0))
+    let at_once = force(NEAR) - before.tangential_force();
+    let jump = across.abs().max(on_the_way.abs());
+    let unit = before.parameters().friction_coefficient * from.0.min(to.0);
+    (at_once.abs().max(jump) / unit, jump / unit)
 }
 
-/// Largest jump of T on a way, and the number of updates.
-fn largest_jump(parameters: Parameters, ends: impl Iterator<Item = End>) -> (f64, u32) {
+/// The largest of both on a way, and the number of updates.
+fn largest(parameters: Parameters, ends: impl Iterator<Item = End>) -> ((f64, f64), u32) {
     let mut contact = contact(parameters);
     let mut ends = ends.peekable();
     let mut last = (ends.peek().expect("a way").0, 0.0);
     contact.start_at(last.0, 0.0).expect("the load is carried");
-    let (mut most, mut updates) = (0.0_f64, 0);
+    let (mut most, mut updates) = ((0.0_f64, 0.0_f64), 0);
     for end in ends {
         let known = contact.counters().profile_updates;
         let before = contact.clone();
         to(&mut contact, end.0, end.1);
         if contact.counters().profile_updates > known {
-            most = most.max(jump(&before, last, end));
+            let (change, jump) = change_and_jump(&before, last, end);
+            most = (most.0.max(change), most.1.max(jump));
             updates += 1;
         }
         last = end;
@@ -84,17 +89,18 @@ fn the_tangential_force_jumps_by_less_than_the_tolerance() {
                     let load = FORCE + uniform(&mut random, -swing, swing);
                     (load, side * amplitude * uniform(&mut random, 0.2, 1.5))
                 };
-                largest_jump(Parameters { wear_coefficient, ..base }, (1..=steps).map(end))
+                largest(Parameters { wear_coefficient, ..base }, (1..=steps).map(end))
             };
             let ((usual, updates), (fine, more)) = (measure(1e-3), measure(1e-4));
             println!(
-                "{name}, μ {friction_coefficient}: T jumps by {usual:.1e} μF_N in {updates} updates; \
-                 by {fine:.1e} in {more} at a tolerance of 1e-4"
+                "{name}, μ {friction_coefficient}: T changes by {:.1e} μF_N in {updates} updates, between two \
+                 ends of a step by {:.1e}; at a tolerance of 1e-4 by {:.1e} in {more}, and {:.1e}",
+                usual.0, usual.1, fine.0, fine.1
             );
-            assert!(updates > 0 && usual < 1e-3, "{name}: {usual:e}");
-            assert!(more > updates && fine < 2e-4, "{name}: {fine:e}");
+            assert!(updates > 0 && usual.0 < 1e-3, "{name}: {usual:?}");
+            assert!(more > updates && fine.0 < 2e-4, "{name}: {fine:?}");
             if name == "varying load" {
-                assert_eq!((usual, fine), (0.0, 0.0), "{name}");
+                assert_eq!((usual.1, fine.1), (0.0, 0.0), "{name}");
             }
         }
     }
