@@ -106,16 +106,15 @@ impl FrettingContact {
     /// contacts up to a radius (m). The first is a node or, on an unworn body, the end of a zone
     /// whose width is a power of two, so that nodes serve many steps.
     fn span_of_slip(&self, front: f64, radius: f64) -> (f64, f64) {
-        let outer = radius.max(self.state.reach);
         let inner = self.radius_of_front(front, radius);
-        let start = match self.surface.worn() {
-            Some(nodes) => nodes.node_within_wear(inner),
+        match self.surface.worn() {
+            Some(nodes) => (nodes.node_within_wear(inner), radius.max(nodes.served_radius())),
             None => {
+                let outer = radius.max(self.state.reach);
                 let share = (1.0 - inner / outer).clamp(NARROWEST, 1.0);
-                outer * (1.0 - share.log2().ceil().exp2())
+                (outer * (1.0 - share.log2().ceil().exp2()), outer)
             }
-        };
-        (start, outer)
+        }
     }
 
     /// Sets the present surface with nodes over a span of radii, and their transforms.

@@ -179,6 +179,11 @@ impl Nodes {
         }
     }
 
+    /// Largest radius (m) of a contact beyond which enough nodes lie.
+    pub(crate) fn served_radius(&self) -> f64 {
+        self.x[self.last().saturating_sub(SPARE)]
+    }
+
     /// The last node (m) neither beyond a radius nor beyond the first worn node.
     pub(crate) fn node_within_wear(&self, radius: f64) -> f64 {
         let worn = self.depth.iter().position(|depth| *depth > 0.0).unwrap_or(self.last());
@@ -241,7 +246,7 @@ impl Nodes {
     /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each,
     /// up to 1/resolution of their radius.
     fn extend_beyond(&mut self, a: f64, outer: f64) {
-        while self.x[self.last().saturating_sub(SPARE)] <= a && self.x[self.last()] < outer {
+        while self.served_radius() <= a && self.x[self.last()] < outer {
             let end = self.x[self.last()];
             let even = end / self.resolution as f64;
             let width = (1.02 * (end - self.x[self.last() - 1])).min(even);
