@@ -173,22 +173,37 @@ fn a_refused_step_leaves_no_trace() {
     }
 }
 
+/// A saved state of `contact` with one number in another's place.
+fn changed(contact: &FrettingContact, place: &str, number: f64) -> Result<(), Error> {
+    let mut saved = serde_json::to_value(contact.snapshot()).unwrap();
+    *saved.pointer_mut(place).expect("the state has this part") = number.into();
+    contact.clone().restore(&serde_json::from_value(saved).unwrap())
+}
+
 /// Bodies that are apart rub on nothing: a state that says otherwise would be worn off a contact of
 /// no size.
 #[test]
 fn a_state_with_work_between_bodies_apart_is_refused() {
     let mut contact = FrettingContact::new(Parameters::default()).unwrap();
     contact.start_at(-1.0, 0.0).unwrap();
-    let saved = serde_json::to_value(contact.snapshot()).unwrap();
-    let taken = |value: serde_json::Value| -> Result<(), fretting_contact::Error> {
-        contact.clone().restore(&serde_json::from_value(value).unwrap())
-    };
-    assert_eq!(taken(saved.clone()), Ok(()));
-    let mut changed = saved;
-    let work = changed.pointer_mut("/state/wear/backlog/work").expect("the state has this part");
-    *work = 1e-9.into();
-    let refusal = taken(changed).unwrap_err().to_string();
+    assert_eq!(changed(&contact, "/state/wear/backlog/work", 0.0), Ok(()));
+    let refusal = changed(&contact, "/state/wear/backlog/work", 1e-9).unwrap_err().to_string();
     assert!(refusal.contains("what is still to wear"), "{refusal}");
+}
+
+/// Nodes for the wear of the backlog reach as far as the largest contact in which it slipped.
+#[test]
+fn a_state_with_slip_in_a_contact_larger_than_the_largest_is_refused() {
+    let mut contact = started(Parameters { wear_coefficient: 0.01, ..without_wear(BALL) });
+    for (normal, displacement) in [(FORCE, 1e-6), (FORCE, -1e-6), (2.0 * FORCE, 1e-6)] {
+        to(&mut contact, normal, displacement);
+    }
+    let (radius, largest) = ("/state/wear/backlog/radius", contact.contact_radius());
+    assert_eq!(changed(&contact, radius, largest), Ok(()));
+    let refusal = changed(&contact, radius, 2.0 * largest).unwrap_err().to_string();
+    assert!(refusal.contains("what is still to wear"), "{refusal}");
+    let refusal = changed(&contact, "/state/reach", 1e61).unwrap_err().to_string();
+    assert!(refusal.contains("out of range"), "{refusal}");
 }
 
 /// On fine meshes the image behind the front rises in a cell as narrow as the rounding of its

@@ -5,6 +5,7 @@ use crate::engine::FrettingContact;
 use crate::engine::planar::Planar;
 use crate::engine::state::WearState;
 use crate::friction::{Knot, PlanarKnot, Springs};
+use crate::range;
 use crate::surface::{Contact, Place, Surface};
 use crate::wear::Sliding;
 use nalgebra::Vector2;
@@ -96,7 +97,8 @@ impl Snapshot {
             && self.state.former.work <= self.state.work;
         if !(numbers
             && self.state.reach >= self.state.contact.radius
-            && self.state.reach <= target.surface.profile().outer_radius())
+            && self.state.reach <= target.surface.profile().outer_radius()
+            && range::contact(self.state.reach, 0.0, 0.0, 0.0).is_ok())
         {
             return Some("displacement, work or reach are out of range");
         }
@@ -142,7 +144,7 @@ impl Snapshot {
             );
         }
         match &self.state.wear {
-            Some(wear) if !wear.is_sound() => Some("what is still to wear is out of range"),
+            Some(wear) if !wear.is_sound(self.state.reach) => Some("what is still to wear is out of range"),
             _ => None,
         }
     }
@@ -210,8 +212,11 @@ impl Snapshot {
 }
 
 impl WearState {
-    fn is_sound(&self) -> bool {
+    /// Whether these are numbers of a contact that was no larger than a radius, m.
+    fn is_sound(&self, reach: f64) -> bool {
         self.backlog.is_sound()
+            && self.backlog.radius <= reach
+            && self.slip_direction.iter().all(|value| value.is_finite())
             && self.deferred_work.is_finite()
             && amount(self.surplus)
             && [self.limit, self.defect, self.clipped].iter().all(|value| amount(*value))
@@ -223,6 +228,18 @@ impl WearState {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn slip_has_a_finite_direction_in_a_contact_no_larger_than_the_largest() {
+        let mut wear = WearState::default();
+        wear.backlog.radius = 1.0;
+        assert!(wear.is_sound(1.0) && !wear.is_sound(0.99));
+        for value in [f64::NAN, f64::INFINITY] {
+            for slip_direction in [Vector2::new(value, 0.0), Vector2::new(0.0, value)] {
+                assert!(!WearState { slip_direction, ..wear.clone() }.is_sound(1.0), "{slip_direction}");
+            }
+        }
+    }
 
     #[test]
     fn what_has_overflowed_is_close_to_itself_alone() {
