@@ -41,13 +41,24 @@ impl Host {
         // SAFETY: strings end with a null character.
         unsafe {
             let component = fmi2Instantiate(c"states".as_ptr(), 1, guid.as_ptr(), null(), null(), 0, 0);
-            let (mut state, mut size) = (null_mut(), 0);
-            assert_eq!(fmi2GetFMUstate(component, &raw mut state), 0);
-            assert_eq!(fmi2SerializedFMUstateSize(component, state, &raw mut size), 0);
+            let mut host = Self { component, fixed: Vec::new(), left: LIFE };
+            host.fixed = host.saved();
+            host.fixed.truncate(FIXED);
+            host
+        }
+    }
+
+    /// The present state, serialised.
+    fn saved(&self) -> Vec<u8> {
+        let (c, mut state, mut size) = (self.component, null_mut(), 0);
+        // SAFETY: see above.
+        unsafe {
+            assert_eq!(fmi2GetFMUstate(c, &raw mut state), 0);
+            assert_eq!(fmi2SerializedFMUstateSize(c, state, &raw mut size), 0);
             let mut bytes = vec![0u8; size];
-            assert_eq!(fmi2SerializeFMUstate(component, state, bytes.as_mut_ptr().cast(), size), 0);
-            bytes.truncate(FIXED);
-            Self { component, fixed: bytes, left: LIFE }
+            assert_eq!(fmi2SerializeFMUstate(c, state, bytes.as_mut_ptr().cast(), size), 0);
+            assert_eq!(fmi2FreeFMUstate(c, &raw mut state), 0);
+            bytes
         }
     }
 
@@ -71,7 +82,7 @@ impl Host {
         }
     }
 
-    /// Reads, and steps where it `moves`; back again, and the same bits.
+    /// Reads, and steps and saves where it `moves`; back again, and the same bits.
     fn use_it(&self, state: fmi2FMUstate, moves: bool) {
         let (c, mut time, mut cells) = (self.component, 0.0, [0]);
         // SAFETY: see above.
@@ -87,6 +98,7 @@ impl Host {
                 // a step may be refused
                 let _ = fmi2DoStep(c, time, 1e-3, 1);
                 self.outputs();
+                self.saved();
             }
             assert_eq!(fmi2SetFMUstate(c, state), 0);
             assert_eq!(self.outputs().map(f64::to_bits), first.map(f64::to_bits));
