@@ -9,7 +9,7 @@ use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 pub(crate) struct Edge {
     /// Index of the last node with x < a (x ≤ a where the body ends there).
     pub(crate) last: usize,
-    /// Contact radius a, m.
+    /// Radius at which the load ends, m.
     pub(crate) radius: f64,
     /// Whether the load line jumps to zero at the last node (a body that ends there) instead of
     /// falling to zero at a.
@@ -17,10 +17,24 @@ pub(crate) struct Edge {
 }
 
 impl Edge {
-    pub(crate) fn new(nodes: &Nodes, contact: &Contact, outer_radius: f64) -> Self {
-        let jump = contact.radius >= outer_radius;
-        let inside = nodes.x().partition_point(|&x| x < contact.radius || (jump && x <= contact.radius));
-        Self { last: inside.max(1) - 1, radius: contact.radius, jump }
+    /// The edge of a contact with `more` worn depth (m) on top of that of the nodes.
+    ///
+    /// Where the contact grows over nodes that have not worn, the image rises steeply behind the
+    /// wear, and the line to the next node meets the depth too early. There the load ends where the
+    /// worn depth, on its line from inside, comes to zero.
+    pub(crate) fn new(nodes: &Nodes, more: &[f64], contact: &Contact, outer_radius: f64) -> Self {
+        let (x, mut radius) = (nodes.x(), contact.radius);
+        let jump = radius >= outer_radius;
+        let last = x.partition_point(|&x| x < radius || (jump && x <= radius)).max(1) - 1;
+        let depth = |i: usize| nodes.depth()[i] + more.get(i).copied().unwrap_or(0.0);
+        if !jump && last > 0 && last + 1 < x.len() && depth(last + 1) == 0.0 {
+            let fall = depth(last - 1) - depth(last);
+            if fall > 0.0 {
+                let end = x[last] + (x[last] - x[last - 1]) * depth(last) / fall;
+                radius = radius.max(end.min(x[last + 1]));
+            }
+        }
+        Self { last, radius, jump }
     }
 
     /// Weight of the load at the last node in the pressure at node i, 1/m, from the piece behind

@@ -75,7 +75,7 @@ impl SlipFields {
         (law, images, contact): (&SlipAtDepth, &[f64], &Contact),
         constants: &Constants,
     ) -> f64 {
-        let edge = Edge::new(nodes, contact, surface.profile().outer_radius());
+        let edge = Edge::new(nodes, &[], contact, surface.profile().outer_radius());
         let load: Vec<f64> =
             images.iter().map(|g| constants.normal_modulus * (contact.depth - g).max(0.0)).collect();
         let pressure = pressure_nodes(transforms, nodes.x(), &load, &edge);

@@ -92,7 +92,7 @@ impl FirstOrderWear {
             let Some(contact) = contact.filter(|contact| !contact.is_open()) else { continue };
             let is_moved = level.contact != Some(contact);
             if is_moved || level.is_stale {
-                let edge = Edge::new(nodes, &contact, surface.profile().outer_radius());
+                let edge = Edge::new(nodes, &[], &contact, surface.profile().outer_radius());
                 let inside = &self.images[..=edge.last];
                 self.values.clear();
                 // springs out of contact have gone along with the body, as those at the edge have

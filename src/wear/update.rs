@@ -78,7 +78,7 @@ pub(crate) fn worn_depth(
         unworn,
         reference: Vec::new(),
     };
-    (solver.reference, _) = solver.pressure(&present, nodes.worn_image());
+    (solver.reference, _) = solver.pressure(&present, nodes.worn_image(), &[]);
     let whole: Vec<f64> = fields.work_per_area.iter().map(|work| constants.wear_per_work * work).collect();
     let (mut done, mut part) = (0.0, 1.0);
     let mut left = vec![0.0; count];
@@ -124,8 +124,8 @@ struct Trial {
 }
 
 impl Solver<'_> {
-    fn pressure(&self, contact: &Contact, worn: &[f64]) -> (Vec<f64>, Edge) {
-        let edge = Edge::new(self.nodes, contact, self.surface.profile().outer_radius());
+    fn pressure(&self, contact: &Contact, worn: &[f64], more: &[f64]) -> (Vec<f64>, Edge) {
+        let edge = Edge::new(self.nodes, more, contact, self.surface.profile().outer_radius());
         let load: Vec<f64> = (0..=edge.last)
             .map(|i| self.constants.normal_modulus * (contact.depth - self.unworn[i] - worn[i]).max(0.0))
             .collect();
@@ -153,7 +153,7 @@ impl Solver<'_> {
                 trial.set_worn(Some(moved));
                 trial.contact(self.control, self.present.control, 2.0 * normal_modulus)?
             };
-            let (now, edge) = self.pressure(&contact, &worn);
+            let (now, edge) = self.pressure(&contact, &worn, &depth);
             // a trial that wears so much that the contact opens has no pressure to go on with; a
             // body held in depth may wear free
             if contact.is_open() || self.first > edge.last {

@@ -33,7 +33,7 @@ fn slid(surface: &Surface, contact: &Contact, tables: &NodeTransforms, front: f6
     let nodes = surface.worn().expect("the scene has nodes");
     let load: Vec<f64> =
         nodes.x().iter().map(|&x| E_STAR * (contact.depth - surface.image(x)).max(0.0)).collect();
-    let mut pressure = pressure_nodes(tables, nodes.x(), &load, &Edge::new(nodes, contact, f64::INFINITY));
+    let mut pressure = pressure_nodes(tables, nodes.x(), &load, &Edge::new(nodes, &[], contact, f64::INFINITY));
     pressure.resize(nodes.x().len(), 0.0);
     let slips = |x: f64| if x > front * contact.radius * (1.0 + 1e-9) { path } else { 0.0 };
     let slip_path: Vec<f64> = nodes.x().iter().map(|x| slips(*x)).collect();
@@ -57,7 +57,7 @@ fn the_pressure_at_the_nodes_is_hertzs() {
         let nodes = surface.worn().expect("the scene has nodes");
         let load: Vec<f64> =
             nodes.x().iter().map(|&x| E_STAR * (contact.depth - surface.image(x)).max(0.0)).collect();
-        let edge = Edge::new(nodes, &contact, f64::INFINITY);
+        let edge = Edge::new(nodes, &[], &contact, f64::INFINITY);
         let central = 2.0 * E_STAR * contact.radius / (PI * 0.01);
         for (x, p) in nodes.x().iter().zip(pressure_nodes(&tables, nodes.x(), &load, &edge)) {
             let hertz = central * (1.0 - (x / contact.radius).powi(2)).max(0.0).sqrt();
