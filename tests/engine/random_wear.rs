@@ -27,7 +27,9 @@ fn begin(parameters: &Parameters, cells: usize) -> (FrettingContact, WearingRow)
 /// What the two make of a history, side by side.
 #[derive(Debug)]
 struct Outcome {
-    /// V of the engine over that of the row, less 1.
+    /// V of the engine, m³.
+    worn: f64,
+    /// The same over that of the row, less 1.
     volume: f64,
     /// Largest difference of the worn profile, d₀.
     profile: f64,
@@ -56,8 +58,9 @@ fn compare(parameters: &Parameters, (cells, steps): (usize, usize), history: &Hi
     let profile = row.worn_profile().map(|(r, w)| (contact.worn_depth_at(r) - w).abs()).fold(0.0, f64::max);
     let missed = contact.profile_volume() / contact.wear_volume() - 1.0;
     assert!(missed.abs() < 1e-3, "the profile misses {missed:e} of the volume");
-    let volume = contact.wear_volume() / row.worn_volume() - 1.0;
-    let outcome = Outcome { volume, profile: profile / start.normal.depth(), force };
+    let worn = contact.wear_volume();
+    let volume = worn / row.worn_volume() - 1.0;
+    let outcome = Outcome { worn, volume, profile: profile / start.normal.depth(), force };
     println!("{outcome:?}; {}", contact.counters());
     outcome
 }
@@ -75,27 +78,43 @@ fn random(lines: usize, loads: (f64, f64), amplitudes: (f64, f64)) -> History {
     (0..lines).map(|n| (share(loads), side(n) * share(amplitudes))).collect()
 }
 
-/// V of the engine over that of a row extrapolated to no spacing, less 1: rows of 480 springs agree
-/// with that to 1e-3, where one of 240 is 0.3 to 0.7 % low.
-fn against_no_spacing(outcome: &Outcome, history: &History) -> f64 {
+/// V (m³) of a row extrapolated to no spacing, from two of which one has twice the springs and the
+/// steps of the other.
+fn without_spacing(history: &History, (cells, steps): (usize, usize)) -> f64 {
     let row = |cells: usize, steps: usize| {
         let (_, mut row) = begin(&usual(), cells);
         let full = exact(&BALL, FORCE).full_slip();
         history.iter().for_each(|(load, place)| row.walk(load * FORCE, place * full, steps));
         row.worn_volume()
     };
-    let (coarse, fine) = (row(120, 12), row(240, 24));
-    let volume = (1.0 + outcome.volume) * fine / (2.0 * fine - coarse) - 1.0;
-    println!("against no spacing {volume:+.2e}");
-    volume
+    2.0 * row(2 * cells, 2 * steps) - row(cells, steps)
+}
+
+fn random_amplitudes() -> History {
+    random(300, (1.0, 1.0), (0.1, 0.9))
+}
+
+/// V of [`random_amplitudes`], m³, to 5e-4. Rows of springs come to it slowly from below: 240, 480
+/// and 960 springs are 0.24, 0.13 and 0.05 % low. A second discretisation (w linear in r², contact
+/// edge between the nodes, trapezoidal rule in time, cells of 2.5e-4 a₀ at the edge) comes to it
+/// from above.
+fn exact_volume() -> f64 {
+    let start = exact(&BALL, FORCE).normal;
+    0.3949 * start.radius().powi(2) * start.depth()
 }
 
 #[test]
 fn random_amplitudes_at_constant_load() {
-    let history = random(300, (1.0, 1.0), (0.1, 0.9));
-    let outcome = compare(&usual(), (240, 24), &history);
+    let outcome = compare(&usual(), (240, 24), &random_amplitudes());
     outcome.assert_within_a_percent();
-    assert!(against_no_spacing(&outcome, &history).abs() < 1e-2);
+    close_to(outcome.worn, exact_volume(), 5e-3, "V");
+}
+
+/// Takes a minute: `cargo test --test engine springs_make_the_exact -- --ignored`.
+#[test]
+#[ignore = "the value that it makes is recorded"]
+fn many_springs_make_the_exact_volume() {
+    close_to(without_spacing(&random_amplitudes(), (480, 24)), exact_volume(), 5e-4, "V");
 }
 
 #[test]
@@ -103,7 +122,7 @@ fn random_amplitudes_under_random_loads() {
     let history = random(300, (0.5, 1.5), (0.1, 0.9));
     let outcome = compare(&usual(), (240, 24), &history);
     outcome.assert_within_a_percent();
-    assert!(against_no_spacing(&outcome, &history).abs() < 2e-3);
+    close_to(outcome.worn, without_spacing(&history, (120, 12)), 2e-3, "V");
 }
 
 #[test]

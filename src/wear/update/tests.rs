@@ -33,7 +33,8 @@ fn slid(surface: &Surface, contact: &Contact, tables: &NodeTransforms, front: f6
     let nodes = surface.worn().expect("the scene has nodes");
     let load: Vec<f64> =
         nodes.x().iter().map(|&x| E_STAR * (contact.depth - surface.image(x)).max(0.0)).collect();
-    let mut pressure = pressure_nodes(tables, nodes.x(), &load, &Edge::new(nodes, &[], contact, f64::INFINITY));
+    let mut pressure =
+        pressure_nodes(tables, nodes.x(), &load, &Edge::new(nodes, &[], contact, f64::INFINITY));
     pressure.resize(nodes.x().len(), 0.0);
     let slips = |x: f64| if x > front * contact.radius * (1.0 + 1e-9) { path } else { 0.0 };
     let slip_path: Vec<f64> = nodes.x().iter().map(|x| slips(*x)).collect();
