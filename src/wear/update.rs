@@ -40,8 +40,8 @@ const LEFT: f64 = 0.1;
 const LEAST_PART: f64 = 1.0 / 256.0;
 
 /// Weight of the pressure at the end of an update, θ of the θ-method (E. Hairer, G. Wanner, Solving
-/// Ordinary Differential Equations II, IV.3): half the error of the implicit Euler method, and
-/// stiff waves fall to a third, (1 − θ)/θ, in one update.
+/// Ordinary Differential Equations II, IV.3): half the error of the implicit Euler method, and in
+/// one update stiff waves fall to (1 − θ)/θ, a third.
 const IMPLICIT: f64 = 0.75;
 
 /// Most iterations of a linear system.
@@ -50,8 +50,8 @@ const MOST_KRYLOV: usize = 200;
 /// Worn depth that slip brings, with three quarters of the pressure and the contact edge taken at
 /// the end of the update.
 ///
-/// Solves Δw = (k/σ₀) A + θ κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with the
-/// wear: were it held, a whole update's wear would end at it like a square root, and its image
+/// Solves Δw = (k/σ₀) A + θ κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with
+/// the wear: were it held, a whole update's wear would end at it like a square root, and its image
 /// would have a logarithmic dip there. Where it moves so far that the iteration loses it, the
 /// update is made in parts, halved until they are followed.
 ///
