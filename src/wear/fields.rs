@@ -101,10 +101,9 @@ impl SlipFields {
         nodes.integral_to_edge(&gain, contact.radius)
     }
 
-    /// The same distributions, each times a factor.
-    pub(super) fn scaled(&self, work: f64, path: f64) -> Self {
-        let scaled = |field: &[f64], factor: f64| field.iter().map(|value| value * factor).collect();
-        let (work_per_area, slip_path) = (scaled(&self.work_per_area, work), scaled(&self.slip_path, path));
-        Self { work_per_area, slip_path, ..*self }
+    /// The same distribution with its slip times `factor`.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let scaled = |field: &[f64]| field.iter().map(|value| value * factor).collect();
+        Self { work_per_area: scaled(&self.work_per_area), slip_path: scaled(&self.slip_path), ..*self }
     }
 }

@@ -53,7 +53,8 @@ const MOST_KRYLOV: usize = 200;
 /// Solves Δw = (k/σ₀) A + θ κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with
 /// the wear: were it held, a whole update's wear would end at it like a square root, and its image
 /// would have a logarithmic dip there. Where it moves so far that the iteration loses it, the
-/// update is made in parts, halved until they are followed.
+/// update is made in parts, halved until they are followed; each takes 1 − θ of the pressure at its
+/// own start.
 ///
 /// # Errors
 /// Those of the normal contact; [`Error::NotFinite`] if the system cannot be solved.
@@ -88,7 +89,7 @@ pub(crate) fn worn_depth(
     let (mut done, mut part) = (0.0, 1.0);
     let mut left = vec![0.0; count];
     while done < 1.0 {
-        let trial = solver.part(&fields.scaled(part, IMPLICIT * part), &left, &mut update)?;
+        let trial = solver.part(&fields.scaled(part), &left, &mut update)?;
         if trial.residual > LEFT && part > LEAST_PART {
             part *= 0.5;
             continue;
@@ -146,7 +147,7 @@ impl Solver<'_> {
         let before: Vec<f64> = depth.iter().zip(left).map(|(depth, left)| depth + left).collect();
         let mut best = Trial { depth: depth.clone(), left: left.to_vec(), residual: f64::INFINITY };
         let mut trial = self.surface.clone();
-        let mut start = 0.0;
+        let (mut start, mut start_pressure) = (0.0, Vec::new());
         for iteration in 0..=MOST_NEWTON {
             let change = self.transforms.abel(&depth);
             let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
@@ -169,12 +170,16 @@ impl Solver<'_> {
                     best
                 });
             }
+            if iteration == 0 {
+                start_pressure.clone_from(&now);
+            }
+            let at = |pressure: &[f64], i: usize| pressure.get(i).copied().unwrap_or(0.0);
             let residual: Vec<f64> = (self.first..=edge.last)
                 .map(|i| {
-                    let reference = self.reference.get(i).copied().unwrap_or(0.0);
+                    let pressure = IMPLICIT * now[i] + (1.0 - IMPLICIT) * at(&start_pressure, i);
                     wear_per_work
                         * (part.work_per_area[i]
-                            + friction_coefficient * part.slip_path[i] * (now[i] - reference))
+                            + friction_coefficient * part.slip_path[i] * (pressure - at(&self.reference, i)))
                         + before[i]
                         - depth[i]
                 })
@@ -192,7 +197,8 @@ impl Solver<'_> {
             if share <= ACCURACY || iteration == MOST_NEWTON {
                 break;
             }
-            let system = System::new(nodes.x(), self.transforms, part, self.first, edge, self.constants);
+            let relieved = (part, IMPLICIT);
+            let system = System::new(nodes.x(), self.transforms, relieved, self.first, edge, self.constants);
             let levels = system.levels();
             let solved =
                 krylov::solve(|x| system.apply(x), |r| levels.relax(r), &residual, (REDUCTION, MOST_KRYLOV));
