@@ -72,15 +72,15 @@ pub(crate) fn inverse_at(x: &[f64], v: &[f64], r: f64) -> f64 {
 /// there equals `target`, given v at all nodes before.
 pub(crate) fn abel_last(x: &[f64], v: &[f64], target: f64) -> f64 {
     let last = x.len() - 1;
-    let (mut rest, mut diagonal) = (target - v[0], 1.0);
-    inverse_row(x, x[last], |j, c| {
-        if j + 1 < last {
-            rest -= c * (v[j + 1] - v[j]);
-        } else {
-            diagonal = c;
-        }
-    });
-    v[last - 1] + rest / diagonal
+    let (mut rest, mut far, mut weight) = (target, leg(x[last], x[0]), 0.0);
+    for j in 0..last {
+        rest -= weight * v[j];
+        let (near, width) = (leg(x[last], x[j + 1]), (x[j + 1] - x[j]) * (x[j + 1] + x[j]));
+        let (inner, outer) = cell::image_weights(width, (x[j], far), (x[j + 1], near));
+        rest -= inner * v[j];
+        (far, weight) = (near, outer);
+    }
+    rest / weight
 }
 
 /// Weight K of the pressure transform for a cell [x0, x1] with x0 ≥ r, 1/m.
