@@ -127,8 +127,7 @@ impl Surface {
             let (image, load, square) = self.profile.image_and_integrals(x);
             return Place { x, image, load, square };
         };
-        let (image, load, square) = nodes.parts(&self.profile, x);
-        Place { x, image: self.profile.image(x) + image, load: self.profile.load_integral(x) + load, square }
+        nodes.place_in(&self.profile, nodes.cell(x), x)
     }
 
     /// Image g(x), m.
@@ -192,12 +191,21 @@ impl Surface {
                 x
             };
         }
-        if let Some(x) =
-            self.worn.as_ref().and_then(|nodes| nodes.radius_of_image(&self.profile, image, low, high))
-        {
-            return x;
+        match self.worn().and_then(|nodes| nodes.radius_of_image(&self.profile, image, (low, high))) {
+            Some((x, _)) => x,
+            None => roots::of_rising(low, high, |x| (self.image(x) - image, self.image_slope(x))),
         }
-        roots::of_rising(low, high, |x| (self.image(x) - image, self.image_slope(x)))
+    }
+
+    /// Place in [low, high] where the image takes the value `image`; it rises there.
+    #[inline(always)]
+    pub(crate) fn place_of_image(&self, image: f64, low: f64, high: f64) -> Place {
+        if let Some(nodes) = self.worn()
+            && let Some((x, cell)) = nodes.radius_of_image(&self.profile, image, (low, high))
+        {
+            return nodes.place_in(&self.profile, Some(cell), x);
+        }
+        self.place(self.radius_of_image(image, low, high))
     }
 
     /// The contact under a given load F_N/(2E*), m², or indentation depth, m.
@@ -258,8 +266,7 @@ impl Surface {
         }
         let cell = nodes.outermost_cell_below(depth)?;
         let radius = nodes.radius_in_cell(&self.profile, depth, cell)?;
-        let line = nodes.cell_line(cell);
-        let (image, load) = if line.holds(radius) { line.parts(radius) } else { nodes.worn_part(radius) };
+        let (image, load) = nodes.worn_part_in(Some(cell), radius);
         let overlap = depth - self.profile.image(radius) - image;
         let load = self.profile.load_integral(radius) + load + radius * overlap;
         (load > 0.0 && radius >= range::LEAST_RADIUS).then_some((load, radius))
@@ -306,12 +313,8 @@ impl Surface {
         if outer.is_finite() && load >= self.load(outer) {
             return self.outer_edge(outer, "normal_force", load * force_scale);
         }
-        if let Some((nodes, cell)) =
-            self.worn().and_then(|nodes| Some((nodes, nodes.outermost_cell_below_load(&self.profile, load)?)))
-        {
-            return Ok(self.root_in_cell(nodes, cell, |x, (_, worn), slope| {
-                (self.profile.load_integral(x) + worn - load, x * slope)
-            }));
+        if let Some(x) = self.worn().and_then(|nodes| nodes.radius_at_load(&self.profile, load)) {
+            return Ok(x);
         }
         let (low, high) = self.bracket(outer, |x| self.load(x), load);
         Ok(roots::of_rising(low, high, |x| (self.load(x) - load, x * self.image_slope(x))))
@@ -328,36 +331,14 @@ impl Surface {
         if outer.is_finite() && depth >= self.image(outer) {
             return self.outer_edge(outer, "indentation", depth);
         }
-        if let Some((nodes, cell)) =
-            self.worn().and_then(|nodes| Some((nodes, nodes.outermost_cell_below(depth)?)))
+        if let Some(x) = self
+            .worn()
+            .and_then(|nodes| nodes.radius_in_cell(&self.profile, depth, nodes.outermost_cell_below(depth)?))
         {
-            return Ok(self.root_in_cell(nodes, cell, |x, (worn, _), slope| {
-                (self.profile.image(x) + worn - depth, slope)
-            }));
+            return Ok(x);
         }
         let (low, high) = self.bracket(outer, |x| self.image(x), depth);
         Ok(roots::of_rising(low, high, |x| (self.image(x) - depth, self.image_slope(x))))
-    }
-
-    /// The radius in a cell at which a quantity that rises with it is zero: value and slope of the
-    /// quantity at a radius, from the worn parts of image and load integral there and the slope of
-    /// the image. The cell is known, so that it is not looked for at each radius.
-    fn root_in_cell(
-        &self,
-        nodes: &Nodes,
-        cell: usize,
-        quantity: impl Fn(f64, (f64, f64), f64) -> (f64, f64),
-    ) -> f64 {
-        let line = nodes.cell_line(cell);
-        let (low, high) = line.ends;
-        roots::of_rising(low, high, |x| {
-            let (worn, slope) = if line.holds(x) {
-                (line.parts(x), line.slope_at(x))
-            } else {
-                (nodes.worn_part(x), nodes.worn_slope(x))
-            };
-            quantity(x, worn, self.profile.image_slope(x) + slope)
-        })
     }
 
     /// The contact has reached the end of the body: an edge for the punch, an error for a table.

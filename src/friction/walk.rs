@@ -445,7 +445,7 @@ pub(super) fn between(surface: &Surface, p: &Knot, q: &Knot, share: f64) -> Knot
     let origin = p.origin + share * (q.origin - p.origin);
     if rise > 0.0 {
         let image = p.place.image + share * rise;
-        let place = surface.place(surface.radius_of_image(image, p.place.x, q.place.x));
+        let place = surface.place_of_image(image, p.place.x, q.place.x);
         // at a worn front the image is so steep that the rounding of x would show in it, and move
         // the front from stroke to stroke
         let steep = surface.worn().is_some() && (place.image - image).abs() > 1e-12 * q.place.image.abs();

@@ -135,7 +135,7 @@ impl Nodes {
         for j in 0..self.x.len() {
             self.square.push(square);
             if j < self.last() {
-                square += self.square_between(profile, Some(j), self.x[j], self.x[j + 1]);
+                square += self.square_up_to(profile, Some(j), self.x[j + 1], self.whole[j + 1]);
             }
         }
     }

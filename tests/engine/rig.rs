@@ -373,11 +373,7 @@ fn lived(
 #[test]
 fn a_life_behind_a_rig_takes_few_systems() {
     for profile in [BALL, CONE, ROUNDED] {
-        // where a soft rig lets the front hover, nodes next to it come and go: how often differs
-        // from rig to rig, and with the rounding
-        let soft = [0.09, 0.1, 0.11];
-        let mut systems_of_soft = 0;
-        for ratio in soft.into_iter().chain([0.3, 1.0, 3.0, 10.0]) {
+        for ratio in [0.09, 0.1, 0.11, 0.3, 1.0, 3.0, 10.0] {
             let contact = lived(profile.clone(), (ratio, 1.0), (1e-3, 64));
             let fine = lived(profile.clone(), (ratio, 1.0), (1e-4, 128));
             let what = format!("{profile:?}, rig {ratio}");
@@ -385,14 +381,17 @@ fn a_life_behind_a_rig_takes_few_systems() {
             println!("{what}: V {off:+.1e}, {}", contact.counters());
             assert!(off.abs() < 1.5e-3, "{what}: V off by {off:e}");
             let systems = contact.counters().factorisations;
-            if soft.contains(&ratio) {
-                systems_of_soft += systems;
-            } else {
-                assert!(systems <= 100, "{what}: {}", contact.counters());
-            }
+            assert!(ratio < 0.3 || systems <= 100, "{what}: {}", contact.counters());
             volumes_agree(&contact, &what);
         }
-        assert!(systems_of_soft <= 180 * soft.len() as u64, "{profile:?}: {systems_of_soft}");
+        // where a soft rig lets the front hover, nodes next to it come and go: how often differs
+        // from rig to rig, and with the rounding, by a fifth
+        let systems_of_soft: u64 = (0..32)
+            .map(|k| lived(profile.clone(), (0.08 + 0.00125 * f64::from(k), 1.0), (1e-3, 64)))
+            .map(|contact| contact.counters().factorisations)
+            .sum();
+        println!("{profile:?}, soft rigs: {systems_of_soft} systems");
+        assert!(systems_of_soft <= 180 * 32, "{profile:?}: {systems_of_soft}");
     }
 }
 

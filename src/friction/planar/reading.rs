@@ -86,7 +86,7 @@ impl Standing<'_> {
         if !(fall > 0.0 && rise > 0.0 && image < next.place.image) {
             return if fall > 0.0 && rise > 0.0 { next.place } else { here.place };
         }
-        self.surface.place(self.surface.radius_of_image(image, here.place.x, next.place.x))
+        self.surface.place_of_image(image, here.place.x, next.place.x)
     }
 
     /// Inner edge of the outer zone in which all springs are at their bound: the stick radius, m.

@@ -2,6 +2,7 @@
 
 use super::Nodes;
 use crate::profile::Profile;
+use crate::surface::Place;
 use crate::transform;
 
 /// Most iterations in the search for a radius; bisection alone would need 60.
@@ -27,11 +28,6 @@ pub(crate) struct CellLine {
 }
 
 impl CellLine {
-    /// Whether a radius lies in the cell; its outer end belongs to the next.
-    pub(crate) fn holds(&self, x: f64) -> bool {
-        self.ends.0 <= x && x < self.ends.1
-    }
-
     /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
     pub(crate) fn parts(&self, x: f64) -> (f64, f64) {
         let (x0, slope) = (self.ends.0, self.slope);
@@ -75,39 +71,74 @@ impl Nodes {
     }
 
     /// Cell that holds x, or `None` behind the last node.
-    pub(super) fn cell(&self, x: f64) -> Option<usize> {
+    pub(crate) fn cell(&self, x: f64) -> Option<usize> {
         let above = self.x.partition_point(|&node| node <= x);
         (above < self.x.len()).then(|| above - 1)
     }
 
-    /// Radius between two others at which the whole image takes a value, where a cell between nodes
-    /// holds it and it rises there: Newton's method, kept inside the cell by bisection, from the
-    /// line in X between the nodes, which for a sphere is the image itself.
-    pub(crate) fn radius_of_image(&self, profile: &Profile, image: f64, low: f64, high: f64) -> Option<f64> {
-        let start = self.x.partition_point(|x| *x <= low);
-        let end = self.x.partition_point(|x| *x < high);
-        if self.whole.len() != self.x.len() || start == 0 || start > end {
-            return None;
-        }
-        let above = start + self.whole[start..end].partition_point(|g| *g <= image);
-        Some(self.radius_in_cell(profile, image, above - 1)?.max(low).min(high))
+    /// Radius between two others at which the whole image takes a value, with the cell that holds
+    /// it, where the image rises there between two nodes.
+    pub(crate) fn radius_of_image(
+        &self,
+        profile: &Profile,
+        image: f64,
+        (low, high): (f64, f64),
+    ) -> Option<(f64, usize)> {
+        let cell = self.whole.partition_point(|g| *g <= image).checked_sub(1)?;
+        let x = self.radius_in_cell(profile, image, cell)?;
+        (low <= x && x <= high).then_some((x, cell))
     }
 
     /// Radius in a cell at which the whole image takes a value; `None` where it does not rise
     /// through that.
     pub(crate) fn radius_in_cell(&self, profile: &Profile, image: f64, j: usize) -> Option<f64> {
-        let (x1, g1) = (*self.x.get(j + 1)?, self.whole[j + 1]);
-        let (x0, g0, slope) = (self.x[j], self.whole[j], self.slope(j));
+        let ends = (self.whole[j], *self.whole.get(j + 1)?);
+        self.root_in_cell(j, ends, image, |x, line| {
+            (profile.image(x) + line.parts(x).0, profile.image_slope(x) + line.slope_at(x))
+        })
+    }
+
+    /// The outermost radius at which the load integral of the whole profile takes a value (m²),
+    /// where a cell between two nodes holds it.
+    pub(crate) fn radius_at_load(&self, profile: &Profile, load: f64) -> Option<f64> {
+        let up_to = |j: usize| profile.load_integral(self.x[j]) + self.worn_load[j];
+        let j = (0..self.last()).rev().find(|j| up_to(*j) <= load)?;
+        self.root_in_cell(j, (up_to(j), up_to(j + 1)), load, |x, line| {
+            let slope = profile.image_slope(x) + line.slope_at(x);
+            (profile.load_integral(x) + line.parts(x).1, x * slope)
+        })
+    }
+
+    /// Radius in a cell at which a quantity takes a value; `None` where it does not rise from one
+    /// end to the other through that. Newton's method, kept inside the cell by bisection, from the
+    /// line in X between the ends, which for the image of a sphere is that itself.
+    #[inline]
+    fn root_in_cell(
+        &self,
+        j: usize,
+        (q0, q1): (f64, f64),
+        value: f64,
+        quantity_and_slope: impl Fn(f64, &CellLine) -> (f64, f64),
+    ) -> Option<f64> {
         // written so that it also refuses what is no number
-        if !(g0 <= image && image <= g1 && g0 < g1) {
+        if !(q0 <= value && value <= q1 && q0 < q1) {
             return None;
         }
-        let mut x = (x0 * x0 + (image - g0) / (g1 - g0) * (x1 - x0) * (x1 + x0)).sqrt().clamp(x0, x1);
-        let (mut least, mut most) = (x0, x1);
+        let line = self.cell_line(j);
+        let (mut least, mut most) = line.ends;
+        let share = (value - q0) / (q1 - q0);
+        let mut x = (least * least + share * (most - least) * (most + least)).sqrt().clamp(least, most);
         for _ in 0..MOST_ITERATIONS {
-            let excess = profile.image(x) + self.worn_image[j] + slope * (x - x0) * (x + x0) - image;
-            // where the image is flat, rounding ends the search before the last digits of x
-            if excess.abs() <= 2.0 * f64::EPSILON * image.abs() {
+            let (quantity, slope) = quantity_and_slope(x, &line);
+            let excess = quantity - value;
+            // where the quantity is flat, rounding ends the search before the last digits of x
+            if excess.abs() <= 2.0 * f64::EPSILON * value.abs() {
+                break;
+            }
+            let newton = x - excess / slope;
+            // and where it is steep, before its own
+            if (newton - x).abs() <= 2.0 * f64::EPSILON * x {
+                x = newton.clamp(line.ends.0, line.ends.1);
                 break;
             }
             if excess > 0.0 {
@@ -115,13 +146,7 @@ impl Nodes {
             } else {
                 least = x;
             }
-            let newton = x - excess / (profile.image_slope(x) + 2.0 * x * slope);
-            let next = if newton > least && newton < most { newton } else { 0.5 * (least + most) };
-            let change = (next - x).abs();
-            x = next;
-            if change <= 2.0 * f64::EPSILON * x {
-                break;
-            }
+            x = if newton > least && newton < most { newton } else { 0.5 * (least + most) };
         }
         Some(x)
     }
@@ -129,25 +154,12 @@ impl Nodes {
     /// The outermost cell whose inner end has an image of `image` (m) at most, and whose outer end
     /// has a larger one.
     pub(crate) fn outermost_cell_below(&self, image: f64) -> Option<usize> {
-        if self.whole.len() != self.x.len() {
-            return None;
-        }
         let inner = self.whole.iter().rposition(|g| *g <= image)?;
         (inner < self.last()).then_some(inner)
     }
 
-    /// The outermost cell whose inner end has a load integral of the whole profile of `load` (m²)
-    /// at most, and whose outer end has a larger one.
-    pub(crate) fn outermost_cell_below_load(&self, profile: &Profile, load: f64) -> Option<usize> {
-        if self.worn_load.len() != self.x.len() {
-            return None;
-        }
-        let is_below = |(x, worn): (&f64, &f64)| profile.load_integral(*x) + worn <= load;
-        let inner = self.x.iter().zip(&self.worn_load).rposition(is_below)?;
-        (inner < self.last()).then_some(inner)
-    }
-
     /// The worn image along a cell.
+    #[inline(always)]
     pub(crate) fn cell_line(&self, j: usize) -> CellLine {
         let ends = (self.x[j], self.x[j + 1]);
         CellLine { ends, image: self.worn_image[j], slope: self.slope(j), load: self.worn_load[j] }
@@ -158,16 +170,17 @@ impl Nodes {
         self.worn_part_in(self.cell(x), x)
     }
 
-    /// These and ∫₀ˣ g² dξ of the worn image, m³.
-    pub(crate) fn parts(&self, profile: &Profile, x: f64) -> (f64, f64, f64) {
-        let cell = self.cell(x);
+    /// All image values at a radius in a given cell, or behind the last node.
+    pub(crate) fn place_in(&self, profile: &Profile, cell: Option<usize>, x: f64) -> Place {
         let (image, load) = self.worn_part_in(cell, x);
-        let start = cell.unwrap_or(self.last());
-        (image, load, self.square[start] + self.square_between(profile, cell, self.x[start], x))
+        let (image, start) = (profile.image(x) + image, cell.unwrap_or(self.last()));
+        let square = self.square[start] + self.square_up_to(profile, cell, x, image);
+        Place { x, image, load: profile.load_integral(x) + load, square }
     }
 
     /// Worn parts at a radius in a given cell, or behind the last node.
-    pub(super) fn worn_part_in(&self, cell: Option<usize>, x: f64) -> (f64, f64) {
+    #[inline(always)]
+    pub(crate) fn worn_part_in(&self, cell: Option<usize>, x: f64) -> (f64, f64) {
         match cell {
             Some(j) => self.cell_line(j).parts(x),
             None => {
@@ -214,11 +227,13 @@ impl Nodes {
         (self.worn_image[j + 1] - self.worn_image[j]) / ((x1 - x0) * (x1 + x0))
     }
 
-    /// ∫ g² between two radii of one cell, by three-point Gauss.
-    pub(super) fn square_between(&self, profile: &Profile, cell: Option<usize>, x0: f64, x1: f64) -> f64 {
-        let (middle, half) = (0.5 * (x0 + x1), 0.5 * (x1 - x0));
+    /// ∫ g² from the inner node of a cell to a radius of a whole `image`, by four-point Lobatto.
+    pub(super) fn square_up_to(&self, profile: &Profile, cell: Option<usize>, x: f64, image: f64) -> f64 {
+        let start = cell.unwrap_or(self.last());
+        let (middle, half) = (0.5 * (x + self.x[start]), 0.5 * (x - self.x[start]));
         let g2 = |x: f64| (profile.image(x) + self.worn_part_in(cell, x).0).powi(2);
-        let node = half * 0.6f64.sqrt();
-        half * (5.0 / 9.0 * (g2(middle - node) + g2(middle + node)) + 8.0 / 9.0 * g2(middle))
+        let node = half * 0.2f64.sqrt();
+        let ends = self.whole[start].powi(2) + image.powi(2);
+        half / 6.0 * (ends + 5.0 * (g2(middle - node) + g2(middle + node)))
     }
 }
