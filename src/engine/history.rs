@@ -25,10 +25,7 @@ impl FrettingContact {
     /// [`Error::BeyondTable`] where the profile cannot carry the load; [`Error::BeyondNumbers`] for
     /// a contact too large to be computed.
     pub fn advance_to(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
-        if self.runs_in() {
-            return self.run_in_to(normal, Vector2::new(displacement, self.drive_displacement_y()));
-        }
-        self.advance_on_line(normal, displacement)
+        self.advance_to_planar(normal, [displacement, self.drive_displacement_y()])
     }
 
     /// Walks the straight line from the present state to (`normal`, `displacement`), displacement
@@ -41,22 +38,27 @@ impl FrettingContact {
         if self.runs_in() {
             return self.run_in_to(normal, displacement.into());
         }
-        self.advance_in_plane(normal, displacement.into())
+        self.advance_at_constant_friction(normal, displacement.into())
     }
 
-    /// [`Self::advance_to`] at the present coefficient of friction.
+    /// [`Self::advance_to_planar`] at the present coefficient of friction.
     #[inline]
-    pub(super) fn advance_on_line(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
-        let (value, displacement) = self.checked(normal, displacement)?;
-        if self.state.planar.is_some() {
-            return self.advance_off_line(value, Vector2::new(displacement, self.drive_displacement_y()));
+    pub(super) fn advance_at_constant_friction(
+        &mut self,
+        normal: f64,
+        place: Vector2<f64>,
+    ) -> Result<(), Error> {
+        let (value, _) = self.checked(normal, place.x)?;
+        self.advance_by_value(value, place)
+    }
+
+    /// The same for a value of the control, m² of load or m, that is checked, as x is.
+    #[inline]
+    pub(super) fn advance_by_value(&mut self, value: f64, place: Vector2<f64>) -> Result<(), Error> {
+        if self.state.planar.is_some() || place.y != self.drive_displacement_y() {
+            return self.advance_in_plane(value, place);
         }
-        self.advance_value_on_line(value, displacement)
-    }
-
-    /// The same for a value of the control, m² of load or m, and a displacement that are checked.
-    #[inline]
-    pub(super) fn advance_value_on_line(&mut self, value: f64, displacement: f64) -> Result<(), Error> {
+        let displacement = place.x;
         if self.model.compliance > 0.0 {
             return self.advance_drive(value, displacement);
         }

@@ -134,10 +134,7 @@ impl FrettingContact {
         if self.runs_in() {
             return self.run_in_to(value * self.force_scale(), place);
         }
-        if self.state.planar.is_none() && place.y == self.drive_displacement_y() {
-            return self.advance_value_on_line(value, place.x);
-        }
-        self.advance_off_line(value, place)
+        self.advance_by_value(value, place)
     }
 
     /// Depth of the wear at the last update of the profile, m: [`Self::wear_depth`] without what

@@ -49,19 +49,8 @@ impl Planar {
 }
 
 impl FrettingContact {
-    /// [`Self::advance_to_planar`] at the present coefficient of friction.
-    #[inline]
-    pub(super) fn advance_in_plane(&mut self, normal: f64, displacement: Vector2<f64>) -> Result<(), Error> {
-        if self.state.planar.is_none() && displacement.y == self.drive_displacement_y() {
-            return self.advance_on_line(normal, displacement.x);
-        }
-        let (value, _) = self.checked(normal, displacement.x)?;
-        self.advance_off_line(value, displacement)
-    }
-
-    /// The same for a value of the control, m² of load or m, where the body has moved or moves
-    /// along y.
-    pub(super) fn advance_off_line(&mut self, value: f64, displacement: Vector2<f64>) -> Result<(), Error> {
+    /// [`Self::advance_by_value`] where the body has moved or moves along y.
+    pub(super) fn advance_in_plane(&mut self, value: f64, displacement: Vector2<f64>) -> Result<(), Error> {
         range::input(Y, displacement.y)?;
         if value == self.state.contact.control && displacement == self.drive_place() {
             self.state.counters.steps += 1;

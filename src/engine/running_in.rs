@@ -131,7 +131,7 @@ impl FrettingContact {
         let mut done = 0.0;
         while done < 1.0 {
             let mut rest = self.without_wear();
-            rest.advance_in_plane(normal, target)?;
+            rest.advance_at_constant_friction(normal, target)?;
             let work = rest.state.work - self.state.work;
             let most = self.energy_of_part(ACCURACY);
             // from rest the work rises at most with the third power of the path
@@ -144,7 +144,8 @@ impl FrettingContact {
                 let (control, place) = (at(start.0, normal), start.1.zip_map(&target, at));
                 // a part that is the whole rest has been walked once already
                 let walked = (done == 0.0 && next == 1.0).then_some(rest.state.work);
-                let end = self.run_in_part(walked, |this| this.advance_in_plane(control, place))?;
+                let end =
+                    self.run_in_part(walked, |this| this.advance_at_constant_friction(control, place))?;
                 let gained = end.state.work - self.state.work;
                 if gained <= 2.0 * most || part == LEAST_PART {
                     (*self, done) = (end, next);
@@ -273,10 +274,10 @@ mod tests {
         for step in 1..=steps {
             let place = Vector2::new(2e-6 * (f64::from(step) * 0.0628).sin(), 0.0);
             let mut rest = contact.clone();
-            rest.advance_in_plane(100.0, place).unwrap();
+            rest.advance_at_constant_friction(100.0, place).unwrap();
             let walk = |this: &mut FrettingContact| {
                 iterations.set(iterations.get() + 1);
-                this.advance_in_plane(100.0, place)
+                this.advance_at_constant_friction(100.0, place)
             };
             contact = contact.run_in_part(Some(rest.state.work), walk).unwrap();
         }
