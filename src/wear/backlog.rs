@@ -37,15 +37,21 @@ const OF_DEPTHS: Bins = Bins { octaves: 3 };
 /// Most bins in the range of a double.
 const MOST_BINS: i64 = 2048 << BITS;
 
-/// Hinges of one bin, which is that of their places.
+/// A hinge, or one of two at the ends of the range of several in one bin: their slopes have the sum
+/// Σ C and the moment Σ C y of all.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Hinge {
-    /// Σ C.
-    sum: f64,
-    /// Σ C y of their places y = reference − g, m.
-    moment: f64,
-    /// Least and largest y, m.
-    range: (f64, f64),
+    /// C.
+    slope: f64,
+    /// y = reference − g, m.
+    place: f64,
+}
+
+impl Hinge {
+    /// The bin of its place.
+    fn bin(&self, least: i64) -> i64 {
+        OF_PLACES.index(self.place, least)
+    }
 }
 
 /// Slip and friction work since the last profile update.
@@ -184,11 +190,8 @@ impl WearBacklog {
                 && numbers.iter().all(|value| value.is_finite())
                 && i64::from(level.bin).abs() < MOST_BINS
                 && hinges.len() < MOST_BINS as usize
-                && hinges.windows(2).all(|pair| pair[0].range.1 < pair[1].range.0)
-                && hinges.iter().all(|h| {
-                    let numbers = [h.sum, h.moment, h.range.0, h.range.1];
-                    h.range.0 <= h.range.1 && numbers.iter().all(|value| value.is_finite())
-                })
+                && hinges.windows(2).all(|pair| pair[0].place < pair[1].place)
+                && hinges.iter().all(|hinge| hinge.slope.is_finite() && hinge.place.is_finite())
         };
         amount(self.work)
             && (self.work == 0.0 || !self.levels.is_empty())
@@ -258,10 +261,10 @@ impl WearBacklog {
         true
     }
 
-    /// The slip path under each depth, m, as functions of g.
-    pub(crate) fn law(&self) -> Vec<SlipAtDepth> {
+    /// The slip path under each depth, m, as functions of g. `tip` is that of [`Self::record`].
+    pub(crate) fn law(&self, tip: f64) -> Vec<SlipAtDepth> {
         let mut law = vec![SlipAtDepth::default(); self.levels.len()];
-        law.iter_mut().zip(self.levels()).for_each(|(law, level)| self.law_into(level, law));
+        law.iter_mut().zip(self.levels()).for_each(|(law, level)| self.law_into(level, tip, law));
         law
     }
 
@@ -271,34 +274,32 @@ impl WearBacklog {
     }
 
     /// The slip path under one depth, in memory that is there.
-    pub(super) fn law_into(&self, (level, hinges): (&Level, &[Hinge]), law: &mut SlipAtDepth) {
-        level.law_into(hinges, self.reference, law);
+    pub(super) fn law_into(&self, (level, hinges): (&Level, &[Hinge]), tip: f64, law: &mut SlipAtDepth) {
+        level.law_into(hinges, (self.reference, tip), law);
     }
 }
 
 impl Level {
-    fn law_into(&self, hinges: &[Hinge], reference: f64, law: &mut SlipAtDepth) {
+    fn law_into(&self, hinges: &[Hinge], (reference, tip): (f64, f64), law: &mut SlipAtDepth) {
         let knots = &mut law.knots;
         knots.clear();
         // what strokes that cancel leave in their bins is rounding
-        let largest = hinges.iter().map(|hinge| hinge.sum.abs()).fold(self.slope.abs(), f64::max);
+        let largest = hinges.iter().map(|hinge| hinge.slope.abs()).fold(self.slope.abs(), f64::max);
         let rounding = CANCELLED * largest;
-        for hinge in hinges {
-            let (low, high) = hinge.range;
-            let mean = hinge.moment / hinge.sum;
-            let slack = SAME * low.abs().max(high.abs());
-            if hinge.sum.abs() > rounding && mean >= low - slack && mean <= high + slack {
-                knots.push((reference - mean.clamp(low, high), hinge.sum, 0.0));
-            } else if high - low > slack {
-                // slopes that nearly cancel have no place of their own: the ends of their range
-                // carry sum and moment
-                let outer = (hinge.moment - hinge.sum * low) / (high - low);
-                for (place, slope) in [(low, hinge.sum - outer), (high, outer)] {
-                    if slope.abs() > rounding {
-                        knots.push((reference - place, slope, 0.0));
-                    }
+        let least = OF_PLACES.least(reference - tip);
+        for ends in hinges.chunk_by(|a, b| a.bin(least) == b.bin(least)) {
+            if let [low, high] = ends {
+                let sum = low.slope + high.slope;
+                let mean = low.place + high.slope / sum * (high.place - low.place);
+                let slack = SAME * low.place.abs().max(high.place.abs());
+                if sum.abs() > rounding && mean >= low.place - slack && mean <= high.place + slack {
+                    knots.push((reference - mean.clamp(low.place, high.place), sum, 0.0));
+                    continue;
                 }
             }
+            // slopes that nearly cancel have no place of their own
+            let ends = ends.iter().filter(|hinge| hinge.slope.abs() > rounding);
+            knots.extend(ends.map(|hinge| (reference - hinge.place, hinge.slope, 0.0)));
         }
         knots.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
         let (mut slope, mut offset) = (self.slope, self.constant - self.slope * reference);

@@ -167,27 +167,36 @@ impl LevelMut<'_> {
         if slope == 0.0 {
             return;
         }
-        let own = self.first..self.first + self.level.hinges as usize;
-        let index = OF_PLACES.index(place, least);
-        let bin_of = |hinge: &Hinge| OF_PLACES.index(hinge.range.0, least);
-        match self.hinges[own].binary_search_by_key(&index, bin_of) {
-            Ok(k) => {
-                let hinge = &mut self.hinges[self.first + k];
-                hinge.sum += slope;
-                hinge.moment += slope * place;
-                let (low, high) = hinge.range;
-                hinge.range = (low.min(place), high.max(place));
-                // a knot of the springs bends what slips one way, and unbends it on the way back
-                if hinge.range.0 == hinge.range.1 && hinge.sum.abs() <= CANCELLED * slope.abs() {
-                    self.hinges.remove(self.first + k);
-                    self.level.hinges -= 1;
-                }
+        let new = Hinge { slope, place };
+        let bin = OF_PLACES.index(place, least);
+        let own = &self.hinges[self.first..self.first + self.level.hinges as usize];
+        let start = self.first + own.partition_point(|hinge| hinge.bin(least) < bin);
+        let others = self.hinges[start..self.first + own.len()].iter();
+        let others = others.take_while(|hinge| hinge.bin(least) == bin).count();
+        let end = start + others;
+        match &mut self.hinges[start..end] {
+            [same] if same.place == place => same.slope += slope,
+            [first, .., last] => {
+                let mut three = [*first, *last, new];
+                three.sort_unstable_by(|a, b| a.place.total_cmp(&b.place));
+                let [low, middle, high] = three;
+                let share = (middle.place - low.place) / (high.place - low.place);
+                *first = Hinge { slope: low.slope + (1.0 - share) * middle.slope, ..low };
+                *last = Hinge { slope: high.slope + share * middle.slope, ..high };
             }
-            Err(k) => {
-                let hinge = Hinge { sum: slope, moment: slope * place, range: (place, place) };
+            others => {
+                let place = start + others.partition_point(|hinge| hinge.place < place);
                 self.hinges.reserve_exact(1);
-                self.hinges.insert(self.first + k, hinge);
+                self.hinges.insert(place, new);
                 self.level.hinges += 1;
+                return;
+            }
+        }
+        // a knot of the springs bends what slips one way, and unbends it on the way back
+        for place in (start..end).rev() {
+            if self.hinges[place].slope.abs() <= CANCELLED * slope.abs() {
+                self.hinges.remove(place);
+                self.level.hinges -= 1;
             }
         }
     }
