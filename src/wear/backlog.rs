@@ -47,10 +47,21 @@ pub(super) struct Hinge {
     place: f64,
 }
 
-impl Hinge {
-    /// The bin of its place.
-    fn bin(&self, least: i64) -> i64 {
-        OF_PLACES.index(self.place, least)
+/// Bins of the places of hinges at one level.
+struct PlaceBins {
+    least: i64,
+    /// Place of the contact edge under the depth of the level, m.
+    edge: f64,
+}
+
+impl PlaceBins {
+    fn new(level: &Level, reference: f64, tip: f64) -> Self {
+        Self { least: OF_PLACES.least(reference - tip), edge: reference - level.depth() }
+    }
+
+    /// The bin of a hinge; those beyond the edge, where there is no pressure, have one.
+    fn bin(&self, hinge: &Hinge) -> i64 {
+        if hinge.place < self.edge { i64::MIN } else { OF_PLACES.index(hinge.place, self.least) }
     }
 }
 
@@ -228,7 +239,6 @@ impl WearBacklog {
             self.reference = to.depth.max(from.depth);
         }
         let reference = self.reference;
-        let least = OF_PLACES.least(reference - tip);
         let index = OF_DEPTHS.index(depth - tip, OF_DEPTHS.least(reference - tip)) as i32;
         let at = self.levels.find(index).unwrap_or_else(|place| {
             self.levels.insert(place, Level::new(index), &[]);
@@ -240,6 +250,7 @@ impl WearBacklog {
         let mut at_depth = self.levels.level(at);
         at_depth.level.slip += slip;
         at_depth.level.moment += slip * depth;
+        let bins = PlaceBins::new(at_depth.level, reference, tip);
         // the slope of E between knots, and the hinges where it changes
         let (mut slope, mut end) = (0.0, f64::NEG_INFINITY);
         let flat = 1e-13 * (reference - tip).abs();
@@ -251,10 +262,10 @@ impl WearBacklog {
                 at_depth.level.slope += next;
             } else {
                 if k > 0 && g0 > end + flat {
-                    at_depth.add_hinge(-slope, reference - end, least);
+                    at_depth.add_hinge(-slope, reference - end, &bins);
                     slope = 0.0;
                 }
-                at_depth.add_hinge(next - slope, reference - g0, least);
+                at_depth.add_hinge(next - slope, reference - g0, &bins);
             }
             (slope, end) = (next, g1);
         }
@@ -280,14 +291,19 @@ impl WearBacklog {
 }
 
 impl Level {
+    /// Mean depth of its slip, m.
+    fn depth(&self) -> f64 {
+        self.moment / self.slip
+    }
+
     fn law_into(&self, hinges: &[Hinge], (reference, tip): (f64, f64), law: &mut SlipAtDepth) {
         let knots = &mut law.knots;
         knots.clear();
         // what strokes that cancel leave in their bins is rounding
         let largest = hinges.iter().map(|hinge| hinge.slope.abs()).fold(self.slope.abs(), f64::max);
         let rounding = CANCELLED * largest;
-        let least = OF_PLACES.least(reference - tip);
-        for ends in hinges.chunk_by(|a, b| a.bin(least) == b.bin(least)) {
+        let bins = PlaceBins::new(self, reference, tip);
+        for ends in hinges.chunk_by(|a, b| bins.bin(a) == bins.bin(b)) {
             if let [low, high] = ends {
                 let sum = low.slope + high.slope;
                 let mean = low.place + high.slope / sum * (high.place - low.place);
@@ -309,7 +325,7 @@ impl Level {
             offset -= knot.1 * knot.0;
             (knot.1, knot.2) = (slope, offset);
         }
-        law.depth = self.moment / self.slip;
+        law.depth = self.depth();
         law.find_rounding();
     }
 }

@@ -1,7 +1,7 @@
 //! The levels of a backlog and their hinges, each in one array: there are many backlogs, and few
 //! hinges at each level.
 
-use super::{CANCELLED, Hinge, OF_PLACES};
+use super::{CANCELLED, Hinge, PlaceBins};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -162,27 +162,33 @@ pub(super) struct LevelMut<'a> {
 }
 
 impl LevelMut<'_> {
-    /// Adds a hinge: a slope that begins at a place, m. `least` is the lowest bin.
-    pub(super) fn add_hinge(&mut self, slope: f64, place: f64, least: i64) {
+    /// Adds a hinge: a slope that begins at a place, m.
+    pub(super) fn add_hinge(&mut self, slope: f64, place: f64, bins: &PlaceBins) {
         if slope == 0.0 {
             return;
         }
         let new = Hinge { slope, place };
-        let bin = OF_PLACES.index(place, least);
+        let bin = bins.bin(&new);
         let own = &self.hinges[self.first..self.first + self.level.hinges as usize];
-        let start = self.first + own.partition_point(|hinge| hinge.bin(least) < bin);
+        let start = self.first + own.partition_point(|hinge| bins.bin(hinge) < bin);
         let others = self.hinges[start..self.first + own.len()].iter();
-        let others = others.take_while(|hinge| hinge.bin(least) == bin).count();
-        let end = start + others;
+        let others = others.take_while(|hinge| bins.bin(hinge) == bin).count();
+        let mut end = start + others;
         match &mut self.hinges[start..end] {
             [same] if same.place == place => same.slope += slope,
-            [first, .., last] => {
-                let mut three = [*first, *last, new];
-                three.sort_unstable_by(|a, b| a.place.total_cmp(&b.place));
-                let [low, middle, high] = three;
-                let share = (middle.place - low.place) / (high.place - low.place);
-                *first = Hinge { slope: low.slope + (1.0 - share) * middle.slope, ..low };
-                *last = Hinge { slope: high.slope + share * middle.slope, ..high };
+            [first, between @ .., last] => {
+                for hinge in between.iter().chain([&new]) {
+                    let mut three = [*first, *last, *hinge];
+                    three.sort_unstable_by(|a, b| a.place.total_cmp(&b.place));
+                    let [low, middle, high] = three;
+                    let share = (middle.place - low.place) / (high.place - low.place);
+                    *first = Hinge { slope: low.slope + (1.0 - share) * middle.slope, ..low };
+                    *last = Hinge { slope: high.slope + share * middle.slope, ..high };
+                }
+                // of those that the edge has passed
+                self.hinges.drain(start + 1..end - 1);
+                self.level.hinges -= (others - 2) as u32;
+                end = start + 2;
             }
             others => {
                 let place = start + others.partition_point(|hinge| hinge.place < place);
