@@ -73,19 +73,14 @@ impl Springs {
             spare.knots.extend_from_slice(&self.knots);
             std::mem::swap(self, spare);
         }
-        self.trim();
+        if self.knots.capacity() > self.knots.len() + 1 {
+            self.knots.shrink_to_fit();
+        }
     }
 
     /// Becomes a copy of another row in its own memory.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.knots.clone_from(&other.knots);
-    }
-
-    /// Gives back memory that it does not need.
-    pub(crate) fn trim(&mut self) {
-        if self.knots.capacity() > 2 * self.knots.len() + 4 {
-            self.knots.shrink_to_fit();
-        }
     }
 
     /// Springs from saved knots (radius and origin) on the present surface.

@@ -149,6 +149,7 @@ impl FrettingContact {
     pub(crate) fn return_memory(&mut self, memory: &mut Memory) {
         let own = self.memory.get();
         self.state.springs.take_smaller(&mut own.springs);
+        self.state.stroke.origins.shrink_to_fit();
         // tables are those of one profile
         own.transforms = TransformCache::default();
         self.exchange_memory(memory);
