@@ -20,16 +20,6 @@ pub(super) struct Places {
 }
 
 impl Places {
-    /// Power of the grading towards the inner edge. On an annulus the depth starts like √(X − c²):
-    /// the largest error of the profile, in the first cell, falls with the root of its width. On a
-    /// disc x is smooth in ξ.
-    fn power(self) -> i32 {
-        match self.region {
-            Region::Annulus => 5,
-            Region::Disc => 2,
-        }
-    }
-
     /// Cells from the inner edge on in which data are linear in X: of an annulus they make up some
     /// 1e-4. On a disc, where that is exact for an unworn ball, they are all.
     fn lines(self) -> usize {
@@ -39,10 +29,16 @@ impl Places {
         }
     }
 
-    /// dφ by a cell of ξ; ξ in cells here and below.
+    /// dφ by a cell of ξ; ξ in cells here and below. On an annulus p = 5: the depth starts like
+    /// √(X − c²), and the largest error of the profile, in the first cell, falls with the root of
+    /// its width. On a disc x is smooth in ξ, and p = 2.
     pub(super) fn slope(self, xi: f64) -> f64 {
-        let (p, n) = (self.power(), self.cells as f64);
-        f64::from(p * (p + 1)) * (xi / n).powi(p - 1) * ((n - xi) / n) / n
+        let (n, per) = (self.cells as f64, 1.0 / self.cells as f64);
+        let graded = match self.region {
+            Region::Annulus => 30.0 * (xi * per).powi(4),
+            Region::Disc => 6.0 * (xi * per),
+        };
+        graded * (n - xi) * per * per
     }
 
     /// φ at ξ + δ less φ at ξ, without cancellation: the rule is exact for the slope's degree.
