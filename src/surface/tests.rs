@@ -124,3 +124,26 @@ fn the_contact_edge_is_the_outermost_crossing() {
     assert!(beyond.clone().all(|x| surface.image(x) > 3.0e-6), "a = {}", contact.radius);
     assert!(contact.radius > 1.55e-4, "a = {}", contact.radius);
 }
+
+/// Behind wear that ends at the last node the image falls, and with it the load integral. The
+/// contact ends where that comes to the load for the last time.
+#[test]
+fn the_contact_radius_is_the_outermost_at_which_the_load_is_carried() {
+    let mut nodes = Nodes::around(&ball(), 32, 2e-4, 1e-4);
+    let last = nodes.last();
+    let image = |k: usize| if k < last { 4e-6 * (nodes.x()[k] / 2e-4).powi(2) } else { 0.0 };
+    let image = (0..=last).map(image).collect();
+    nodes.set_worn(image, vec![0.0; last + 1], &ball());
+    let (before_end, end) = (nodes.x()[last - 1], nodes.x()[last]);
+    let mut surface = Surface::new(ball());
+    surface.set_worn(Some(nodes));
+    let (inside, at_end) = (surface.load(before_end), surface.load(end));
+    assert!(at_end < inside);
+    for share in [0.1, 0.5, 0.9] {
+        let load = at_end + share * (inside - at_end);
+        let contact = surface.contact(NormalControl::Force, load, 1.0).expect("the ball carries it");
+        assert!(contact.radius > end, "{share}: {:e} of {end:e}", contact.radius);
+        let carried = surface.load(contact.radius);
+        assert!((carried / load - 1.0).abs() < 1e-14, "{share}: {carried:e} of {load:e}");
+    }
+}

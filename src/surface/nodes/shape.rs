@@ -102,7 +102,8 @@ impl Nodes {
     /// where a cell between two nodes holds it.
     pub(crate) fn radius_at_load(&self, profile: &Profile, load: f64) -> Option<f64> {
         let up_to = |j: usize| profile.load_integral(self.x[j]) + self.worn_load[j];
-        let j = (0..self.last()).rev().find(|j| up_to(*j) <= load)?;
+        // beyond a last node of less load the integral falls at first, and rises to it further out
+        let j = (0..=self.last()).rev().find(|j| up_to(*j) <= load).filter(|j| *j < self.last())?;
         self.root_in_cell(j, (up_to(j), up_to(j + 1)), load, |x, line| {
             let slope = profile.image_slope(x) + line.slope_at(x);
             (profile.load_integral(x) + line.parts(x).1, x * slope)
