@@ -6,13 +6,13 @@ use super::{Constants, SlipFields};
 use crate::surface::{NodeTransforms, outer_weight};
 use crate::transform::{abel_last, dot, pressure_weight};
 
-/// The operator 1 + θ κ E* B P S⁻¹ on depths at the nodes `first` to the edge.
+/// The operator 1 + κ E* B P S⁻¹ on depths at the nodes `first` to the edge.
 pub(super) struct System<'a> {
     transforms: &'a NodeTransforms,
     x: &'a [f64],
     first: usize,
     edge: Edge,
-    /// θ κ E* B at the nodes, m.
+    /// κ E* B at the nodes, m.
     stiffness: Vec<f64>,
     /// Pressure at the nodes of a uniform load and, at its end, of a change of the load there, 1/m.
     response: Vec<f64>,
@@ -22,17 +22,15 @@ pub(super) struct System<'a> {
 }
 
 impl<'a> System<'a> {
-    /// The system of a distribution whose relief of pressure has a weight θ.
     pub(super) fn new(
         x: &'a [f64],
         transforms: &'a NodeTransforms,
-        (fields, weight): (&SlipFields, f64),
+        fields: &SlipFields,
         first: usize,
         edge: Edge,
         constants: &Constants,
     ) -> Self {
-        let kappa =
-            weight * constants.wear_per_work * constants.friction_coefficient * constants.normal_modulus;
+        let kappa = constants.wear_per_work * constants.friction_coefficient * constants.normal_modulus;
         Self {
             transforms,
             x,

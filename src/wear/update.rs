@@ -39,22 +39,16 @@ const LEFT: f64 = 0.1;
 /// Least part in which an update is made, where its residual does not fall that far in one.
 const LEAST_PART: f64 = 1.0 / 256.0;
 
-/// Weight of the pressure at the end of an update, θ of the θ-method (E. Hairer, G. Wanner, Solving
-/// Ordinary Differential Equations II, IV.3): half the error of the implicit Euler method, and in
-/// one update stiff waves fall to (1 − θ)/θ, a third.
-const IMPLICIT: f64 = 0.75;
-
 /// Most iterations of a linear system.
 const MOST_KRYLOV: usize = 200;
 
-/// Worn depth that slip brings, with three quarters of the pressure and the contact edge taken at
-/// the end of the update.
+/// Worn depth that slip brings, with the pressure and the contact edge taken at the end of the
+/// update.
 ///
-/// Solves Δw = (k/σ₀) A + θ κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with
-/// the wear: were it held, a whole update's wear would end at it like a square root, and its image
+/// Solves Δw = (k/σ₀) A + κ B (p(h + Δh) − p(h)) by Newton's method. The edge moves along with the
+/// wear: were it held, a whole update's wear would end at it like a square root, and its image
 /// would have a logarithmic dip there. Where it moves so far that the iteration loses it, the
-/// update is made in parts, halved until they are followed; each takes 1 − θ of the pressure at its
-/// own start.
+/// update is made in parts, halved until they are followed.
 ///
 /// # Errors
 /// Those of the normal contact; [`Error::NotFinite`] if the system cannot be solved.
@@ -147,7 +141,7 @@ impl Solver<'_> {
         let before: Vec<f64> = depth.iter().zip(left).map(|(depth, left)| depth + left).collect();
         let mut best = Trial { depth: depth.clone(), left: left.to_vec(), residual: f64::INFINITY };
         let mut trial = self.surface.clone();
-        let (mut start, mut start_pressure) = (0.0, Vec::new());
+        let mut start = 0.0;
         for iteration in 0..=MOST_NEWTON {
             let change = self.transforms.abel(&depth);
             let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
@@ -170,16 +164,12 @@ impl Solver<'_> {
                     best
                 });
             }
-            if iteration == 0 {
-                start_pressure.clone_from(&now);
-            }
-            let at = |pressure: &[f64], i: usize| pressure.get(i).copied().unwrap_or(0.0);
             let residual: Vec<f64> = (self.first..=edge.last)
                 .map(|i| {
-                    let pressure = IMPLICIT * now[i] + (1.0 - IMPLICIT) * at(&start_pressure, i);
+                    let reference = self.reference.get(i).copied().unwrap_or(0.0);
                     wear_per_work
                         * (part.work_per_area[i]
-                            + friction_coefficient * part.slip_path[i] * (pressure - at(&self.reference, i)))
+                            + friction_coefficient * part.slip_path[i] * (now[i] - reference))
                         + before[i]
                         - depth[i]
                 })
@@ -197,8 +187,7 @@ impl Solver<'_> {
             if share <= ACCURACY || iteration == MOST_NEWTON {
                 break;
             }
-            let relieved = (part, IMPLICIT);
-            let system = System::new(nodes.x(), self.transforms, relieved, self.first, edge, self.constants);
+            let system = System::new(nodes.x(), self.transforms, part, self.first, edge, self.constants);
             let levels = system.levels();
             let solved =
                 krylov::solve(|x| system.apply(x), |r| levels.relax(r), &residual, (REDUCTION, MOST_KRYLOV));
