@@ -49,6 +49,7 @@ pub(super) struct Hinge {
 
 /// Bins of the places of hinges at one level.
 struct PlaceBins {
+    /// Number of the lowest bin.
     least: i64,
     /// Place of the contact edge under the depth of the level, m.
     edge: f64,

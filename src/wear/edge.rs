@@ -20,8 +20,8 @@ impl Edge {
     /// The edge of a contact with `more` worn depth (m) on top of that of the nodes.
     ///
     /// Where the contact grows over nodes that have not worn, the image rises steeply behind the
-    /// wear, and the line to the next node meets the depth too early. There the load ends where the
-    /// worn depth, on its line from inside, comes to zero.
+    /// wear, and the line to the next node reaches the indentation depth too early. There the load
+    /// ends where the worn depth, extended on a line from the last two nodes, comes to zero.
     pub(crate) fn new(nodes: &Nodes, more: &[f64], contact: &Contact, outer_radius: f64) -> Self {
         let (x, mut radius) = (nodes.x(), contact.radius);
         let jump = radius >= outer_radius;

@@ -392,11 +392,11 @@ fn without_wear_there_is_no_transform_whatever_happens() {
 /// Next to the contact edge of a profile that wears so fast the reading between two updates
 /// oscillates from node to node, by up to a tenth of d₀ at some N₀.
 fn largest_healing(
-    (profile, lives): (&Profile, f64),
+    (profile, seed_cycles): (&Profile, f64),
     steps: usize,
     mut next: impl FnMut(usize, &Problem) -> (f64, f64),
 ) -> f64 {
-    let mut scene = wear_scene(profile, Force, lives);
+    let mut scene = wear_scene(profile, Force, seed_cycles);
     scene.parameters.resolution = 32;
     let mut contact = begun(&scene);
     let radii: Vec<f64> = (0..60).map(|k| 1.6 * scene.start.normal.radius() * f64::from(k) / 60.0).collect();
@@ -417,21 +417,21 @@ fn largest_healing(
 
 /// Nothing heals but by what the profile takes back of an estimate: in a first stroke the depth
 /// next to the contact edge is that of one update, which grows with the stroke, and later that of a
-/// part of the cycle. One stroke here wears some d₀/80, a hundred times what a user's would. At one
-/// N₀ of a hundred the reading at a node next to the edge is off by up to 6e-3.
+/// part of the cycle. One stroke here wears some d₀/80, a hundred times what a user's would.
+/// At three of 480 values of N₀ from 30 to 54 it is more than 2e-3, 3.6e-3 at most, at the edge.
 #[test]
 fn wear_never_heals_at_any_probe() {
     for profile in [BALL, CONE] {
         let mut healing: Vec<f64> = (30..54)
-            .map(|lives| {
-                largest_healing((&profile, f64::from(lives)), 300, |k, scene| {
+            .map(|seed_cycles| {
+                largest_healing((&profile, f64::from(seed_cycles)), 300, |k, scene| {
                     (scene.normal, scene.amplitude * (std::f64::consts::TAU * k as f64 / 20.0).sin())
                 })
             })
             .collect();
         healing.sort_by(f64::total_cmp);
         println!("{profile:?}, constant load: heals {:.1e}, at most {:.1e} d0", healing[21], healing[23]);
-        assert!(healing[21] <= 2e-3 && healing[23] <= 6e-3, "{profile:?}: {healing:?}");
+        assert!(healing[21] <= 2e-3 && healing[23] <= 4e-3, "{profile:?}: {healing:?}");
         let mut random = seeded(11);
         let healing = largest_healing((&profile, 40.0), 60, |_, scene| {
             (uniform(&mut random, -0.1, 1.0) * FORCE, uniform(&mut random, -1.5, 1.5) * scene.amplitude)

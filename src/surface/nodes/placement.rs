@@ -179,7 +179,7 @@ impl Nodes {
         }
     }
 
-    /// Largest radius (m) of a contact beyond which enough nodes lie.
+    /// Largest contact radius (m) beyond which enough nodes lie for the contact to grow into.
     pub(crate) fn served_radius(&self) -> f64 {
         self.x[self.last().saturating_sub(SPARE)]
     }

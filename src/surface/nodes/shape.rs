@@ -137,7 +137,7 @@ impl Nodes {
                 break;
             }
             let newton = x - excess / slope;
-            // and where it is steep, before its own
+            // where it is steep, the rounding of x ends it first
             if (newton - x).abs() <= 2.0 * f64::EPSILON * x {
                 x = newton.clamp(line.ends.0, line.ends.1);
                 break;

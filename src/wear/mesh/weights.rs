@@ -31,7 +31,7 @@ impl Places {
 
     /// dφ by a cell of ξ; ξ in cells here and below. On an annulus p = 5: the depth starts like
     /// √(X − c²), and the largest error of the profile, in the first cell, falls with the root of
-    /// its width. On a disc x is smooth in ξ, and p = 2.
+    /// its width. On a disc x is smooth in ξ, and p = 2. The factors are p (p + 1).
     pub(super) fn slope(self, xi: f64) -> f64 {
         let (n, per) = (self.cells as f64, 1.0 / self.cells as f64);
         let graded = match self.region {
