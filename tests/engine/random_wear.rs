@@ -110,7 +110,7 @@ fn random_amplitudes_at_constant_load() {
     close_to(outcome.worn, exact_volume(), 6e-3, "V");
 }
 
-/// Takes a minute: `cargo test --test engine springs_make_the_exact -- --ignored`.
+/// Takes 13 s or more: `cargo test --test engine springs_make_the_exact -- --ignored`.
 #[test]
 #[ignore = "the value that it makes is recorded"]
 fn many_springs_make_the_exact_volume() {
