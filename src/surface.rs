@@ -264,8 +264,7 @@ impl Surface {
         if matches!(&*self.profile, Profile::Table(_)) || depth <= self.tip() {
             return None;
         }
-        let cell = nodes.outermost_cell_below(depth)?;
-        let radius = nodes.radius_in_cell(&self.profile, depth, cell)?;
+        let (radius, cell) = nodes.outermost_radius_of_image(&self.profile, depth)?;
         let (image, load) = nodes.worn_part_in(Some(cell), radius);
         let overlap = depth - self.profile.image(radius) - image;
         let load = self.profile.load_integral(radius) + load + radius * overlap;
@@ -331,9 +330,8 @@ impl Surface {
         if outer.is_finite() && depth >= self.image(outer) {
             return self.outer_edge(outer, "indentation", depth);
         }
-        if let Some(x) = self
-            .worn()
-            .and_then(|nodes| nodes.radius_in_cell(&self.profile, depth, nodes.outermost_cell_below(depth)?))
+        if let Some((x, _)) =
+            self.worn().and_then(|nodes| nodes.outermost_radius_of_image(&self.profile, depth))
         {
             return Ok(x);
         }

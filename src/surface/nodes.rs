@@ -21,15 +21,9 @@ pub(crate) struct Nodes {
     worn_image: Vec<f64>,
     /// Worn depth at each node, m.
     depth: Vec<f64>,
-    /// Image g of the whole profile at each node, m.
+    /// What follows from the rest, at each node.
     #[serde(skip)]
-    whole: Vec<f64>,
-    /// ∫₀ ξ h' dξ up to each node, m².
-    #[serde(skip)]
-    worn_load: Vec<f64>,
-    /// ∫₀ g² dξ up to each node, m³.
-    #[serde(skip)]
-    square: Vec<f64>,
+    integrals: Vec<Integrals>,
     /// Cells across the contact that the nodes are meant to give.
     resolution: usize,
     /// The moving mesh among the nodes, where one has left its state here.
@@ -37,6 +31,20 @@ pub(crate) struct Nodes {
     /// Where one has done so before other motion: from which radius on (m) cells narrower than the
     /// second number (m) are its remains.
     remains: Option<(f64, f64)>,
+}
+
+/// Integrals up to a node.
+#[derive(Debug, Clone, Copy, Default)]
+struct Integrals {
+    /// ∫₀ ξ h' dξ, m².
+    worn_load: f64,
+    /// ∫₀ g² dξ, m³.
+    square: f64,
+}
+
+impl Integrals {
+    /// Those of nodes that are being made.
+    const UNKNOWN: Self = Self { worn_load: f64::NAN, square: f64::NAN };
 }
 
 /// A mesh of the slipping region whose nodes are among those of a surface, from index `first` on.
@@ -88,9 +96,7 @@ impl Nodes {
         self.x.clone_from(&other.x);
         self.worn_image.clone_from(&other.worn_image);
         self.depth.clone_from(&other.depth);
-        self.whole.clone_from(&other.whole);
-        self.worn_load.clone_from(&other.worn_load);
-        self.square.clone_from(&other.square);
+        self.integrals.clone_from(&other.integrals);
         self.mesh.clone_from(&other.mesh);
         (self.resolution, self.remains) = (other.resolution, other.remains);
     }
@@ -118,25 +124,23 @@ impl Nodes {
     }
 
     fn update_integrals(&mut self, profile: &Profile) {
-        self.whole.clear();
-        self.whole.extend(self.x.iter().zip(&self.worn_image).map(|(x, h)| profile.image(*x) + h));
-        self.worn_load.clear();
-        self.square.clear();
+        self.integrals.clear();
+        self.integrals.reserve_exact(self.x.len());
         let mut load = 0.0;
         for j in 0..self.x.len() {
-            self.worn_load.push(load);
+            self.integrals.push(Integrals { worn_load: load, square: 0.0 });
             if j < self.last() {
                 let (x0, x1) = (self.x[j], self.x[j + 1]);
                 load += 2.0 / 3.0 * self.slope(j) * (x1 - x0) * (x1 * x1 + x1 * x0 + x0 * x0);
             }
         }
         // after the loads, of which the parts at a radius are made
-        let mut square = 0.0;
-        for j in 0..self.x.len() {
-            self.square.push(square);
-            if j < self.last() {
-                square += self.square_up_to(profile, Some(j), self.x[j + 1], self.whole[j + 1]);
-            }
+        let (mut square, mut inner) = (0.0, self.whole(profile, 0));
+        for j in 0..self.last() {
+            let outer = self.whole(profile, j + 1);
+            square += self.square_in_cell(profile, Some(j), (self.x[j + 1], outer), inner);
+            self.integrals[j + 1].square = square;
+            inner = outer;
         }
     }
 
@@ -175,7 +179,7 @@ impl Nodes {
     /// These nodes with their integrals, which a saved state leaves out.
     pub(crate) fn completed(&self, profile: &Profile) -> Self {
         let mut nodes = self.clone();
-        if nodes.whole.len() != nodes.x.len() {
+        if nodes.integrals.len() != nodes.x.len() {
             nodes.update_integrals(profile);
         }
         nodes
@@ -205,8 +209,8 @@ impl Nodes {
             return None;
         }
         let nodes = self.completed(profile);
-        let sound = [&nodes.whole, &nodes.worn_load, &nodes.square].into_iter().all(is_field);
-        sound.then_some(nodes)
+        let finite = |at: &Integrals| at.worn_load.is_finite() && at.square.is_finite();
+        nodes.integrals.iter().all(finite).then_some(nodes)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Where nodes are: around a contact, from a moving mesh, joined, refined and thinned.
 
 use super::thinning::{met_by_lines, thin_unless};
-use super::{MeshPlace, Nodes};
+use super::{Integrals, MeshPlace, Nodes};
 use crate::profile::Profile;
 use crate::surface::NodeTransforms;
 use crate::transform;
@@ -48,9 +48,7 @@ impl Nodes {
             x: vec![0.0, a],
             worn_image: vec![0.0; 2],
             depth: vec![0.0; 2],
-            whole: Vec::new(),
-            worn_load: vec![0.0; 2],
-            square: Vec::new(),
+            integrals: vec![Integrals::default(); 2],
             resolution,
             mesh: None,
             remains: None,
@@ -106,10 +104,9 @@ impl Nodes {
         resolution: usize,
         mesh: Option<MeshPlace>,
     ) -> Self {
-        let worn_load = vec![f64::NAN; x.len()];
-        let (whole, square) = (Vec::new(), Vec::new());
+        let integrals = vec![Integrals::UNKNOWN; x.len()];
         let mesh = mesh.map(Box::new);
-        Self { x, worn_image, depth, whole, worn_load, square, resolution, mesh, remains: None }
+        Self { x, worn_image, depth, integrals, resolution, mesh, remains: None }
     }
 
     /// These nodes with the wear of a mesh, left as the others, on top. Nodes at which the line
@@ -253,7 +250,7 @@ impl Nodes {
             self.x.push((end + width).min(outer));
             self.worn_image.push(0.0);
             self.depth.push(0.0);
-            self.worn_load.push(f64::NAN);
+            self.integrals.push(Integrals::UNKNOWN);
             if self.worn_image.iter().any(|h| *h != 0.0) {
                 let last = self.last();
                 self.worn_image[last] = transform::abel_last(&self.x, &self.worn_image, 0.0);
@@ -308,6 +305,6 @@ impl Nodes {
         self.worn_image.insert(j + 1, h);
         self.depth.insert(j + 1, depth);
         // keeps worn_part usable for the next insertion; update_integrals follows
-        self.worn_load.insert(j + 1, f64::NAN);
+        self.integrals.insert(j + 1, Integrals::UNKNOWN);
     }
 }

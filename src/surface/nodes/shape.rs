@@ -84,15 +84,33 @@ impl Nodes {
         image: f64,
         (low, high): (f64, f64),
     ) -> Option<(f64, usize)> {
-        let cell = self.whole.partition_point(|g| *g <= image).checked_sub(1)?;
-        let x = self.radius_in_cell(profile, image, cell)?;
-        (low <= x && x <= high).then_some((x, cell))
+        let at = |j: usize| (j, self.whole(profile, j));
+        let (mut inner, mut outer) = (at(0), at(self.last()));
+        while outer.0 - inner.0 > 1 {
+            let middle = at(inner.0.midpoint(outer.0));
+            *(if middle.1 <= image { &mut inner } else { &mut outer }) = middle;
+        }
+        let x = self.radius_in_cell(profile, image, inner.0, (inner.1, outer.1))?;
+        (low <= x && x <= high).then_some((x, inner.0))
     }
 
-    /// Radius in a cell at which the whole image takes a value; `None` where it does not rise
-    /// through that.
-    pub(crate) fn radius_in_cell(&self, profile: &Profile, image: f64, j: usize) -> Option<f64> {
-        let ends = (self.whole[j], *self.whole.get(j + 1)?);
+    /// The outermost radius at which the whole image takes a value, with the cell that holds it,
+    /// where that is one between two nodes.
+    pub(crate) fn outermost_radius_of_image(&self, profile: &Profile, image: f64) -> Option<(f64, usize)> {
+        let mut outer = None;
+        for j in (0..=self.last()).rev() {
+            let inner = self.whole(profile, j);
+            if inner <= image {
+                return Some((self.radius_in_cell(profile, image, j, (inner, outer?))?, j));
+            }
+            outer = Some(inner);
+        }
+        None
+    }
+
+    /// Radius in a cell, of whose ends the whole images are given, at which the whole image takes a
+    /// value; `None` where it does not rise through that.
+    fn radius_in_cell(&self, profile: &Profile, image: f64, j: usize, ends: (f64, f64)) -> Option<f64> {
         self.root_in_cell(j, ends, image, |x, line| {
             (profile.image(x) + line.parts(x).0, profile.image_slope(x) + line.slope_at(x))
         })
@@ -101,7 +119,7 @@ impl Nodes {
     /// The outermost radius at which the load integral of the whole profile takes a value (m²),
     /// where a cell between two nodes holds it.
     pub(crate) fn radius_at_load(&self, profile: &Profile, load: f64) -> Option<f64> {
-        let up_to = |j: usize| profile.load_integral(self.x[j]) + self.worn_load[j];
+        let up_to = |j: usize| profile.load_integral(self.x[j]) + self.integrals[j].worn_load;
         // beyond a last node of less load the integral falls at first, and rises to it further out
         let j = (0..=self.last()).rev().find(|j| up_to(*j) <= load).filter(|j| *j < self.last())?;
         self.root_in_cell(j, (up_to(j), up_to(j + 1)), load, |x, line| {
@@ -152,18 +170,11 @@ impl Nodes {
         Some(x)
     }
 
-    /// The outermost cell whose inner end has an image of `image` (m) at most, and whose outer end
-    /// has a larger one.
-    pub(crate) fn outermost_cell_below(&self, image: f64) -> Option<usize> {
-        let inner = self.whole.iter().rposition(|g| *g <= image)?;
-        (inner < self.last()).then_some(inner)
-    }
-
     /// The worn image along a cell.
     #[inline(always)]
     pub(crate) fn cell_line(&self, j: usize) -> CellLine {
         let ends = (self.x[j], self.x[j + 1]);
-        CellLine { ends, image: self.worn_image[j], slope: self.slope(j), load: self.worn_load[j] }
+        CellLine { ends, image: self.worn_image[j], slope: self.slope(j), load: self.integrals[j].worn_load }
     }
 
     /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
@@ -175,7 +186,8 @@ impl Nodes {
     pub(crate) fn place_in(&self, profile: &Profile, cell: Option<usize>, x: f64) -> Place {
         let (image, load) = self.worn_part_in(cell, x);
         let (image, start) = (profile.image(x) + image, cell.unwrap_or(self.last()));
-        let square = self.square[start] + self.square_up_to(profile, cell, x, image);
+        let inner = self.whole(profile, start);
+        let square = self.integrals[start].square + self.square_in_cell(profile, cell, (x, image), inner);
         Place { x, image, load: profile.load_integral(x) + load, square }
     }
 
@@ -187,7 +199,7 @@ impl Nodes {
             None => {
                 let (end, ratio) = (self.last(), self.x[self.last()] / x);
                 let h = self.worn_image[end];
-                (h * ratio * ratio, self.worn_load[end] - 2.0 * h * self.x[end] * (1.0 - ratio))
+                (h * ratio * ratio, self.integrals[end].worn_load - 2.0 * h * self.x[end] * (1.0 - ratio))
             }
         }
     }
@@ -228,13 +240,25 @@ impl Nodes {
         (self.worn_image[j + 1] - self.worn_image[j]) / ((x1 - x0) * (x1 + x0))
     }
 
-    /// ∫ g² from the inner node of a cell to a radius of a whole `image`, by four-point Lobatto.
-    pub(super) fn square_up_to(&self, profile: &Profile, cell: Option<usize>, x: f64, image: f64) -> f64 {
-        let start = cell.unwrap_or(self.last());
-        let (middle, half) = (0.5 * (x + self.x[start]), 0.5 * (x - self.x[start]));
+    /// Image g of the whole profile at a node, m.
+    pub(super) fn whole(&self, profile: &Profile, j: usize) -> f64 {
+        profile.image(self.x[j]) + self.worn_image[j]
+    }
+
+    /// ∫ g² from the inner node of a cell to a place in it, by four-point Lobatto. Images are those
+    /// of the whole profile.
+    pub(super) fn square_in_cell(
+        &self,
+        profile: &Profile,
+        cell: Option<usize>,
+        (x, image): (f64, f64),
+        inner_image: f64,
+    ) -> f64 {
+        let start = self.x[cell.unwrap_or(self.last())];
+        let (middle, half) = (0.5 * (x + start), 0.5 * (x - start));
         let g2 = |x: f64| (profile.image(x) + self.worn_part_in(cell, x).0).powi(2);
         let node = half * 0.2f64.sqrt();
-        let ends = self.whole[start].powi(2) + image.powi(2);
+        let ends = inner_image.powi(2) + image.powi(2);
         half / 6.0 * (ends + 5.0 * (g2(middle - node) + g2(middle + node)))
     }
 }
