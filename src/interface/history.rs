@@ -304,7 +304,16 @@ impl Interface {
     /// Presses the contacts to a common approach under which they carry a force, N. Returns the
     /// share of it by which their forces differ from those before.
     pub(super) fn follow(&mut self, force: f64) -> Result<f64, Error> {
-        if force <= 0.0 || !self.wears() {
+        if !self.wears() {
+            return Ok(0.0);
+        }
+        if force <= 0.0 {
+            // profiles that have worn on the way touch at another approach
+            let touch = self.members.first_touch();
+            if touch != self.pose.approach {
+                self.members.lift_to(&self.pose, touch)?;
+                self.pose.approach = touch;
+            }
             return Ok(0.0);
         }
         let mut exchanged = None;

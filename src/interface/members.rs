@@ -296,6 +296,15 @@ impl Members {
         })
     }
 
+    /// Takes every contact at rest to an approach (m) at which none carries a force.
+    pub(super) fn lift_to(&mut self, pose: &Pose, approach: f64) -> Result<(), Error> {
+        let to = Pose { approach, ..*pose };
+        self.turn(pose, &to, |contact, summit, _| {
+            let depth = (approach - summit.offset).min(contact.touch_depth());
+            contact.advance_to_planar(depth, summit.displacement(pose.displacement, pose.rotation))
+        })
+    }
+
     /// Updates the profile of every contact at the force that it carries.
     pub(super) fn update_profiles(&mut self, pose: &Pose) -> Result<(), Error> {
         let models = self.models.clone();

@@ -42,20 +42,26 @@ fn differences(joint: &Interface, one: &FrettingContact, number: f64) -> [f64; 4
 }
 
 /// N equal contacts are one contact with an Nth of the force, to rounding, whatever they wear: they
-/// divide a step as one does, and wear at their force.
+/// divide a step as one does, and wear at their force. Where they part and wear much in each of a
+/// few long steps, the updates of their profiles enlarge rounding.
 #[test]
 fn equal_contacts_wear_as_one() {
     type Motion = fn(&mut dyn FnMut() -> f64, u32) -> (f64, f64);
-    let motions: [(&str, Motion); 6] = [
-        ("constant load", |_, k| (1.0, motion(k).1)),
-        ("gross slip", |_, k| (1.0, 4.0 * motion(k).1)),
-        ("varying load", |_, k| motion(k)),
-        ("random strokes", |random, _| (1.0, 3e-6 * random())),
-        ("random strokes and loads", |random, _| (1.0 + 0.6 * random(), 3e-6 * random())),
-        ("long strokes", |random, _| (1.0 + 0.2 * random(), 1e-4 * random())),
+    let rounding = (1e-12, 1e-12);
+    // at most, and where ten times as much wears
+    let motions: [(&str, Motion, (f64, f64)); 8] = [
+        ("constant load", |_, k| (1.0, motion(k).1), rounding),
+        ("gross slip", |_, k| (1.0, 4.0 * motion(k).1), rounding),
+        ("varying load", |_, k| motion(k), rounding),
+        ("random strokes", |random, _| (1.0, 3e-6 * random()), rounding),
+        ("random strokes and loads", |random, _| (1.0 + 0.6 * random(), 3e-6 * random()), rounding),
+        ("long strokes", |random, _| (1.0 + 0.2 * random(), 1e-4 * random()), rounding),
+        ("bodies part", |_, k| (0.5 + 3.0 * (motion(k).0 - 1.0), motion(k).1), rounding),
+        ("random strokes, bodies part", |random, _| (0.5 + random(), 3e-6 * random()), (2e-5, 1e-3)),
     ];
-    for (name, motion) in motions {
+    for (name, motion, bound) in motions {
         for (number, wear_coefficient) in [(2u32, 3.2e-2), (7, 3.2e-2), (7, 3.2e-1), (7, 0.0)] {
+            let bound = if wear_coefficient > 0.1 { bound.1 } else { bound.0 };
             let parameters = Parameters { resolution: 64, ..worn(wear_coefficient) };
             let mut one = FrettingContact::new(parameters.clone()).unwrap();
             let mut joint =
@@ -70,12 +76,12 @@ fn equal_contacts_wear_as_one() {
                 joint.advance_to(force, [u, 0.0], 0.0).unwrap();
                 let differences = differences(&joint, &one, number);
                 assert!(
-                    differences.iter().all(|difference| *difference < 1e-12),
+                    differences.iter().all(|difference| *difference < bound),
                     "{name}, {number} contacts, k = {wear_coefficient}, step {k}: {differences:?}"
                 );
             }
-            close_to(joint.wear_depth(), one.wear_depth(), 1e-12, "wear depth");
-            close_to(joint.normal_reaction(), number * one.normal_reaction(), 1e-12, "force");
+            close_to(joint.wear_depth(), one.wear_depth(), bound, "wear depth");
+            close_to(joint.normal_reaction(), number * one.normal_reaction(), bound, "force");
             assert!(wear_coefficient == 0.0 || one.counters().profile_updates > 1, "{name}");
         }
     }
