@@ -2,9 +2,9 @@
 //! the same run.
 //!
 //! `cargo bench --bench whole_life` takes about a minute; `cargo bench --bench whole_life --
-//! --long` adds the finest grids (some ten minutes). Errors are those of the closed final state
-//! where the depth is held; at constant force, where none is known, those against the engine at a
-//! tight tolerance, which the table names.
+//! --long` adds the finest grids (some ten minutes). A word runs the scenes whose name has it.
+//! Errors are those of the closed final state where the depth is held; at constant force, where
+//! none is known, those against the engine at a tight tolerance, which the table names.
 //!
 //! The engine's times are medians of repeated lives, each from a new contact. The published
 //! procedure runs once, with the longest time step that is stable; making its matrices is not
@@ -52,9 +52,10 @@ fn main() {
         },
         Scene { problem: Problem::parabola_at_constant_force(), life: 4.0, reach: 2.2 },
     ];
-    for scene in &scenes {
-        scene.report(&effort);
-    }
+    let words: Vec<&String> = arguments.iter().skip(1).filter(|word| !word.starts_with('-')).collect();
+    let asked =
+        |scene: &&Scene| words.is_empty() || words.iter().any(|word| scene.problem.name.contains(*word));
+    scenes.iter().filter(asked).for_each(|scene| scene.report(&effort));
 }
 
 /// How much to run.
