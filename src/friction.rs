@@ -251,10 +251,11 @@ fn replacement(knots: &[Knot], most: f64) -> Option<Knot> {
     let (first, middle, last) = (&knots[0], &knots[knots.len() / 2], &knots[knots.len() - 1]);
     let integral = |p: &Knot, q: &Knot| Interval::between(&p.place, &q.place).linear(p.origin, q.origin);
     let wanted: f64 = knots.windows(2).map(|pair| integral(&pair[0], &pair[1])).sum();
-    let at = |origin: f64| Knot { origin, ..*middle };
-    let given = |knot: &Knot| integral(first, knot) + integral(knot, last);
-    let (none, unit) = (given(&at(0.0)), given(&at(1.0)));
-    let knot = at((wanted - none) / (unit - none));
+    let inner = Interval::between(&first.place, &middle.place);
+    let outer = Interval::between(&middle.place, &last.place);
+    let of_ends = inner.linear(first.origin, 0.0) + outer.linear(0.0, last.origin);
+    let weight = inner.linear(0.0, 1.0) + outer.linear(1.0, 0.0);
+    let knot = Knot { origin: (wanted - of_ends) / weight, ..*middle };
     let line = |place: &Place| {
         if place.x < knot.place.x {
             interpolate(first, &knot, place.image)

@@ -368,7 +368,9 @@ impl Surface {
         }
         if high.is_nan() {
             // beyond all knots the unworn profile rises without end: double until it is above
-            high = if low > 0.0 { low * 1.01 } else { self.first_guess() };
+            // from a knot, or from the flat tip of a body that has none
+            high = if low > 0.0 { low * 1.01 } else { 1.001 * self.profile.flat_radius() };
+            high = high.max(f64::MIN_POSITIVE);
             while f(high) < value && high < outer && high < 1e300 {
                 low = high;
                 high *= 2.0;
@@ -376,17 +378,6 @@ impl Surface {
             high = high.min(outer);
         }
         (low, high)
-    }
-
-    /// Some radius of the size of the body, m.
-    fn first_guess(&self) -> f64 {
-        match *self.profile {
-            Profile::Parabola { radius } => 1e-3 * radius,
-            Profile::BluntedSphere { flat_radius, .. } | Profile::RoundedPunch { flat_radius, .. } => {
-                1.001 * flat_radius
-            }
-            _ => 1e-6,
-        }
     }
 }
 
