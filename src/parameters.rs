@@ -63,8 +63,8 @@ pub struct Parameters {
     #[serde(default = "rigid", with = "infinite_as_none")]
     pub rig_stiffness: f64,
     /// Cells across the slipping annulus, 8 to 512. Only wear and motion in the plane use them: on
-    /// a line forces are exact at any resolution. Steady cycles are integrated by parabolas on half
-    /// as many, at least 24.
+    /// a line forces are exact at any resolution. Steady cycles are integrated by parabolas on five
+    /// eighths of them, at least 24.
     pub resolution: usize,
     /// Relative tolerance of the wear integration, in [1e-12, 0.1].
     pub tolerance: f64,
