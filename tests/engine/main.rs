@@ -29,6 +29,7 @@ mod readout;
 mod retune;
 mod rig;
 mod running_in;
+mod similarity;
 mod snapshot;
 mod two_bodies;
 mod update_jumps;
