@@ -46,18 +46,20 @@ fn differences(joint: &Interface, one: &FrettingContact, number: f64) -> [f64; 4
 /// few long steps, the updates of their profiles enlarge rounding.
 #[test]
 fn equal_contacts_wear_as_one() {
-    type Motion = fn(&mut dyn FnMut() -> f64, u32) -> (f64, f64);
+    type Motion = fn(&mut dyn FnMut() -> f64, u32) -> (f64, [f64; 2]);
     let rounding = (1e-12, 1e-12);
     // at most, and where ten times as much wears
-    let motions: [(&str, Motion, (f64, f64)); 8] = [
-        ("constant load", |_, k| (1.0, motion(k).1), rounding),
-        ("gross slip", |_, k| (1.0, 4.0 * motion(k).1), rounding),
-        ("varying load", |_, k| motion(k), rounding),
-        ("random strokes", |random, _| (1.0, 3e-6 * random()), rounding),
-        ("random strokes and loads", |random, _| (1.0 + 0.6 * random(), 3e-6 * random()), rounding),
-        ("long strokes", |random, _| (1.0 + 0.2 * random(), 1e-4 * random()), rounding),
-        ("bodies part", |_, k| (0.5 + 3.0 * (motion(k).0 - 1.0), motion(k).1), rounding),
-        ("random strokes, bodies part", |random, _| (0.5 + random(), 3e-6 * random()), (2e-5, 1e-3)),
+    let motions: [(&str, Motion, (f64, f64)); 10] = [
+        ("constant load", |_, k| (1.0, [motion(k).1, 0.0]), rounding),
+        ("gross slip", |_, k| (1.0, [4.0 * motion(k).1, 0.0]), rounding),
+        ("varying load", |_, k| (motion(k).0, [motion(k).1, 0.0]), rounding),
+        ("random strokes", |random, _| (1.0, [3e-6 * random(), 0.0]), rounding),
+        ("random strokes and loads", |random, _| (1.0 + 0.6 * random(), [3e-6 * random(), 0.0]), rounding),
+        ("long strokes", |random, _| (1.0 + 0.2 * random(), [1e-4 * random(), 0.0]), rounding),
+        ("bodies part", |_, k| (0.5 + 3.0 * (motion(k).0 - 1.0), [motion(k).1, 0.0]), rounding),
+        ("orbits", |_, k| (motion(k).0, [motion(k).1, motion(k + 25).1]), rounding),
+        ("anywhere", |random, _| (1.0 + 0.6 * random(), [2e-6 * random(), 2e-6 * random()]), rounding),
+        ("random strokes, bodies part", |random, _| (0.5 + random(), [3e-6 * random(), 0.0]), (2e-5, 1e-3)),
     ];
     for (name, motion, bound) in motions {
         for (number, wear_coefficient) in [(2u32, 3.2e-2), (7, 3.2e-2), (7, 3.2e-1), (7, 0.0)] {
@@ -70,10 +72,10 @@ fn equal_contacts_wear_as_one() {
             let mut random = || uniform(&mut random, -1.0, 1.0);
             let number = f64::from(number);
             for k in 0..if name == "long strokes" { 20 } else { 300 } {
-                let (load, u) = motion(&mut random, k);
+                let (load, place) = motion(&mut random, k);
                 let force = number * 100.0 * load;
-                one.advance_to(force / number, u).unwrap();
-                joint.advance_to(force, [u, 0.0], 0.0).unwrap();
+                one.advance_to_planar(force / number, place).unwrap();
+                joint.advance_to(force, place, 0.0).unwrap();
                 let differences = differences(&joint, &one, number);
                 assert!(
                     differences.iter().all(|difference| *difference < bound),
