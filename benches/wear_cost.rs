@@ -3,7 +3,8 @@
 //!
 //! `cargo bench --bench wear_cost`. The ball of the default parameters, 100 steps a cycle; each
 //! scene without wear, with next to none and with that of steel, one after the other in one run.
-//! Means of µs a step, and their ratio to the step without wear.
+//! Means of µs a step, and their ratio to the step without wear. Then the time of a reading of the
+//! wear depth after each step.
 
 #[path = "../tests/fmi/host.rs"]
 #[allow(dead_code, reason = "the tests use more of it")]
@@ -18,6 +19,9 @@ const STEPS: u32 = 100;
 
 /// k of steel, with the default hardness 4e-14 m³/J.
 const STEEL: f64 = 3.2e-4;
+
+/// What a master reads after each step.
+const OUTPUTS: [&str; 2] = ["tangential_force", "dissipated_energy"];
 
 /// Load (N) and displacement (m) of a step.
 type Scene = fn(u32) -> [f64; 3];
@@ -51,12 +55,12 @@ fn orbit_under_varying_load(step: u32) -> [f64; 3] {
     [100.0 + 30.0 * (phase(step) + 0.7).sin(), x, y]
 }
 
-/// Mean time of a step, µs.
-fn measured(scene: Scene, wear_coefficient: f64, steps: u32) -> f64 {
+/// Mean time (µs) of a step and of reading outputs after it.
+fn measured(scene: Scene, wear_coefficient: f64, steps: u32, outputs: &[&str]) -> f64 {
     let fmu = Fmu::started(|fmu| assert_eq!(fmu.set_real("wear_coefficient", wear_coefficient), OK));
     let inputs = ["normal_force", "tangential_displacement", "tangential_displacement_y"].map(reference);
-    let outputs = [reference("tangential_force"), reference("dissipated_energy")];
-    let mut read = [0.0; 2];
+    let outputs: Vec<u32> = outputs.iter().map(|name| reference(name)).collect();
+    let mut read = vec![0.0; outputs.len()];
     let clock = Instant::now();
     for step in 0..steps {
         assert_eq!(fmu.set_reals(&inputs, &scene(step)), OK);
@@ -77,18 +81,21 @@ fn main() {
         ("orbit in the plane", orbit, 4_000),
         ("orbit in the plane, load varies by 30 %", orbit_under_varying_load, 4_000),
     ];
-    println!("µs a step: without wear; with next to none (1e-7 of steel's); with steel's");
+    println!("µs a step: without wear; with next to none (1e-7 of steel's); with steel's; wear_depth");
     for (name, scene, steps) in scenes {
         let [none, little, steel] =
-            [0.0, 1e-7 * STEEL, STEEL].map(|wear| measured(scene, wear, steps / share));
+            [0.0, 1e-7 * STEEL, STEEL].map(|wear| measured(scene, wear, steps / share, &OUTPUTS));
+        let [tangential_force, energy] = OUTPUTS;
+        let reading =
+            measured(scene, STEEL, steps / share, &[tangential_force, energy, "wear_depth"]) - steel;
         println!(
-            "{name}: {none:.2}; {little:.2} ({:.1} times); {steel:.2} ({:.1} times)",
+            "{name}: {none:.2}; {little:.2} ({:.1} times); {steel:.2} ({:.1} times); {reading:.2}",
             little / none,
             steel / none
         );
     }
     println!("load varies by 50 %, steel, µs a step over a run of so many cycles");
     for cycles in [200, 1000, 4000] {
-        println!("{cycles}: {:.2}", measured(varying_load, STEEL, cycles * STEPS / share));
+        println!("{cycles}: {:.2}", measured(varying_load, STEEL, cycles * STEPS / share, &OUTPUTS));
     }
 }
