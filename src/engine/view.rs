@@ -100,6 +100,10 @@ impl FrettingContact {
         let scale = (self.model.constants.wear_per_work * work / volume).min(MOST_SCALE);
         let factor = if volume > 0.0 { per_sum * scale } else { 0.0 };
         reading.depth.iter_mut().for_each(|depth| *depth *= factor);
+        if let Some(nodes) = surface.worn() {
+            let profile = surface.profile();
+            nodes.relieve_rim(&mut reading.depth, reading.wear.deepest(), profile);
+        }
     }
 
     /// Radii (m) from and up to which nodes serve slip that has reached inward to an image (m) in

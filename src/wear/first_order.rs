@@ -63,6 +63,11 @@ impl FirstOrderWear {
         front
     }
 
+    /// The largest of the depths under which springs have slipped, m.
+    pub(crate) fn deepest(&self) -> f64 {
+        self.levels.iter().map(|level| level.law.depth).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// Counts the images of another surface from now on.
     pub(crate) fn set_surface(&mut self, surface: &Surface) {
         self.images.clear();

@@ -96,6 +96,26 @@ fn an_update_hardly_changes_what_is_read() {
     }
 }
 
+/// Pressure is infinite at a sharp rim until that has worn. Before the first update the depth there
+/// is read with the relief of the rim: without it, it was over a hundred times what a run of many
+/// updates gives.
+#[test]
+fn the_rim_of_a_punch_is_read_with_its_relief() {
+    let run = |resolution: usize, tolerance: f64| {
+        let parameters = Parameters { profile: PUNCH, resolution, tolerance, ..Parameters::default() };
+        let mut contact = wearing(0.1 * WEAR_PER_WORK, parameters);
+        let step = |k: u32| {
+            to(&mut contact, FORCE, 5e-6 * (TAU * f64::from(k) / 20.0).sin());
+            (contact.wear_depth(), contact.counters().profile_updates)
+        };
+        (1..=10).map(step).collect::<Vec<_>>()
+    };
+    for (k, ((depth, updates), (fine, many))) in run(64, 1e-3).into_iter().zip(run(128, 1e-5)).enumerate() {
+        assert!(updates == 0 && (many > 5 || fine == 0.0), "step {k}: {updates}, {many} updates");
+        assert!((0.7 * fine..=1.2 * fine).contains(&depth), "step {k}: {depth:e} against {fine:e}");
+    }
+}
+
 /// What is read follows from the state alone: reading at each step leaves no trace, and a restored
 /// state reads the same.
 #[test]
