@@ -28,11 +28,9 @@ pub(crate) fn mean_work_share(
             NormalControl::Force => mean(&x[..inside], &change[..inside]),
             NormalControl::Indentation => 0.0,
         };
-        let at = |image: f64, change: f64| {
-            let (overlap, fall) = (law.depth - image, change - approach);
-            let (slip, slope) = law.at(image);
-            (overlap * slip, 0.5 * fall * (overlap * slope - slip))
-        };
+        // image, overlap, half of its fall, and slip
+        let at =
+            |image: f64, change: f64| (image, law.depth - image, 0.5 * (change - approach), law.at(image).0);
         for i in 1..=inside.min(x.len() - 1) {
             let inner = at(images[i - 1], change[i - 1]);
             let (mut outer, mut width) = (at(images[i], change[i]), x[i] - x[i - 1]);
@@ -42,8 +40,13 @@ pub(crate) fn mean_work_share(
                 outer = at(law.depth, change[i - 1] + part * (change[i] - change[i - 1]));
                 width *= part;
             }
-            work += 0.5 * width * (inner.0 + outer.0);
-            difference += 0.5 * width * (inner.1 + outer.1);
+            // the mean of a cell: between two hinges of one bin the slope itself may be anything
+            let rise = outer.0 - inner.0;
+            let slope = if rise > 0.0 { (outer.3 - inner.3) / rise } else { 0.0 };
+            for (_, overlap, fall, slip) in [inner, outer] {
+                work += 0.5 * width * overlap * slip;
+                difference += 0.5 * width * fall * (overlap * slope - slip);
+            }
         }
     }
     let share = if work > 0.0 { difference / work } else { 0.0 };
