@@ -31,6 +31,7 @@ mod rig;
 mod running_in;
 mod similarity;
 mod snapshot;
+mod splitting;
 mod two_bodies;
 mod update_jumps;
 mod varying_load;
