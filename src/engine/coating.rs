@@ -9,9 +9,6 @@ use super::FrettingContact;
 use crate::error::Error;
 use serde::{Deserialize, Serialize};
 
-/// Error of the cycle at wear-through as a share of the tolerance, relative to the cycles so far.
-const ACCURACY: f64 = 0.1;
-
 /// Most trial runs for one wear-through: regula falsi takes 4 to 12.
 const MOST_TRIALS: u32 = 60;
 
@@ -129,18 +126,14 @@ impl FrettingContact {
             return Ok(0.0);
         }
         let (mut low, mut high, mut last) = ((0.0, at_start), (cycles, at_end), 0.0);
-        for trial in 1..=MOST_TRIALS {
-            let accuracy =
-                ACCURACY * before.model.parameters.tolerance * (before.state.coating.cycles + high.0);
+        for _ in 0..MOST_TRIALS {
+            let accuracy = before.model.parameters.tolerance * (before.state.coating.cycles + high.0);
             let crossing = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
             if high.0 - low.0 <= accuracy {
                 return Ok(crossing.clamp(low.0, high.0));
             }
-            // where the cycles are far more than the coating takes, the geometric mean is nearer
-            let mean = (f64::max(low.0, 1e-6 * high.0) * high.0).sqrt();
-            let part = if trial % 4 == 0 { mean } else { crossing };
             // so that the last trials enclose the crossing from both sides
-            let part = part.max(low.0 + 0.5 * accuracy).min(high.0 - 0.5 * accuracy);
+            let part = crossing.max(low.0 + 0.5 * accuracy).min(high.0 - 0.5 * accuracy);
             let now = excess(part)?;
             // an end that stays for a second time counts half
             let stays = if now * last > 0.0 { 0.5 } else { 1.0 };
