@@ -46,10 +46,12 @@ mod view;
 
 pub use crate::counters::Counters;
 pub use derivatives::Gradient;
-pub(crate) use member::{Models, unworn_load};
+pub(crate) use history::MOST_PIECES;
+pub(crate) use member::{Models, ROUNDING, unworn_load};
 pub(crate) use memory::Memory;
 pub(crate) use model::Model;
 pub(crate) use save_point::SavePoints;
+pub(crate) use snapshot::CLOSE;
 pub use snapshot::Snapshot;
 pub(crate) use state::Mark;
 

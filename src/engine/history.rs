@@ -8,8 +8,9 @@ use crate::surface::Contact;
 use crate::wear;
 use nalgebra::Vector2;
 
-/// Most pieces into which wear may split a line.
-const MOST_PIECES: f64 = 512.0;
+/// Most pieces into which wear may split a line, and most updates in place of one call for a steady
+/// motion. A contact that would need more is refused.
+pub(crate) const MOST_PIECES: u32 = 1024;
 
 /// Transient motion.
 impl FrettingContact {
@@ -200,12 +201,13 @@ impl FrettingContact {
         let inner = springs.stick_radius(&to, self.model.bound_slope, displacement);
         let volume = self.model.constants.wear_per_work * work;
         if let Some(ratio) = self.exceeds_limit(volume, &to, inner)
-            && (splits > 0 || (ratio > MOST_PIECES && self.exceeds_wear_capacity(work)))
+            && (splits > 0
+                || (ratio > f64::from(MOST_PIECES) && self.exceeds_wear_capacity(work, &self.state.contact)))
         {
             if splits == 0 {
                 return Err(Error::WearOutrun { from: self.state.displacement, displacement });
             }
-            let pieces = ratio.ceil().min(MOST_PIECES) as u32;
+            let pieces = ratio.ceil().min(f64::from(MOST_PIECES)) as u32;
             let line = Line {
                 from: (self.state.contact.control, self.state.displacement),
                 to: (value, displacement),
@@ -226,9 +228,9 @@ impl FrettingContact {
 
     /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact
     /// could follow.
-    pub(super) fn exceeds_wear_capacity(&self, work: f64) -> bool {
-        let ratio = self.exceeds_limit(self.model.constants.wear_per_work * work, &self.state.contact, 0.0);
-        ratio.is_some_and(|ratio| ratio > MOST_PIECES)
+    pub(super) fn exceeds_wear_capacity(&self, work: f64, contact: &Contact) -> bool {
+        let ratio = self.exceeds_limit(self.model.constants.wear_per_work * work, contact, 0.0);
+        ratio.is_some_and(|ratio| ratio > f64::from(MOST_PIECES))
     }
 
     /// The path from the present state to a contact and displacement.

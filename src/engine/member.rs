@@ -9,8 +9,9 @@ use nalgebra::Vector2;
 use std::mem::swap;
 use std::sync::Arc;
 
-/// Share of the depth by which a contact moves along its tangent: the error is its square.
-const STILL: f64 = 1e-9;
+/// Share of a force, or of a change of depth, that counts as rounding: a contact whose force is held
+/// keeps its depth to the bit.
+pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// What the contacts of an interface share, each of them held at its depth, or at its force.
 #[derive(Debug, Clone)]
@@ -66,9 +67,8 @@ impl FrettingContact {
     pub(crate) fn load_at(&self, depth: f64) -> Result<(f64, f64), Error> {
         let contact = self.state.contact;
         let change = depth - contact.depth;
-        if change == 0.0 || change.abs() <= STILL * (contact.depth - self.surface.tip()) {
-            let load = contact.load + contact.radius * change;
-            return Ok((self.force_scale() * load, contact.radius));
+        if change == 0.0 || change.abs() <= ROUNDING * (contact.depth - self.surface.tip()) {
+            return Ok((self.force_scale() * contact.load, contact.radius));
         }
         match self.surface.load_in_cell(depth) {
             Some((load, radius)) => Ok((self.force_scale() * load, radius)),

@@ -12,7 +12,10 @@ mod reading;
 mod derivatives;
 mod rig;
 
+pub(super) use rig::BALANCED;
+
 use super::FrettingContact;
+use super::history::MOST_PIECES;
 use super::line::Line;
 use crate::error::Error;
 use crate::friction::{PlanarPath, PlanarRow, Resting, Samples, SlipPiece, Springs};
@@ -21,13 +24,6 @@ use crate::surface::Contact;
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 use std::mem::{replace, take};
-
-/// Most halvings of a piece that wears more than the profile can take at once.
-const MOST_HALVINGS: u32 = 9;
-
-/// Ratio of what one line wears to what may wear between two updates at which it is refused without
-/// being tried: by then the contact has grown so far that the updates take seconds.
-const MOST_WEAR: f64 = 1e3;
 
 /// Name of the displacement along y in messages.
 pub(super) const Y: &str = "tangential_displacement_y";
@@ -99,7 +95,7 @@ impl FrettingContact {
             self.state.displacement_y = place.y;
             return Ok(());
         }
-        self.slip_in_plane(value, place, MOST_HALVINGS)
+        self.slip_in_plane(value, place, MOST_PIECES.ilog2())
     }
 
     /// Whether the way to a place goes back.
@@ -190,8 +186,7 @@ impl FrettingContact {
         if self.state.wear.is_some() && end.work > 0.0 {
             let volume = self.model.constants.wear_per_work * end.work;
             let far = self.exceeds_limit(volume, &end.to, self.model.widest_stick(&end.to)).is_some();
-            let whole = self.exceeds_limit(volume, &end.to, 0.0).unwrap_or(0.0);
-            if whole > MOST_WEAR || (halvings == 0 && self.exceeds_wear_capacity(end.work)) {
+            if self.exceeds_wear_capacity(end.work, &end.to) {
                 return Err(Error::WearOutrun { from: self.state.displacement, displacement: place.x });
             }
             let middle = 0.5 * (self.place() + place);

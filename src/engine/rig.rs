@@ -28,7 +28,7 @@ use crate::roots;
 
 /// Most walks for one equilibrium. Newton's method takes 3 to 6; a bisection in its place would
 /// take 52.
-const MOST_WALKS: u32 = 100;
+pub(super) const MOST_WALKS: u32 = 100;
 
 /// How far from equilibrium counts as none, relative to the lengths that are compared.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;

@@ -37,19 +37,7 @@ struct SavePoint {
     origins: Range<usize>,
 }
 
-/// Knots of a row at first: most have no more.
-const USUAL_KNOTS: usize = 4;
-
 impl SavePoints {
-    /// Memory for a number of contacts.
-    pub(crate) fn with_capacity(contacts: usize) -> Self {
-        Self {
-            points: Vec::with_capacity(contacts),
-            knots: Vec::with_capacity(USUAL_KNOTS * contacts),
-            origins: Vec::with_capacity(USUAL_KNOTS * contacts),
-        }
-    }
-
     /// Saves the present state of a contact under a number that is larger than those before.
     pub(crate) fn save(&mut self, number: usize, contact: &mut FrettingContact) {
         let state = &mut contact.state;

@@ -2,6 +2,8 @@
 
 mod soundness;
 
+pub(crate) use soundness::CLOSE;
+
 use super::FrettingContact;
 use super::state::State;
 use crate::error::Error;

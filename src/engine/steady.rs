@@ -1,15 +1,9 @@
 //! Motion that repeats at constant load, worn by its law of time.
 
 use super::FrettingContact;
+use super::history::MOST_PIECES;
 use crate::error::Error;
 use crate::wear::{Sliding, SlipAtDepth, share_of_room};
-
-/// Most implicit updates in place of one call for a steady motion.
-const MOST_CHUNKS: u32 = 511;
-
-/// Most chunks' worth of a motion that is begun at all, in the hope that the mesh can follow a
-/// smoother profile.
-const FARTHEST: f64 = 1e6;
 
 impl FrettingContact {
     /// Wears the surface by an amount (cycles or metres) of sliding at constant load, whatever the
@@ -22,7 +16,7 @@ impl FrettingContact {
     /// again after every doubling.
     ///
     /// # Errors
-    /// [`Error::TooMuchWear`] where neither the mesh nor [`MOST_CHUNKS`] updates can follow; those
+    /// [`Error::TooMuchWear`] where neither the mesh nor [`MOST_PIECES`] updates can follow; those
     /// of the normal contact.
     pub(super) fn wear_steadily(&mut self, value: f64, sliding: Sliding, amount: f64) -> Result<(), Error> {
         let (mut left, mut chunks, mut next_trial) = (amount, 0, 1);
@@ -42,8 +36,8 @@ impl FrettingContact {
                     return Ok(());
                 }
                 let (amount, work) = self.chunk(sliding, left);
-                let hopeless = !(left <= FARTHEST * amount && work.is_finite());
-                if hopeless || chunks == MOST_CHUNKS {
+                let moves = amount > 0.0 && work.is_finite();
+                if chunks == MOST_PIECES || !moves {
                     return Err(refused);
                 }
                 let contact = self.state.contact;
@@ -117,7 +111,7 @@ impl FrettingContact {
         let friction = self.model.constants.friction_coefficient * self.normal_reaction();
         let volume = self.model.constants.wear_per_work * friction * (move_on.abs() - slack);
         self.exceeds_limit(volume, &self.state.contact, 0.0)?;
-        Some(self.state.displacement + slack * (1.0 + 1e-9) * move_on.signum())
+        Some(self.state.displacement + slack * move_on.signum())
     }
 
     /// Slides on at constant load, all springs slipping already, to a displacement.

@@ -11,12 +11,6 @@ use crate::error::Error;
 /// 60.
 const MOST_STEPS: usize = 200;
 
-/// Steps after which one of bisection is taken.
-const SLOW: usize = 8;
-
-/// A step of Newton's method after which its error is rounding: it is of second order.
-const LAST_STEP: f64 = 1e-8;
-
 /// An approach, and the normal stiffness near to it.
 #[derive(Debug, Clone)]
 pub(super) struct Approach {
@@ -49,7 +43,7 @@ impl Interface {
             let forces = self.members.forces(loads, next - value, force);
             Ok(Approach { value: next, stiffness, forces })
         };
-        for count in 1..=MOST_STEPS {
+        for _ in 0..MOST_STEPS {
             let resolved = 4.0 * f64::EPSILON * value.abs().max(touch.abs());
             let total = match self.total_at(value, &mut loads) {
                 Ok(total) => total,
@@ -75,16 +69,15 @@ impl Interface {
             }
             let step = -excess / stiffness;
             let next = value + step;
-            let small = LAST_STEP * (value - touch);
+            // its error is of second order in the step
+            let small = f64::EPSILON.sqrt() * (value - touch);
             if (step.abs() <= small || step.abs() <= resolved) && next > touch {
                 return found(next, value, stiffness, &loads);
             }
-            // a worn profile is not convex
-            let slow = count % SLOW == 0 && high.is_finite();
             if high - low <= resolved && refused.is_none() {
                 return found(value, value, stiffness, &loads);
             }
-            value = if next > low && next < high && !slow {
+            value = if next > low && next < high {
                 next
             } else if high.is_finite() {
                 0.5 * (low + high)

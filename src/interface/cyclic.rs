@@ -12,9 +12,6 @@ use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::range;
 
-/// Most that the means of the forces in a block may be off in all, relative, over the tolerance.
-const MEAN_ERROR: f64 = 1.0;
-
 /// Square of the largest share of the force that contacts exchange in a block, over the tolerance.
 const CHANGE: f64 = 0.25;
 
@@ -72,7 +69,7 @@ impl Interface {
     /// Cycles at a constant force, N, from the approach of a pose on.
     fn run_blocks(&mut self, force: f64, mut pose: Pose, cycles: f64) -> Result<(), Error> {
         let tolerance = self.parameters.tolerance;
-        let (most_change, most_error) = ((CHANGE * tolerance).sqrt(), MEAN_ERROR * tolerance);
+        let most_change = (CHANGE * tolerance).sqrt();
         let amplitude = pose.displacement[0];
         let mut before = self.approach_under(force, pose.approach)?.forces;
         let mut left = cycles;
@@ -98,7 +95,7 @@ impl Interface {
                 Err(_) => (f64::INFINITY, f64::INFINITY),
             };
             match run {
-                Ok((next, after)) if change <= most_change && error <= most_error => {
+                Ok((next, after)) if change <= most_change && error <= tolerance => {
                     left -= length;
                     pose.cycles += length;
                     pose.approach = next;

@@ -3,32 +3,14 @@
 use super::approach::Approach;
 use super::members::{ForceChange, Loading};
 use super::{Interface, Pose};
-use crate::engine::FrettingContact;
+use crate::engine::{FrettingContact, MOST_PIECES, ROUNDING};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::range;
 
-/// Largest change of the stiffness along a part of a step, relative, over the root of the
-/// tolerance. The springs that touch in such a part do so at a displacement that is off by an
-/// eighth of that change, which makes an error of the tangential force of a twelfth of its square.
-const STIFFNESS_SHARE: f64 = 2.0;
-
-/// Largest change of the share of the force that a contact carries at which its force follows a
-/// straight line along a part of a step, relative, over the root of the tolerance.
-const SHARE_CHANGE: f64 = 1.0;
-
-/// Most parts of a step under force control, whatever the tolerance.
-const MOST_PARTS: f64 = 1024.0;
-
 /// Largest share of the normal force by which the wear of a part of a step may change the forces of
 /// the contacts, over the tolerance, where a contact wears in several updates.
 const LOST_SHARE: f64 = 4.0;
-
-/// Most parts into which wear divides a part of a step.
-const MOST_DIVISION: f64 = 4096.0;
-
-/// Share of the force that counts as rounding: a force that is held keeps its approach to the bit.
-const ROUNDING: f64 = 1e-12;
 
 /// Most corrections of the approach after wear. Pressing wears nothing: the second finds nothing to
 /// do.
@@ -154,9 +136,11 @@ impl Interface {
             return Ok(1);
         }
         let change = (after - before).abs() / after.max(before);
-        let parts = change / (STIFFNESS_SHARE * self.parameters.tolerance.sqrt());
+        // the springs that touch in a part do so at a displacement that is off by an eighth of this
+        // change, which makes an error of the tangential force of a twelfth of its square
+        let parts = change / self.parameters.tolerance.sqrt();
         // a share that is no number has one part, too
-        Ok(parts.ceil().clamp(1.0, MOST_PARTS) as u64)
+        Ok(parts.ceil().clamp(1.0, f64::from(MOST_PIECES)) as u64)
     }
 
     /// Walks a part of a line to a force, N; where that wears so much that the approach would have
@@ -177,7 +161,7 @@ impl Interface {
             self.roll_back();
             length = 0.5;
         }
-        let (mut done, shortest) = (0.0, 1.0 / MOST_DIVISION);
+        let (mut done, shortest) = (0.0, 1.0 / f64::from(MOST_PIECES));
         while done < 1.0 {
             let share: f64 = if done + length >= 1.0 { 1.0 } else { done + length };
             let pose = self.pose;
@@ -194,7 +178,7 @@ impl Interface {
                 Outcome::TooLong { lost } if length <= shortest => {
                     let [x, y] = end.displacement;
                     let what = format!("to displacement ({x:e}, {y:e}) m, rotation {:e} rad", end.rotation);
-                    return Err(Error::InterfaceOutrun { share: lost, what, parts: MOST_DIVISION as u64 });
+                    return Err(Error::InterfaceOutrun { share: lost, what, parts: MOST_PIECES.into() });
                 }
                 Outcome::TooLong { lost } => {
                     self.members.return_to(&marks);
@@ -252,7 +236,7 @@ impl Interface {
 
     /// The change of the normal force (N) to an approach, and the pose there.
     fn force_change(&self, (from, to): (f64, f64), approach: Approach, end: &Pose) -> (ForceChange, Pose) {
-        let most_change = SHARE_CHANGE * self.parameters.tolerance.sqrt();
+        let most_change = self.parameters.tolerance.sqrt();
         let change =
             ForceChange { total: (from.max(0.0), to.max(0.0)), forces: approach.forces, most_change };
         (change, Pose { approach: approach.value, ..*end })

@@ -5,7 +5,7 @@
 
 use super::Pose;
 use super::summit::Summit;
-use crate::engine::{FrettingContact, Mark, Memory, Model, Models, SavePoints, unworn_load};
+use crate::engine::{FrettingContact, Mark, Memory, Model, Models, ROUNDING, SavePoints, unworn_load};
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
@@ -15,12 +15,6 @@ use std::sync::Arc;
 /// Contacts that a thread takes at a time.
 #[cfg(feature = "threads")]
 const CHUNK: usize = 32;
-
-/// Share of the force of a contact that counts as rounding.
-const ROUNDING: f64 = 1e-12;
-
-/// Share of a change of depth that counts as rounding.
-const TOUCH: f64 = 1e-9;
 
 /// A contact that has touched, or its place.
 type Slot = Option<Box<FrettingContact>>;
@@ -74,7 +68,7 @@ impl ForceChange {
     fn is_even(&self, (before, index): (f64, usize), depths: (f64, f64)) -> bool {
         let after = self.forces[index];
         let touches =
-            |force: f64, depth: f64| force > 0.0 || depth >= -TOUCH * depths.0.abs().max(depths.1.abs());
+            |force: f64, depth: f64| force > 0.0 || depth >= -ROUNDING * depths.0.abs().max(depths.1.abs());
         let (a, b) = (before * self.total.1, after * self.total.0);
         touches(before, depths.0) && touches(after, depths.1) && (a - b).abs() <= self.most_change * a.max(b)
     }
@@ -194,7 +188,7 @@ impl Members {
 
     /// Begins a change that may fail.
     pub(super) fn begin_change(&mut self) {
-        self.save_points = SavePoints::with_capacity(self.touched().count());
+        self.save_points = SavePoints::default();
         for (index, slot) in self.slots.iter_mut().enumerate() {
             if let Some(contact) = slot {
                 self.save_points.save(index, contact);

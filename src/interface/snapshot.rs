@@ -1,14 +1,10 @@
 //! Saved states of an interface.
 
 use super::{Interface, Pose};
-use crate::engine::Snapshot;
+use crate::engine::{CLOSE, Snapshot};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use serde::{Deserialize, Serialize};
-
-/// How far the place of a contact may differ from that of the body, relative: machines differ in
-/// the last digits.
-const CLOSE: f64 = 1e-6;
 
 /// Everything that an [`Interface`] needs to go on from where it was, without its parameters and
 /// places. Contacts that have never touched take no room.

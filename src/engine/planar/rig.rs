@@ -12,6 +12,8 @@
 //! Nothing is kept: **D** follows from **U** and **T**. What an update of the worn profile changes
 //! in **T** is made up for by going on, never back.
 
+use crate::engine::history::MOST_PIECES;
+use crate::engine::rig::MOST_WALKS;
 use crate::engine::{FrettingContact, Gradient};
 use crate::error::Error;
 use crate::friction::PlanarRow;
@@ -19,23 +21,9 @@ use crate::surface::Contact;
 use nalgebra::{Matrix2, Vector2};
 use std::mem::take;
 
-/// Most halvings of one piece for that sake.
-const MOST_HALVINGS: u32 = 8;
-
-/// Most trial walks for one equilibrium; 3 to 8 are usual.
-const MOST_WALKS: u32 = 60;
-
-/// How far from equilibrium counts as none, over the lengths that are compared.
-const BALANCED: f64 = 1e-13;
-
-/// What of them may be noise in the distance from a chord.
-const ROUNDING: f64 = 1e-12;
-
-/// How far from equilibrium counts as none after wear, which changes the force.
-const NEARLY: f64 = 1e-9;
-
-/// Most ways that make up for wear in one piece.
-const MOST_MORE: u32 = 4;
+/// How far from the solution of an iteration, an equilibrium or a coefficient, counts as none,
+/// relative to the numbers that are compared.
+pub(in crate::engine) const BALANCED: f64 = 1e-13;
 
 /// What the matrix takes to a vector; `None` where it is singular.
 fn solved(of: &Matrix2<f64>, right: Vector2<f64>) -> Option<Vector2<f64>> {
@@ -93,7 +81,7 @@ impl FrettingContact {
         }
         self.enter_plane()?;
         let found = self.balance(value, drive, Equilibrium::near(self.place()))?;
-        self.follow_to(value, drive, found, MOST_HALVINGS)
+        self.follow_to(value, drive, found, MOST_PIECES.ilog2())
     }
 
     /// The same where it is known how the body comes to a place.
@@ -109,7 +97,7 @@ impl FrettingContact {
         if halvings > 0 && halfway > self.touch_control() && drive != from {
             let half = from + 0.5 * (drive - from);
             let near = self.model.tuning.bent * self.model.bound_slope * self.state.contact.depth.abs()
-                + ROUNDING * self.scale_of(drive, &self.state.contact);
+                + BALANCED * self.scale_of(drive, &self.state.contact);
             let middle = Equilibrium::near(0.5 * (here + found.place));
             let between = self.balance_nearly(halfway, half, middle, 0.1 * near)?;
             let bent = distance(between.place, (here, found.place));
@@ -124,18 +112,16 @@ impl FrettingContact {
         }
         let updates = self.state.counters.profile_updates;
         self.walk_in_plane(value, found.place)?;
-        for _ in 0..MOST_MORE {
-            if self.state.counters.profile_updates == updates || self.state.planar.is_none() {
-                break;
-            }
-            let off = drive - self.drive_place();
-            if off.dot(&self.direction_in_plane()) <= NEARLY * self.scale_of(drive, &self.state.contact) {
-                break;
-            }
-            let found = self.balance(value, drive, Equilibrium::near(self.place()))?;
-            self.walk_in_plane(value, found.place)?;
+        let off = drive - self.drive_place();
+        if self.state.counters.profile_updates == updates
+            || self.state.planar.is_none()
+            || off.dot(&self.direction_in_plane()) <= 0.0
+        {
+            return Ok(());
         }
-        Ok(())
+        // the wear has changed the force
+        let found = self.balance(value, drive, Equilibrium::near(self.place()))?;
+        self.walk_in_plane(value, found.place)
     }
 
     /// Size of the lengths that are compared in an equilibrium, m.

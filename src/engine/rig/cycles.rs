@@ -6,18 +6,12 @@
 //! amplitude, and so they are where the integrator cannot follow.
 
 use super::super::FrettingContact;
+use super::super::history::MOST_PIECES;
 use crate::error::Error;
 use crate::wear::Sliding;
 
-/// Most trials of a stretch of cycles in one call.
-const MOST_TRIALS: u32 = 1000;
-
 /// Share of the tolerance that the amplitude may be wrong by at the end of a stretch, relative.
 const SHARE: f64 = 0.1;
-
-/// Share of the tolerance by which the amplitude may change along a stretch that is run with that
-/// of its start.
-const STEADY: f64 = 0.01;
 
 impl FrettingContact {
     /// Wears the surface by cycles of a drive at constant load; returns the amplitude of the
@@ -56,7 +50,7 @@ impl FrettingContact {
         let tolerance = self.model.parameters.tolerance;
         let (mut left, mut stretch) = (cycles, cycles);
         let mut amplitude = self.own_amplitude(drive);
-        for _ in 0..MOST_TRIALS {
+        for _ in 0..MOST_PIECES {
             if left <= 0.0 {
                 return Ok(amplitude);
             }
@@ -68,19 +62,16 @@ impl FrettingContact {
             if let Err(beyond @ (Error::BeyondTable { .. } | Error::NonMonotoneImage { .. })) = predicted {
                 return Err(beyond);
             }
-            let change = predicted.as_ref().map_or(f64::INFINITY, |end| (end - amplitude).abs() / amplitude);
-            let (end, error) = if change <= STEADY * tolerance || amplitude == 0.0 {
-                (predicted?, 0.0)
-            } else if let Ok(predicted) = predicted {
+            let corrected = predicted.and_then(|predicted| {
+                if predicted == amplitude {
+                    return Ok((amplitude, 0.0));
+                }
                 self.go_back(before.clone());
                 let mean = 0.5 * (amplitude + predicted);
-                match self.amplitude_after(value, (drive, mean), stretch) {
-                    Ok(end) => (end, (end - predicted).abs() / end / (SHARE * tolerance)),
-                    Err(_) => (amplitude, f64::INFINITY),
-                }
-            } else {
-                (amplitude, f64::INFINITY)
-            };
+                let end = self.amplitude_after(value, (drive, mean), stretch)?;
+                Ok((end, (end - predicted).abs() / end / (SHARE * tolerance)))
+            });
+            let (end, error) = corrected.unwrap_or((amplitude, f64::INFINITY));
             let accepted = error <= 1.0;
             if accepted {
                 amplitude = end;
@@ -90,7 +81,7 @@ impl FrettingContact {
             }
             stretch *= (0.9 / error.sqrt()).clamp(0.1, 4.0);
         }
-        Err(Error::TooMuchWear { cycles, left, amplitude: drive, steps: MOST_TRIALS })
+        Err(Error::TooMuchWear { cycles, left, amplitude: drive, steps: MOST_PIECES })
     }
 
     /// Runs cycles of the contact itself; returns the amplitude that the drive would make then.

@@ -1,9 +1,9 @@
 //! Whether a saved state that may come from anywhere is one that a contact could be in.
 
 use super::Snapshot;
-use crate::engine::FrettingContact;
 use crate::engine::planar::Planar;
 use crate::engine::state::WearState;
+use crate::engine::{FrettingContact, ROUNDING};
 use crate::friction::{Knot, PlanarKnot, Springs};
 use crate::range;
 use crate::surface::{Contact, Place, Surface};
@@ -12,14 +12,7 @@ use nalgebra::Vector2;
 
 /// How far what follows from other parts of a state may differ from them, relative: machines differ
 /// in the last digits of their elementary functions.
-const CLOSE: f64 = 1e-6;
-
-/// Rounding of a radius that a search has found.
-const ROUNDED: f64 = 1e-13;
-
-/// Share of the image at the farthest reach below which a depth is next to none: the search for it
-/// ends in the rounding of that.
-const NEXT_TO_NONE: f64 = 1e-9;
+pub(crate) const CLOSE: f64 = 1e-6;
 
 /// Most knots of a row for each cell of the resolution, far beyond what histories leave.
 const MOST_KNOTS: usize = 1000;
@@ -72,7 +65,7 @@ fn is_row(row: &Springs, surface: &Surface, outermost: &Place, most: usize) -> b
 fn is_placed(place: &Place, surface: &Surface, outermost: &Place) -> bool {
     let Place { x, image, load, square } = *place;
     let on = surface.place(x);
-    let beside = [1.0 - ROUNDED, 1.0 + ROUNDED].map(|factor| surface.image(factor * x));
+    let beside = [1.0 - ROUNDING, 1.0 + ROUNDING].map(|factor| surface.image(factor * x));
     // `clamp` would panic at what is no number
     let nearest = image.max(beside[0].min(beside[1])).min(beside[0].max(beside[1]));
     amount(x)
@@ -157,7 +150,8 @@ impl Snapshot {
         let (control, scale) = (target.model.parameters.normal_control, target.force_scale());
         // before the first load the depth is that of first touch
         let Ok(contact) = surface.contact(control, saved.control, scale) else { return false };
-        let least_depth = NEXT_TO_NONE * surface.place(self.state.reach).image.abs();
+        // the search for a depth next to none ends in the rounding of this
+        let least_depth = CLOSE * surface.place(self.state.reach).image.abs();
         let scale = contact.depth.abs().max(saved.depth.abs()).max(least_depth);
         contact.is_open() == saved.is_open()
             && near(contact.depth, saved.depth, scale)
