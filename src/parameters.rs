@@ -114,8 +114,9 @@ impl Parameters {
         if self.running_in_energy == 0.0 {
             return self.friction_coefficient;
         }
-        let share = -(-energy / self.running_in_energy).exp_m1();
-        self.friction_coefficient + share * (self.friction_coefficient_final - self.friction_coefficient)
+        // both ends are reached to the bit
+        let passed = energy / self.running_in_energy;
+        (-passed).exp() * self.friction_coefficient - (-passed).exp_m1() * self.friction_coefficient_final
     }
 
     /// k₁/σ₁ + k₂/σ₂, the volume that both bodies lose per unit of friction work, m³/J.

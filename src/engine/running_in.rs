@@ -7,6 +7,7 @@
 //! Many cycles in one call are divided in the same way, each part at the coefficient of its middle.
 //! What the constants were measured by is in docs/decisions/running_in.md.
 
+use super::planar::BALANCED;
 use super::{FrettingContact, Gradient};
 use crate::error::Error;
 use crate::parameters::Parameters;
@@ -17,27 +18,13 @@ use std::sync::Arc;
 /// Relative error of μ in a part of a line, or of cycles, at most.
 const ACCURACY: f64 = 1e-7;
 
-/// The same in cycles with wear, of which each part takes an integration of the profile.
-const ACCURACY_WITH_WEAR: f64 = 1e-4;
-
-/// Least energy of a part over that of running in, which bounds the number of parts where the
-/// coefficients differ by more than two orders: from 1e-9 to 1 W is 1e-5 off, in a three-hundredth
-/// of the walks.
-const SHORTEST: f64 = 1e-4;
-
 /// Least part of a line: within less of it μ may change as it likes. That bounds the parts where
 /// W_r is far less than the work of a line, and where a falling μ lets springs snap.
 const LEAST_PART: f64 = 1e-3;
 
-/// Relative difference from μ_end below which μ is constant.
-const RUN_IN: f64 = 1e-9;
-
 /// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds
 /// are halved instead.
 const MOST_ITERATIONS: u32 = 8;
-
-/// Relative change of μ that ends these iterations.
-const CONVERGED: f64 = 1e-13;
 
 /// Friction that runs in.
 impl FrettingContact {
@@ -102,10 +89,7 @@ impl FrettingContact {
     fn energy_of_part(&self, accuracy: f64) -> f64 {
         let mu = self.model.constants.friction_coefficient;
         let difference = (self.model.parameters.friction_coefficient_final - mu).abs() / mu;
-        if difference <= RUN_IN {
-            return f64::INFINITY;
-        }
-        self.model.parameters.running_in_energy * (12.0 * accuracy / difference).sqrt().max(SHORTEST)
+        self.model.parameters.running_in_energy * (12.0 * accuracy / difference).sqrt()
     }
 
     /// A copy that does not wear, for trials.
@@ -180,7 +164,7 @@ impl FrettingContact {
             advance(&mut next)?;
             let found = parameters.friction_coefficient_after(next.state.work);
             iterations += 1;
-            if (found - coefficient).abs() <= CONVERGED * found || high - low <= CONVERGED * high {
+            if (found - coefficient).abs() <= BALANCED * found || high - low <= BALANCED * high {
                 next.follow_running_in();
                 return Ok(next);
             }
@@ -217,7 +201,8 @@ impl FrettingContact {
         let mut now = self.clone();
         // refuses what cannot be done, and finds contact
         now.advance_equal_cycles(normal, amplitude, if cycles > 0.0 { 0.0 } else { cycles })?;
-        let accuracy = if now.state.wear.is_some() { ACCURACY_WITH_WEAR } else { ACCURACY };
+        // with wear each part takes an integration of the profile
+        let accuracy = if now.state.wear.is_some() { self.model.parameters.tolerance } else { ACCURACY };
         let mut left = cycles;
         while left > 0.0 {
             let mut one = now.without_wear();
