@@ -11,9 +11,6 @@ use std::mem::take;
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
 pub(super) const MOST_SCALE: f64 = 1.5;
 
-/// How near two amplitudes are that are taken for one, relative.
-const SAME_AMPLITUDE: f64 = 1e-3;
-
 impl FrettingContact {
     /// Memory for the slip of a line, where it is wanted for wear.
     pub(super) fn take_slips(&mut self) -> Option<Vec<SlipPiece>> {
@@ -246,7 +243,9 @@ impl FrettingContact {
         let Some(nodes) = self.surface.worn() else { return true };
         match (motion.sliding, self.state.wear.as_ref().and_then(|wear| wear.expected)) {
             (Sliding::Onward, _) => nodes.mesh().is_some(),
-            (Sliding::Cycles(a), Some(Sliding::Cycles(b))) => (a - b).abs() <= SAME_AMPLITUDE * b,
+            (Sliding::Cycles(a), Some(Sliding::Cycles(b))) => {
+                (a - b).abs() <= self.model.parameters.tolerance * b
+            }
             _ => false,
         }
     }

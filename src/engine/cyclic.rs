@@ -125,10 +125,8 @@ impl FrettingContact {
         let rig = drive.map(|amplitude| Rig { amplitude, compliance });
         let motion = Motion { control: self.model.parameters.normal_control, value, sliding, rig };
         let last_step = match (self.state.wear.as_ref().and_then(|wear| wear.next_step), sliding) {
-            (Some((Sliding::Cycles(a), step)), Sliding::Cycles(b)) if (0.5 * b..=2.0 * b).contains(&a) => {
-                step
-            }
-            (Some((Sliding::Onward, step)), Sliding::Onward) => step,
+            (Some((Sliding::Cycles(_), step)), Sliding::Cycles(_))
+            | (Some((Sliding::Onward, step)), Sliding::Onward) => step,
             _ => 0.0,
         };
         let settings = IntegrationSettings {

@@ -8,9 +8,6 @@ use crate::wear::FirstOrderWear;
 use std::cell::RefCell;
 use std::sync::Arc;
 
-/// Narrowest slip zone for which nodes are made, as a share of the contact radius.
-const NARROWEST: f64 = 1e-4;
-
 /// What the last reading computed. All of it follows from the state of the contact, so a copy of a
 /// contact begins without it.
 #[derive(Debug, Default)]
@@ -115,7 +112,7 @@ impl FrettingContact {
             Some(nodes) => (nodes.node_within_wear(inner), radius.max(nodes.served_radius())),
             None => {
                 let outer = radius.max(self.state.reach);
-                let share = (1.0 - inner / outer).clamp(NARROWEST, 1.0);
+                let share = (1.0 - inner / outer).clamp(f64::EPSILON, 1.0);
                 (outer * (1.0 - share.log2().ceil().exp2()), outer)
             }
         }
