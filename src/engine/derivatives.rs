@@ -27,6 +27,7 @@
 //! everything is constant, except the depth under depth control.
 
 use super::FrettingContact;
+use super::readout::ASIDE;
 use crate::friction::Tangent;
 use crate::quadrature;
 use crate::surface::Contact;
@@ -72,10 +73,6 @@ impl Gradient {
 
 /// Relative change of the depth for the one quantity without a closed derivative.
 const STEP: f64 = 1e-6;
-
-/// Relative distance at which a radius lies inside another: at the stick radius of a worn profile
-/// the slope of the image jumps.
-const INSIDE: f64 = 1e-9;
 
 /// Derivatives by the inputs, and rates per cycle.
 impl FrettingContact {
@@ -221,12 +218,12 @@ impl FrettingContact {
             return Gradient::default();
         }
         let knots = self.state.springs.knots();
-        let outer = knots.partition_point(|knot| knot.place.x < stick * (1.0 - 1e-12)).max(1);
+        let outer = knots.partition_point(|knot| knot.place.x < stick * (1.0 - ASIDE)).max(1);
         let Some([inner, outer]) = knots.get(outer - 1..=outer) else { return Gradient::default() };
         let rise = outer.place.image - inner.place.image;
         let origin_slope = if rise > 0.0 { (outer.origin - inner.origin) / rise } else { 0.0 };
         let per_bound = 1.0
-            / (self.surface.image_slope(stick * (1.0 - INSIDE))
+            / (self.surface.image_slope(stick * (1.0 - ASIDE))
                 * (self.model.bound_slope - side * origin_slope));
         self.gradient_on_line(self.model.bound_slope * per_bound, -side * per_bound)
             .times(self.model.axes.size)

@@ -7,6 +7,10 @@ use crate::surface::{Contact, Nodes};
 use crate::transform;
 use std::f64::consts::PI;
 
+/// Relative distance at which a radius lies beside another, where the slope of the image jumps: at
+/// the stick radius of a worn profile, at the apex of a cone.
+pub(super) const ASIDE: f64 = 1e-9;
+
 /// Number of probe radii.
 const PROBES: usize = 64;
 
@@ -212,6 +216,13 @@ impl FrettingContact {
         self.model.constants.normal_modulus / PI * (self.slope_integral(r, a) + edge)
     }
 
+    /// A radius (m) beside one at which the pressure is infinite, as at the apex of a cone, where
+    /// the traction may be a difference of infinities.
+    pub(super) fn off_the_apex(&self, r: f64) -> f64 {
+        let a = self.state.contact.radius;
+        if self.slope_integral(r, a).is_finite() { r } else { r + ASIDE * a }
+    }
+
     /// Tangential traction τ at radius r, Pa, along x (eq. (17)).
     pub fn shear_traction_at(&self, r: f64) -> f64 {
         if let Some(traction) = self.traction_in_plane(r) {
@@ -221,9 +232,7 @@ impl FrettingContact {
         if r >= a {
             return 0.0;
         }
-        // where the pressure is infinite, at the apex of a cone, the traction may be a difference
-        // of infinities
-        let r = if self.slope_integral(r, a).is_finite() { r } else { r + 1e-9 * a };
+        let r = self.off_the_apex(r);
         // u is linear in g between the knots: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²)
         let mut sum = 0.0;
         for pair in self.state.springs.knots().windows(2) {

@@ -21,11 +21,8 @@ use std::mem::{swap, take};
 /// exact to 1e-10 for the image of a smooth body.
 const PANEL: f64 = 0.1;
 
-/// Knots up to which a row is kept as it is, or two a cell if those are more.
-const KEPT: usize = 128;
-
-/// Over the tolerance, the share of [`Springs::coarsen`] for longer rows: over a thousand reversals
-/// T is at most 2e-5 μF_N off at the tolerance 1e-3.
+/// Over the tolerance, the share of [`Springs::coarsen`] for rows of more than two knots a cell:
+/// over a thousand reversals T is at most 2e-5 μF_N off at the tolerance 1e-3.
 const SHARE: f64 = 3e-2;
 
 /// The springs at the beginning of a stroke.
@@ -88,7 +85,7 @@ impl FrettingContact {
     /// weaker or friction has changed: thousands while a vibration dies down or friction runs in.
     pub(super) fn bound_knots(&self, springs: &mut Springs) {
         let Parameters { resolution, tolerance, .. } = *self.model.parameters;
-        if springs.knots().len() > KEPT.max(2 * resolution) {
+        if springs.knots().len() > 2 * resolution {
             springs.coarsen(&self.state.contact, self.model.bound_slope, SHARE * tolerance);
         }
     }

@@ -4,6 +4,7 @@
 //! present direction pulls on (**n**·**t** > 0) slip along it and turn: ∂u/∂U = 1 − **n n**, ∂u/∂d
 //! = m **n**, and friction takes b (**n**·dU − m dd).
 
+use crate::engine::readout::ASIDE;
 use crate::engine::{FrettingContact, Gradient};
 use nalgebra::Vector2;
 
@@ -19,7 +20,7 @@ impl FrettingContact {
         let Some((fall, pull)) = standing.front_slope(self.direction_in_plane()) else {
             return Some(Gradient::default());
         };
-        let per_room = 1.0 / (fall * self.surface.image_slope(standing.stick_radius() * (1.0 - 1e-9)));
+        let per_room = 1.0 / (fall * self.surface.image_slope(standing.stick_radius() * (1.0 - ASIDE)));
         let gradient = self.gradient(-self.model.bound_slope * per_room, pull * per_room);
         Some(gradient.times(self.model.axes.size))
     }
@@ -54,7 +55,7 @@ impl FrettingContact {
             displacement_y: change(control, Vector2::new(0.0, way(1)), way(1))?,
             ..Gradient::default()
         };
-        Some(self.behind_the_rig(gradient).times(1.0))
+        Some(self.behind_the_rig(gradient))
     }
 
     /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest in the

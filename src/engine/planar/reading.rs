@@ -83,7 +83,7 @@ impl FrettingContact {
         if r >= a {
             return Some(Vector2::zeros());
         }
-        let r = if self.slope_integral(r, a).is_finite() { r } else { r + 1e-9 * a };
+        let r = self.off_the_apex(r);
         let mut sum = Vector2::zeros();
         let first = knots.partition_point(|knot| knot.place.x <= r);
         let mut inner_integral = self.slope_integral(r, knots.get(first.max(1) - 1)?.place.x.max(r));
