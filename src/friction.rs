@@ -30,8 +30,9 @@ use interval::Interval;
 use serde::{Deserialize, Serialize};
 pub(crate) use slip::SlipPiece;
 
-/// Share of the largest bound by which a row may change where it is simplified.
-const SIMPLIFIED: f64 = 1e-9;
+/// Share of a bound that no force shows: so near to its bound a spring is at it, and so near to a
+/// line a knot is left out.
+const NEARLY: f64 = 1e-9;
 
 /// Intervals that are looked at together where a row is coarsened.
 const GROUP: usize = 4;
@@ -158,7 +159,7 @@ impl Springs {
     /// Leaves out knots that lie on the line between others, but for a share of the bound that no
     /// force shows.
     pub(crate) fn simplify(&mut self, contact: &Contact, bound_slope: f64) {
-        let deviation = SIMPLIFIED * bound_slope * contact.depth.abs();
+        let deviation = NEARLY * bound_slope * contact.depth.abs();
         let mut kept = Vec::with_capacity(self.knots.len());
         for knot in &self.knots {
             walk::append(&mut kept, *knot, deviation);
@@ -211,7 +212,7 @@ impl Springs {
 
     /// Takes the springs at `front` and outside from another row.
     pub(crate) fn take_outer(&mut self, front: f64, other: &Self) {
-        let start = front * (1.0 - 1e-9);
+        let start = front * (1.0 - NEARLY);
         self.knots.retain(|knot| knot.place.x < start);
         self.knots.extend(other.knots.iter().filter(|knot| knot.place.x >= start));
     }
@@ -228,9 +229,9 @@ impl Springs {
         let side_at = |knot: &Knot| {
             let bound = bound_slope * (contact.depth - knot.place.image).max(0.0);
             let u = displacement - knot.origin;
-            let at_bound = u.abs() >= bound * (1.0 - 1e-9) - rounding;
+            let at_bound = u.abs() >= bound * (1.0 - NEARLY) - rounding;
             // at the very edge bound and deflection vanish: it belongs to either side
-            let edge = bound <= 1e-12 * bound_slope * contact.depth.abs() + rounding;
+            let edge = bound <= NEARLY * bound_slope * contact.depth.abs() + rounding;
             (at_bound || edge, if edge { 0.0 } else { u.signum() })
         };
         let mut zone = (contact.radius, 0.0);

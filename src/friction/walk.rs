@@ -96,6 +96,9 @@ fn onset(margin: f64, excess: f64, bulge: f64) -> f64 {
     share.min(1.0)
 }
 
+/// How much more than the rounding of its bound a front may be off.
+pub(super) const FAR_OFF: f64 = 1e4;
+
 /// Spacing of the samples of one line, relative to that of many: T of a first press on 64 cells is
 /// 8e-6 of μF_N off, 1.4e-5 at 1.
 const WITHIN_A_LINE: f64 = 0.75;
@@ -103,12 +106,6 @@ const WITHIN_A_LINE: f64 = 0.75;
 /// Change of load, relative to the larger one, up to which the bound is taken to change evenly: the
 /// work of a line is off by up to 2e-4, that of histories by 3e-5, in two thirds of the time.
 const EVEN: f64 = 0.05;
-
-/// Share of what a spring slips below which its bound would be lost to rounding.
-const FAR: f64 = 1e-6;
-
-/// How much more than the rounding of its bound a front may be off.
-pub(super) const FAR_OFF: f64 = 1e4;
 
 /// State of a spring at the end of a path, before it slips.
 #[derive(Clone, Copy)]
@@ -169,13 +166,7 @@ impl Trial {
     /// The knot after it has slipped back to its bound.
     #[inline]
     pub(super) fn clipped(&self) -> Knot {
-        // a way so long that its rounding would show in the bound
-        let origin = if self.bound < FAR * self.excess {
-            self.displacement - self.bound.copysign(self.deflection)
-        } else {
-            self.knot.origin + self.excess.copysign(self.deflection)
-        };
-        Knot { origin, ..self.knot }
+        Knot { origin: self.displacement - self.bound.copysign(self.deflection), ..self.knot }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::spring::norm;
 use super::{PlanarKnot, PlanarRow};
+use crate::friction::NEARLY;
 use crate::friction::interval::Interval;
 use crate::surface::{Contact, Place, Surface};
 use nalgebra::{Matrix2, Vector2};
@@ -66,8 +67,8 @@ impl Standing<'_> {
     pub(super) fn at_bound(&self, knot: &PlanarKnot) -> bool {
         let rounding = 8.0 * f64::EPSILON * norm(self.displacement);
         let bound = self.bound(knot);
-        bound <= 1e-12 * self.bound_slope * self.contact.depth.abs() + rounding
-            || norm(self.deflection(knot)) >= bound * (1.0 - 1e-9) - rounding
+        bound <= NEARLY * self.bound_slope * self.contact.depth.abs() + rounding
+            || norm(self.deflection(knot)) >= bound * (1.0 - NEARLY) - rounding
     }
 
     /// Place of the front between sample j, which sticks, and the next, which slips: where the
@@ -96,7 +97,7 @@ impl Standing<'_> {
         if last + 1 >= knots.len() {
             return self.contact.radius;
         }
-        let relaxed = 1e-12 * self.bound_slope * self.contact.depth.abs();
+        let relaxed = NEARLY * self.bound_slope * self.contact.depth.abs();
         // with nothing but the edge at its bound, and no deflection beside it
         if last + 2 == knots.len() && norm(self.deflection(&knots[last])) <= relaxed {
             return self.contact.radius;

@@ -9,7 +9,7 @@
 use super::reading::Standing;
 use super::spring::{along, norm};
 use super::{PlanarKnot, PlanarPath, PlanarRow};
-use crate::friction::Springs;
+use crate::friction::{NEARLY, Springs};
 use crate::surface::{Contact, Place, Surface};
 use nalgebra::Vector2;
 
@@ -148,7 +148,7 @@ impl PlanarRow {
         for knot in &mut self.knots {
             let bound = bound_slope * (contact.depth - knot.place.image).max(0.0);
             let u = displacement - knot.origin;
-            if norm(u) > bound * (1.0 + 1e-9) {
+            if norm(u) > bound * (1.0 + NEARLY) {
                 knot.origin = displacement - along(u, bound);
             }
         }

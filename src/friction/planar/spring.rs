@@ -21,6 +21,7 @@
 
 mod anisotropic;
 
+use crate::friction::NEARLY;
 use nalgebra::Vector2;
 
 /// Length of a vector; [`f64::hypot`], which takes three times as long, where squares would not be
@@ -105,7 +106,7 @@ impl Line {
             return Moved { deflection: trial, slip: f64::NAN, mean_bound: last };
         }
         // beyond a bound that has fallen without a line it slips back along this one
-        let first = if square > first * first * (1.0 + 1e-9) { square.sqrt() } else { first };
+        let first = if square > first * first * (1.0 + NEARLY) { square.sqrt() } else { first };
         let share = self.onset((near, square), (first, last));
         let onset = first + share * (last - first);
         if self.stiffness_ratio != 1.0 {
@@ -136,9 +137,6 @@ impl Line {
 
 /// Turn ∫ds/b of one part of a line along which the bound changes.
 const MOST_TURN: f64 = 1.0;
-
-/// sin²(θ/2) of a spring that points ahead.
-const AHEAD: f64 = 1e-5;
 
 /// A spring that slips, at an angle θ to the motion.
 struct Turning {
@@ -172,7 +170,7 @@ impl Turning {
     fn follow(&mut self, mut path: f64, (mut first, last): (f64, f64)) {
         let slope = (last - first) / path;
         // pushed straight back it does not turn
-        while path > MOST_TURN * first && slope != 0.0 && self.outer > AHEAD && self.outer < 1.0 {
+        while path > MOST_TURN * first && slope != 0.0 && self.outer > f64::EPSILON && self.outer < 1.0 {
             let (part, bound) = (MOST_TURN * first, first + MOST_TURN * first * slope);
             self.turn(part, (first, bound));
             (path, first) = (path - part, bound);

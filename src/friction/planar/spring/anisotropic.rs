@@ -24,9 +24,6 @@ const STAGES: f64 = 64.0;
 /// Most stages of one line.
 const MOST_STAGES: f64 = 16.0;
 
-/// Relative change of b below which b is constant.
-const CONSTANT: f64 = 1e-12;
-
 /// Most iterations of Newton's method; 3 to 6 are usual.
 const MOST_ITERATIONS: u32 = 30;
 
@@ -45,7 +42,7 @@ pub(super) fn slide(
         return line.under_growing_bound(last);
     }
     let mut spring = Spring { force: start, slip: 0.0, work: 0.0 };
-    if change.abs() <= CONSTANT || change.is_nan() {
+    if change == 0.0 || change.is_nan() {
         spring.turn(&line, line.path, last, 1.0 / last);
     } else {
         let stages = (STAGES * change.abs() * (1.0 + line.path / largest)).ceil().clamp(1.0, MOST_STAGES);
