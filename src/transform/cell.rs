@@ -45,11 +45,7 @@ pub(super) fn image_weights(width: f64, inner: (f64, f64), outer: (f64, f64)) ->
 
 /// 1 − atan(t)/t from t² < 1/64, by its series.
 fn excess_of_tangent(t2: f64) -> f64 {
-    let mut sum = 1.0 / 13.0;
-    if t2 > 1e-3 {
-        sum -= t2 * (1.0 / 15.0 - t2 * (1.0 / 17.0 - t2 / 19.0));
-    }
-    t2 * (1.0 / 3.0 - t2 * (1.0 / 5.0 - t2 * (1.0 / 7.0 - t2 * (1.0 / 9.0 - t2 * (1.0 / 11.0 - t2 * sum)))))
+    (1..=9).rev().fold(0.0, |sum, k| t2 * (1.0 / f64::from(2 * k + 1) - sum))
 }
 
 /// Weights of the drops qⱼ − qⱼ₊₁ over the given cells, all of them beyond Z, in −(1/π) ∫ q' dX/√(X
