@@ -22,6 +22,10 @@ use crate::roots;
 use std::mem::{swap, take};
 use std::sync::Arc;
 
+/// Relative size of what is rounding: the difference of two places that are one, and a slip of
+/// none.
+pub(crate) const ROUNDING: f64 = 1e-11;
+
 /// Image values at one radius.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 pub(crate) struct Place {

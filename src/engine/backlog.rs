@@ -107,7 +107,7 @@ impl FrettingContact {
         let backlog = wear.backlog.take();
         let begins_at_reversal = wear.begins_at_reversal;
         self.view.forget();
-        let law = backlog.law(self.surface.tip());
+        let law = backlog.law();
         let old = self.surface.clone();
         let zone = self.state.springs.slip_zone(
             &self.state.contact,

@@ -79,7 +79,7 @@ impl FrettingContact {
 
     fn compute(&self, reading: &mut Reading) {
         let Some(wear) = &self.state.wear else { return };
-        let front = reading.wear.read(&wear.backlog, self.surface.tip());
+        let front = reading.wear.read(&wear.backlog);
         let span = self.span_of_slip(front, wear.backlog.radius);
         if reading.span != Some(span) {
             self.set_nodes(span, reading);

@@ -12,30 +12,41 @@ mod levels;
 
 use super::Sliding;
 use crate::friction::SlipPiece;
-use crate::surface::Contact;
+use crate::surface::{Contact, ROUNDING};
 use levels::{Level, Levels};
 use serde::{Deserialize, Serialize};
 use std::mem::{replace, take};
-
-/// Bins of lengths whose widths grow with the length.
-#[derive(Debug, Clone, Copy)]
-struct Bins {
-    /// Octaves below the depth at first slip in which lengths are distinguished.
-    octaves: i64,
-}
 
 /// Leading bits of the mantissa that tell two bins of one octave apart: there are eight. See
 /// `docs/decisions/wear_backlog.md`.
 const BITS: u32 = 3;
 
-/// Those of the places of hinges.
-const OF_PLACES: Bins = Bins { octaves: 14 };
-
-/// Those of depths. Slip under an eighth of the depth wears little.
-const OF_DEPTHS: Bins = Bins { octaves: 3 };
-
 /// Most bins in the range of a double.
 const MOST_BINS: i64 = 2048 << BITS;
+
+/// Share of the depth at first slip below which all depths have one bin: slip there wears little.
+const LEAST_DEPTH: f64 = 0.125;
+
+/// Bin of a length in the range of a double: bins grow with the length.
+fn bin_of_length(length: f64) -> i64 {
+    (length.abs().to_bits() >> (f64::MANTISSA_DIGITS - 1 - BITS)) as i64
+}
+
+/// Bin of a depth over the tip, of which that at first slip is `reference`, m.
+fn bin_of_depth(depth: f64, reference: f64) -> i32 {
+    (bin_of_length(depth) - bin_of_length(LEAST_DEPTH * reference)).max(0) as i32
+}
+
+/// Bin of the place of a hinge. Beyond the contact `edge`, where there is no pressure, is one.
+fn bin_of_place(place: f64, edge: f64) -> i64 {
+    if place < edge {
+        i64::MIN
+    } else if place < 0.0 {
+        -bin_of_length(place)
+    } else {
+        bin_of_length(place)
+    }
+}
 
 /// A hinge, or one of two at the ends of the range of several in one bin: their slopes have the sum
 /// Σ C and the moment Σ C y of all.
@@ -45,25 +56,6 @@ pub(super) struct Hinge {
     slope: f64,
     /// y = reference − g, m.
     place: f64,
-}
-
-/// Bins of the places of hinges at one level.
-struct PlaceBins {
-    /// Number of the lowest bin.
-    least: i64,
-    /// Place of the contact edge under the depth of the level, m.
-    edge: f64,
-}
-
-impl PlaceBins {
-    fn new(level: &Level, reference: f64, tip: f64) -> Self {
-        Self { least: OF_PLACES.least(reference - tip), edge: reference - level.depth() }
-    }
-
-    /// The bin of a hinge; those beyond the edge, where there is no pressure, have one.
-    fn bin(&self, hinge: &Hinge) -> i64 {
-        if hinge.place < self.edge { i64::MIN } else { OF_PLACES.index(hinge.place, self.least) }
-    }
 }
 
 /// Slip and friction work since the last profile update.
@@ -103,33 +95,6 @@ const SAME: f64 = 1e-6;
 
 /// Share of the largest slope below which a sum of slopes is the rounding of those that cancel.
 const CANCELLED: f64 = 1e-10;
-
-/// Share of a slip that is rounding.
-const ROUNDING: f64 = 1e-11;
-
-impl Bins {
-    /// Number of the bin in the range of a double.
-    fn number(length: f64) -> i64 {
-        (length.abs().to_bits() >> (f64::MANTISSA_DIGITS - 1 - BITS)) as i64
-    }
-
-    /// Number of the lowest bin for a contact of a given depth over the tip, m.
-    fn least(self, overlap: f64) -> i64 {
-        (Self::number(overlap) - (self.octaves << BITS)).max(0)
-    }
-
-    /// Bin of a value that may be of either sign; those below the least are one.
-    fn index(self, value: f64, least: i64) -> i64 {
-        let index = Self::number(value) - least;
-        if index <= 0 {
-            0
-        } else if value > 0.0 {
-            index
-        } else {
-            -index
-        }
-    }
-}
 
 impl WearBacklog {
     pub(crate) fn is_empty(&self) -> bool {
@@ -240,7 +205,7 @@ impl WearBacklog {
             self.reference = to.depth.max(from.depth);
         }
         let reference = self.reference;
-        let index = OF_DEPTHS.index(depth - tip, OF_DEPTHS.least(reference - tip)) as i32;
+        let index = bin_of_depth(depth - tip, reference - tip);
         let at = self.levels.find(index).unwrap_or_else(|place| {
             self.levels.insert(place, Level::new(index), &[]);
             place
@@ -251,7 +216,7 @@ impl WearBacklog {
         let mut at_depth = self.levels.level(at);
         at_depth.level.slip += slip;
         at_depth.level.moment += slip * depth;
-        let bins = PlaceBins::new(at_depth.level, reference, tip);
+        let edge = at_depth.level.edge(reference);
         // the slope of E between knots, and the hinges where it changes
         let (mut slope, mut end) = (0.0, f64::NEG_INFINITY);
         let flat = 1e-13 * (reference - tip).abs();
@@ -263,20 +228,20 @@ impl WearBacklog {
                 at_depth.level.slope += next;
             } else {
                 if k > 0 && g0 > end + flat {
-                    at_depth.add_hinge(-slope, reference - end, &bins);
+                    at_depth.add_hinge(-slope, reference - end, edge);
                     slope = 0.0;
                 }
-                at_depth.add_hinge(next - slope, reference - g0, &bins);
+                at_depth.add_hinge(next - slope, reference - g0, edge);
             }
             (slope, end) = (next, g1);
         }
         true
     }
 
-    /// The slip path under each depth, m, as functions of g. `tip` is that of [`Self::record`].
-    pub(crate) fn law(&self, tip: f64) -> Vec<SlipAtDepth> {
+    /// The slip path under each depth, m, as functions of g.
+    pub(crate) fn law(&self) -> Vec<SlipAtDepth> {
         let mut law = vec![SlipAtDepth::default(); self.levels.len()];
-        law.iter_mut().zip(self.levels()).for_each(|(law, level)| self.law_into(level, tip, law));
+        law.iter_mut().zip(self.levels()).for_each(|(law, level)| self.law_into(level, law));
         law
     }
 
@@ -286,8 +251,8 @@ impl WearBacklog {
     }
 
     /// The slip path under one depth, in memory that is there.
-    pub(super) fn law_into(&self, (level, hinges): (&Level, &[Hinge]), tip: f64, law: &mut SlipAtDepth) {
-        level.law_into(hinges, (self.reference, tip), law);
+    pub(super) fn law_into(&self, (level, hinges): (&Level, &[Hinge]), law: &mut SlipAtDepth) {
+        level.law_into(hinges, self.reference, law);
     }
 }
 
@@ -297,14 +262,19 @@ impl Level {
         self.moment / self.slip
     }
 
-    fn law_into(&self, hinges: &[Hinge], (reference, tip): (f64, f64), law: &mut SlipAtDepth) {
+    /// Place of the contact edge under that depth, m.
+    fn edge(&self, reference: f64) -> f64 {
+        reference - self.depth()
+    }
+
+    fn law_into(&self, hinges: &[Hinge], reference: f64, law: &mut SlipAtDepth) {
         let knots = &mut law.knots;
         knots.clear();
         // what strokes that cancel leave in their bins is rounding
         let largest = hinges.iter().map(|hinge| hinge.slope.abs()).fold(self.slope.abs(), f64::max);
         let rounding = CANCELLED * largest;
-        let bins = PlaceBins::new(self, reference, tip);
-        for ends in hinges.chunk_by(|a, b| bins.bin(a) == bins.bin(b)) {
+        let edge = self.edge(reference);
+        for ends in hinges.chunk_by(|a, b| bin_of_place(a.place, edge) == bin_of_place(b.place, edge)) {
             if let [low, high] = ends {
                 let sum = low.slope + high.slope;
                 let mean = low.place + high.slope / sum * (high.place - low.place);

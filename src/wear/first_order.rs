@@ -43,9 +43,9 @@ impl FirstOrderWear {
         self.spare.append(&mut self.levels);
     }
 
-    /// Takes the slip of a backlog, which has only grown since the last call, on a profile with a
-    /// tip, m. Returns the image (m) of the innermost spring that has slipped.
-    pub(crate) fn read(&mut self, backlog: &WearBacklog, tip: f64) -> f64 {
+    /// Takes the slip of a backlog, which has only grown since the last call. Returns the image (m)
+    /// of the innermost spring that has slipped.
+    pub(crate) fn read(&mut self, backlog: &WearBacklog) -> f64 {
         let mut front = f64::INFINITY;
         for (k, (level, hinges)) in backlog.levels().enumerate() {
             if self.levels.get(k).is_none_or(|known| known.bin != level.bin) {
@@ -56,7 +56,7 @@ impl FirstOrderWear {
             let known = &mut self.levels[k];
             if known.slip != level.slip {
                 (known.slip, known.is_stale) = (level.slip, true);
-                backlog.law_into((level, hinges), tip, &mut known.law);
+                backlog.law_into((level, hinges), &mut known.law);
             }
             front = front.min(known.law.front());
         }
