@@ -160,7 +160,7 @@ pub(crate) fn integrate(
                 }
                 _ => {
                     counters.rejected_steps += 1;
-                    step = length * factor;
+                    step = length * factor.min(0.8);
                 }
             }
         }

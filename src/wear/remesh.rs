@@ -7,15 +7,17 @@ use super::patch::{FRONT_CELLS, Frozen, Motion, Patch, RIM, Rate, State, edge_no
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
-use crate::surface::{Contact, MeshPlace, Nodes, ROUNDING, Region, Surface};
+use crate::surface::Region;
+use crate::surface::{Contact, MeshPlace, Nodes, Surface};
 
-/// Least radius of a front, relative to the contact radius. The image of an annulus is carried as z
-/// in proportion to 1/x, which is singular at the axis: where slip just reaches it, worn volumes
-/// are off by 6e-4 (cone).
-///
 /// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells
 /// of a disc do not see: they would leave out a whole cell, a fifth of the volume. It is taken for
-/// partial slip with a front there.
+/// partial slip with a front next to the axis.
+const JUST_ALL: f64 = 1e-4;
+
+/// Radius of that front, and the least of any, relative to the contact radius. The image of an
+/// annulus is carried as z in proportion to 1/x, which is singular at the axis: where slip just
+/// reaches it, worn volumes are off by 6e-4 (cone).
 const LEAST_FRONT: f64 = 1e-3;
 
 /// Cells of the coarsest mesh of an annulus: with 16, worn volumes on the way are off by 0.3 to
@@ -26,10 +28,17 @@ const FEWEST_CELLS: usize = 24;
 /// a mesh.
 const THINNEST: f64 = 1e-5;
 
+// The next two and `MISSING` say when a mesh is made on a worn surface. Half of each and twice
+// leave every scene of the stability report with the same outcome; beyond them, updates on nodes at
+// rest do the same, only slower.
+
 /// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an
-/// update of a profile that wears very fast leaves there by an inexact contact edge. Without a
-/// limit splitting a step changes the wear by a fifth.
+/// update of a profile that wears very fast leaves there by an inexact contact edge.
 const FAINT: f64 = 1e-2;
+
+/// How far the contact edge may move where a mesh is made on a surface at rest, on which it is
+/// known to a cell: in cells of an even mesh over the slipping region.
+const EDGE_CELLS: f64 = 1.0;
 
 /// The slipping region of a contact, with the state that its surface gives it and the rate of that;
 /// `None` where nothing slips. The worn volume, m³, may be
@@ -49,7 +58,7 @@ pub(super) fn mesh_slip_zone(
     let a = contact.radius;
     let free_slip = motion.sliding.amplitude() / constants.bound_slope();
     let overlap = contact.depth - surface.image(0.0);
-    let (region, front) = if free_slip >= overlap * (1.0 + LEAST_FRONT)
+    let (region, front) = if free_slip >= overlap * (1.0 + JUST_ALL)
         || (free_slip >= overlap && surface.profile().flat_radius() > 0.0)
     {
         (Region::Disc, 0.0)
@@ -99,6 +108,7 @@ pub(super) fn mesh_slip_zone(
             );
             if let Some((patch, state, rate)) = kept
                 && rim == (edge == outer)
+                && (state.radius_squared - edge * edge).abs() <= 1e-4 * patch.span(state.radius_squared)
             {
                 return Ok(Some((patch, state, rate)));
             }
@@ -114,6 +124,8 @@ pub(super) fn mesh_slip_zone(
             let volume = volume.unwrap_or_else(|| nodes.worn_volume());
             if let Some((patch, state, rate)) = made
                 && (patch.volume(&rate) - volume).abs() <= MISSING * volume.min(patch.own_volume(&rate))
+                && (state.radius_squared - a * a).abs()
+                    <= EDGE_CELLS * 2.0 * patch.span(a * a) / settings.cells as f64
             {
                 return Ok(Some((patch, state, rate)));
             }
@@ -164,7 +176,7 @@ fn fits(nodes: &Nodes, place: &MeshPlace, mesh: &UnitMesh, (front, resolution): 
     let parts = parts(mesh.cells, resolution);
     place.region == mesh.region
         && place.cells == parts * mesh.cells
-        && front >= x[0] * (1.0 - ROUNDING)
+        && front >= x[0] * (1.0 - 1e-7)
         && front <= x[parts * FRONT_CELLS]
 }
 
@@ -178,7 +190,7 @@ fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
     if let Some(nodes) = surface.worn() {
         all.depth[0] = nodes.depth()[0];
         for (i, &x) in nodes.x().iter().enumerate().skip(1) {
-            if x < front * (1.0 - ROUNDING) {
+            if x < front * (1.0 - 1e-12) {
                 all.x.push(x);
                 all.image.push(nodes.worn_image()[i]);
                 all.depth.push(nodes.depth()[i]);
@@ -187,7 +199,7 @@ fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
     }
     // next to a node the image may be so steep that a rounding of the front would show, and let it
     // creep
-    let node = surface.worn().and_then(|nodes| nodes.at(front, ROUNDING));
+    let node = surface.worn().and_then(|nodes| nodes.at(front, 1e-11));
     let (image, depth) = node.unwrap_or_else(|| {
         (surface.worn_image(front), surface.worn().map_or(0.0, |nodes| nodes.depth_at(front)))
     });

@@ -6,7 +6,6 @@
 //! rates that span many decades, which an explicit method would have to follow all; here one small
 //! linear system serves the four stages of a step.
 
-use super::life::MISSING;
 use super::patch::{Linear, Patch, Rate, State};
 use crate::counters::Counters;
 use crate::transform::add;
@@ -101,9 +100,9 @@ pub(crate) fn step(
     counters.pressure_transforms += 1;
     counters.descent_transforms += 2;
     // at steps far longer than the relaxation the rate's quadrature is all rounding; then the
-    // profile has the volume
+    // profile tells the volume
     let grown = patch.volume(&rate) - patch.volume(before);
-    let volume = if (volume - grown).abs() <= MISSING * grown.abs() { volume } else { grown }.max(0.0);
+    let volume = if (volume - grown).abs() <= 0.02 * grown.abs() { volume } else { grown }.max(0.0);
     let error = patch.largest_image(patch.sticking(before) + 1, &error, &rate);
     Some(Trial { state: State { depth, radius_squared: rate.radius_squared }, rate, volume, error })
 }

@@ -3,7 +3,7 @@
 use super::thinning::{met_by_lines, thin_unless};
 use super::{Integrals, MeshPlace, Nodes};
 use crate::profile::Profile;
-use crate::surface::{NodeTransforms, ROUNDING};
+use crate::surface::NodeTransforms;
 use crate::transform;
 
 /// Nodes kept ready outside the contact, into which it may grow within one update.
@@ -124,7 +124,7 @@ impl Nodes {
         let mut x = self.x.clone();
         x.extend(others.x.iter().filter(|x| **x <= edge || **x > end));
         x.sort_by(f64::total_cmp);
-        x.dedup_by(|b, a| *b - *a <= ROUNDING * *a);
+        x.dedup_by(|b, a| *b - *a <= 1e-13 * *a);
         let outside = x.partition_point(|x| *x <= edge);
         let transforms = NodeTransforms::new(&x);
         let image_of = |nodes: &Self| x.iter().map(|x| nodes.worn_part(*x).0).collect::<Vec<f64>>();
@@ -275,7 +275,7 @@ impl Nodes {
         let Some(j) = self.cell(front) else { return false };
         let width = self.x[j + 1] - self.x[j];
         let off = (front - self.x[j]).min(self.x[j + 1] - front);
-        front > 0.0 && off > ROUNDING * a && width > way.fine() * a / self.resolution as f64
+        front > 0.0 && off > 1e-9 * a && width > way.fine() * a / self.resolution as f64
     }
 
     /// Puts a node at `front` and a fan of nodes outside it whose distances fall by four at each
