@@ -191,6 +191,21 @@ fn cycles_of_equal_contacts_are_those_of_one() {
     close_to(four.wear_volume(), 4.0 * one.wear_volume(), 1e-12, "worn volume");
 }
 
+/// Many cycles in one call on coarse cells, in which contacts of all heights bed in and new ones
+/// touch, are followed: the identity of volume and work holds.
+#[test]
+fn many_cycles_of_fifty_contacts_are_followed_on_coarse_cells() {
+    let ball = Profile::Parabola { radius: 1e-4 };
+    let parameters = Parameters { wear_coefficient: 3.2e-4, resolution: 16, profile: ball, ..worn(0.0) };
+    let per_work = parameters.wear_per_work();
+    let offset = |k: u32| 1e-6 * (f64::from(k) * 0.618_033_988_75).fract();
+    let summits: Vec<Summit> = (0..50).map(|k| Summit::at_offset(offset(k))).collect();
+    let mut joint = Interface::new(parameters, &summits).unwrap();
+    joint.advance_cycles(5.0, 0.3e-6, 1e5).unwrap();
+    assert_eq!(joint.contacts_in_touch(), 50);
+    close_to(joint.wear_volume(), per_work * joint.dissipated_energy(), 1e-12, "V");
+}
+
 /// A rough joint beds in: the high contacts give their load to the low ones. Calls divided in four
 /// give the same.
 #[test]
