@@ -10,8 +10,8 @@ use crate::wear::annulus;
 /// usual tolerance. What an update leaves for the next does not fall with a tighter one.
 const DEFERRED: f64 = 1e-3;
 
-/// Share by which friction may have taken more than it can, of that and of π a² d: rounding, and the
-/// error of an update.
+/// Share by which friction may have taken more than it can, of that and of π a² d: rounding, and
+/// the error of an update.
 const OVERTAKEN: f64 = 0.01;
 
 impl FrettingContact {

@@ -9,8 +9,8 @@ use nalgebra::Vector2;
 use std::mem::swap;
 use std::sync::Arc;
 
-/// Share of a force, or of a change of depth, that counts as rounding: a contact whose force is held
-/// keeps its depth to the bit.
+/// Share of a force, or of a change of depth, that counts as rounding: a contact whose force is
+/// held keeps its depth to the bit.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
 /// What the contacts of an interface share, each of them held at its depth, or at its force.
