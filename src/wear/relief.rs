@@ -49,9 +49,9 @@ pub(crate) fn mean_work_share(
             }
         }
     }
-    let share = if work > 0.0 { 1.0 + difference / work } else { 1.0 };
-    // work is not negative; what is no number has to show
-    if share < 0.0 { 0.0 } else { share }
+    let share = if work > 0.0 { difference / work } else { 0.0 };
+    // no correction where one update wears too much to tell
+    1.0 + share * (1.0 - share.abs()).max(0.0).powi(2)
 }
 
 /// Mean of values at some radii, linear between them.
