@@ -40,9 +40,10 @@ pub(crate) fn mean_work_share(
                 outer = at(law.depth, change[i - 1] + part * (change[i] - change[i - 1]));
                 width *= part;
             }
-            // the mean of a cell: between two hinges of one bin the slope itself may be anything
-            let rise = outer.0 - inner.0;
-            let slope = if rise > 0.0 { (outer.3 - inner.3) / rise } else { 0.0 };
+            // dE/dg as its mean over the cell: between two hinges of one bin it may be anything
+            let ((inner_image, .., inner_slip), (outer_image, .., outer_slip)) = (inner, outer);
+            let rise = outer_image - inner_image;
+            let slope = if rise > 0.0 { (outer_slip - inner_slip) / rise } else { 0.0 };
             for (_, overlap, fall, slip) in [inner, outer] {
                 work += 0.5 * width * overlap * slip;
                 difference += 0.5 * width * fall * (overlap * slope - slip);

@@ -6,7 +6,7 @@
 
 use crate::common::{BLUNTED, CONE, PUNCH, ROUNDED, contact, sampled_sphere, seeded, uniform};
 use fretting_contact::{Counters, FrettingContact, Interface, NormalControl};
-use fretting_contact::{Parameters, Profile, ProfileTable, Summit};
+use fretting_contact::{Parameters, Profile, Summit};
 use std::f64::consts::TAU;
 
 /// Factors of a scene.
@@ -48,33 +48,9 @@ impl Scale {
         self.tangential_force() * self.displacement()
     }
 
-    fn profile(self, profile: &Profile) -> Profile {
-        let l = self.length;
-        match *profile {
-            Profile::Parabola { radius } => Profile::Parabola { radius: l * radius },
-            Profile::Cone { slope } => Profile::Cone { slope },
-            Profile::PowerLaw { exponent, coefficient } => {
-                Profile::PowerLaw { exponent, coefficient: coefficient * l.powf(1.0 - exponent) }
-            }
-            Profile::BluntedSphere { radius, flat_radius } => {
-                Profile::BluntedSphere { radius: l * radius, flat_radius: l * flat_radius }
-            }
-            Profile::RoundedPunch { radius, flat_radius } => {
-                Profile::RoundedPunch { radius: l * radius, flat_radius: l * flat_radius }
-            }
-            Profile::FlatPunch { flat_radius } => Profile::FlatPunch { flat_radius: l * flat_radius },
-            Profile::Ellipse { radius_x, radius_y } => {
-                Profile::Ellipse { radius_x: l * radius_x, radius_y: l * radius_y }
-            }
-            Profile::Table(ref table) => {
-                let points = table.points().iter().map(|(r, f)| (l * r, l * f)).collect();
-                Profile::Table(ProfileTable::new(points).expect("a scaled profile is one"))
-            }
-        }
-    }
-
     fn parameters(self, of: &Parameters) -> Parameters {
-        let mut scaled = Parameters { profile: self.profile(&of.profile), ..of.clone() };
+        let profile = of.profile.scaled(self.length).expect("a scaled profile is one");
+        let mut scaled = Parameters { profile, ..of.clone() };
         scaled.materials.body_1.youngs_modulus *= self.stress;
         scaled.materials.body_2.youngs_modulus *= self.stress;
         scaled.friction_coefficient *= self.friction;

@@ -189,6 +189,7 @@ fn a_random_history_leaves_a_bounded_backlog() {
     let entries =
         |count: usize| strokes(&ends[..count], 3).levels().map(|(_, hinges)| hinges.len()).sum::<usize>();
     let (short, long) = (entries(2000), entries(4000));
+    // places lie within fourteen octaves
     assert!(long <= 2 * (14 << BITS) && long <= short + 32, "{short} {long}");
 }
 
