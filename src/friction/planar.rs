@@ -2,16 +2,17 @@
 //! deflected by a vector u, bounded by Coulomb's circle |u| ≤ b(x) = m (d − g(x)).
 //!
 //! Springs that slip turn towards the motion, each by its own bound ([`spring`]), so that the row
-//! is no longer linear in g in a few pieces as in [`super::Springs`]: it is *sampled*, at even
-//! radii and where a front stood when the body left its first line, and taken as linear in g
-//! between the samples. Then |u| ≤ b everywhere, for b is linear in g and |u| convex, and |T| ≤
-//! μF_N to rounding. Each sample is exact at constant load, however long the line: a step may be
-//! split at will. Where the springs are stiffer along y than along x, all lengths along y are
-//! multiplied by the ratio of the moduli, so that |u| is the force over G*_x and the bound stays a
-//! circle; only slip, energy and derivatives know the ratio. Sampling costs an error of 0.4/n² of
-//! μF_N per front. Along a line on which the load changes b is taken to go evenly, as under depth
-//! control it does; under force control d is a concave function of the force, db/ds only falls
-//! along any line and the mean of both ends is wrong by the square of the change.
+//! is no longer linear in g in a few pieces as in [`super::Springs`]: it is *sampled*, at radii
+//! closer together towards the contact edge and where a front stood when the body left its
+//! first line, and taken as linear in g between the samples. Then |u| ≤ b everywhere, for b is
+//! linear in g and |u| convex, and |T| ≤ μF_N to rounding. Each sample is exact at constant load,
+//! however long the line: a step may be split at will. Where the springs are stiffer along y than
+//! along x, all lengths along y are multiplied by the ratio of the moduli, so that |u| is the force
+//! over G*_x and the bound stays a circle; only slip, energy and derivatives know the ratio.
+//! Sampling costs an error of at most 0.4/n² of μF_N per front. Along a line on which the load
+//! changes b is taken to go evenly, as under depth control it does; under force control d is a
+//! concave function of the force, db/ds only falls along any line and the mean of both ends is
+//! wrong by the square of the change.
 
 mod reading;
 mod sampling;

@@ -55,6 +55,27 @@ fn a_line_at_any_angle_is_the_line_along_x() {
     }
 }
 
+/// Cycles in which a thin annulus slips: the work is that of the line along x, though it is but
+/// 1e-5 to 2e-2 of that of full slip.
+#[test]
+fn small_slip_at_an_angle_takes_the_work_of_the_line_along_x() {
+    for profile in [BALL, CONE] {
+        for share in [0.02, 0.05, 0.1, 0.2] {
+            let mut plane = pressed(profile.clone(), FORCE);
+            let mut line = pressed(profile.clone(), FORCE);
+            let amplitude = share * full(&line);
+            for k in 1..=100 {
+                let place = amplitude * (TAU * f64::from(k) / 50.0).sin();
+                line.advance_to(FORCE, place).unwrap();
+                plane.advance_to_planar(FORCE, polar(place, 0.5)).unwrap();
+            }
+            let off = plane.dissipated_energy() / line.dissipated_energy() - 1.0;
+            println!("{profile:?}, {share}: {off:.1e}");
+            assert!(off.abs() < 2e-2, "{profile:?}, {share}: {off}");
+        }
+    }
+}
+
 /// A closed path: 0 to radius, `orbits` of a circle in `steps` each, and back along a spiral to the
 /// start.
 fn circle(
