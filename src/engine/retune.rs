@@ -71,8 +71,9 @@ impl FrettingContact {
             this.state.former = FormerWear { volumes: this.wear_volumes(), work: this.state.work, mixed };
             let model = Arc::make_mut(&mut this.model);
             model.parameters = Arc::new(new);
-            (model.constants, model.bound_slope, model.start_slope) = (constants, bound_slope, bound_slope);
+            (model.constants, model.bound_slope) = (constants, bound_slope);
             let work = if this.state.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
+            this.keep_bound_slope();
             this.state.counters.spring_walks += 1;
             if let Some(wear) = &mut this.state.wear {
                 // a volume, kept as the work that wears it

@@ -79,7 +79,7 @@ impl FrettingContact {
     }
 
     /// The next line begins with the present bound.
-    fn keep_bound_slope(&mut self) {
+    pub(super) fn keep_bound_slope(&mut self) {
         let model = Arc::make_mut(&mut self.model);
         model.start_slope = model.bound_slope;
     }

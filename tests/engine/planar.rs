@@ -285,6 +285,21 @@ fn friction_that_falls_lets_the_springs_slip_back_in_their_direction() {
     assert!(contact.dissipated_energy() > work);
 }
 
+#[test]
+fn friction_may_fall_to_the_smallest_numbers() {
+    let groove = Profile::Ellipse { radius_x: 0.020, radius_y: 0.005 };
+    for profile in [BALL, ROUNDED, groove] {
+        for friction_coefficient in [1e-150, 1e-305, 5e-324] {
+            let mut contact = started(without_wear(profile.clone()));
+            contact.advance_to_planar(FORCE, [1e-6, 2e-6]).unwrap();
+            contact.retune(friction_coefficient, 0.0).unwrap();
+            let limit = friction_coefficient * FORCE * (1.0 + 1e-9);
+            assert!(norm(force(&contact)) <= limit, "{profile:?}, {friction_coefficient}");
+            contact.restore(&contact.snapshot()).expect("a state of its own");
+        }
+    }
+}
+
 /// Nothing that is given makes it panic, leave its limits or change by what it refuses.
 #[test]
 fn extremes_are_refused_or_computed() {

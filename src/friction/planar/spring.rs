@@ -21,7 +21,6 @@
 
 mod anisotropic;
 
-use crate::friction::NEARLY;
 use nalgebra::Vector2;
 
 /// Length of a vector; [`f64::hypot`], which takes three times as long, where squares would not be
@@ -105,8 +104,6 @@ impl Line {
         if !square.is_finite() {
             return Moved { deflection: trial, slip: f64::NAN, mean_bound: last };
         }
-        // beyond a bound that has fallen without a line it slips back along this one
-        let first = if square > first * first * (1.0 + NEARLY) { square.sqrt() } else { first };
         let share = self.onset((near, square), (first, last));
         let onset = first + share * (last - first);
         if self.stiffness_ratio != 1.0 {
