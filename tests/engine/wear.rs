@@ -306,6 +306,28 @@ fn a_flat_punch_in_gross_slip_flattens_its_pressure_as_tabulated() {
     assert_volumes_agree(&contact, 0.02, "punch in gross slip");
 }
 
+/// A rounding of nanometres is none for the contact, at any load.
+#[test]
+fn a_punch_with_a_sharp_rim_wears_like_a_flat_punch() {
+    let b = 1e-4;
+    let full = exact(&PUNCH, FORCE).full_slip();
+    let worn = |profile: Profile, load: f64| {
+        let mut contact = sliding(profile, b, 0.05, 2.0 * full);
+        for (load, place) in [(load, 0.0), (0.0, 0.3), (load, 0.6), (load, -0.6), (load, 2.4)] {
+            to(&mut contact, load, place * full);
+        }
+        (contact.wear_volume(), contact.tangential_force())
+    };
+    for load in [0.98, 0.99, 0.999, 1.0, 1.0001, 1.001, 1.01, 1.02].map(|share| share * FORCE) {
+        let (volume, force) = worn(PUNCH, load);
+        for radius in [1e-9, 1e-8] {
+            let sharp = worn(Profile::RoundedPunch { radius, flat_radius: b }, load);
+            close_to(sharp.0, volume, 2e-3, "V");
+            close_to(sharp.1, force, 1e-4, "T");
+        }
+    }
+}
+
 #[test]
 fn a_sphere_in_gross_slip_wears_at_the_centre_as_tabulated() {
     let start = exact(&BALL, FORCE);

@@ -42,7 +42,8 @@ impl FrontMotion {
 impl Nodes {
     /// Unworn nodes for a contact of radius `a` whose slip reaches inward to `front`. All cells go
     /// to the slipping annulus (where nothing slips there is no wear to resolve), with nodes at the
-    /// rim of a flat tip and at the front, and cells that shrink towards the front from outside.
+    /// rim of a flat tip and at the front, and cells that shrink towards the front from outside and
+    /// towards that rim from inside.
     pub(crate) fn around(profile: &Profile, resolution: usize, a: f64, front: f64) -> Self {
         let mut nodes = Self {
             x: vec![0.0, a],
@@ -60,13 +61,11 @@ impl Nodes {
         }
         nodes.insert(flat);
         nodes.refine_at(front, 8);
-        if a >= profile.outer_radius() {
-            // the pressure ends in a singularity there until the rim has worn
-            let width = (a - start) / resolution as f64;
-            for level in 1..=8 {
-                nodes.insert(a - width * 0.25f64.powi(level));
-            }
-        }
+        // where the contact ends just beyond the rim of a flat tip, the pressure there is all but
+        // singular until the rim has worn
+        let width = (a - start) / resolution as f64;
+        let gaps = (1..=8).map(|level| width * 0.25f64.powi(level));
+        gaps.take_while(|gap| *gap > a - flat).for_each(|gap| nodes.insert(flat - gap));
         nodes.extend_beyond(a, profile.outer_radius());
         nodes.update_integrals(profile);
         nodes
