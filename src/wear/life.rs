@@ -2,7 +2,7 @@
 
 use super::Constants;
 use super::mesh::UnitMesh;
-use super::patch::{Front, Motion, Patch, Rate, State, edge_not_found};
+use super::patch::{Front, Linear, Motion, Patch, Rate, State, edge_not_found};
 use super::remesh::{check_end_of_body, mesh_slip_zone, parts};
 use super::rosenbrock;
 use crate::counters::Counters;
@@ -116,6 +116,7 @@ pub(crate) fn integrate(
     let most = (most * tighter) as u32;
     // of the surface, m³, where it is known
     let mut worn_volume = None;
+    let (mut previous, mut system) = (None, None::<Linear>);
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
@@ -127,7 +128,6 @@ pub(crate) fn integrate(
         // a front that has just been looked for is off by the error of a new mesh: one step is
         // always made
         let mut fresh = true;
-        let mut previous = None;
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
             let carried = patch.body.worn().is_none() && !amount.is_update;
             if steps >= if carried { most } else { most_of_an_update } {
@@ -136,7 +136,15 @@ pub(crate) fn integrate(
             }
             steps += 1;
             let length = step.min(left);
-            let trial = rosenbrock::step(&patch, &state, &rate, length, counters);
+            let gamma_step = rosenbrock::GAMMA * length;
+            let kept = system.take().filter(|system: &Linear| system.serves(&patch, gamma_step));
+            let is_new = kept.is_none();
+            let linear = kept.or_else(|| Linear::new(&patch, (&state.depth, &rate), gamma_step, counters));
+            let trial = linear
+                .as_ref()
+                .and_then(|linear| rosenbrock::step(&patch, &state, &rate, length, linear, counters));
+            // in the first step the rates change most
+            system = linear.filter(|_| is_new && previous.is_some());
             let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error);
             let ratio = error / (settings.tolerance * rate.indentation.abs());
             let factor = step_factor((length, ratio), previous);

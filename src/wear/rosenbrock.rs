@@ -4,7 +4,7 @@
 //! ROS34PW2 of Rang and Angermann (BIT 45, 2005, 761): four stages, stiffly accurate and L-stable,
 //! and of third order with any approximation of the Jacobian. Wear relaxes to its final state at
 //! rates that span many decades, which an explicit method would have to follow all; here one small
-//! linear system serves the four stages of a step.
+//! linear system serves the four stages of a step, and that of the step before may serve them, too.
 
 use super::patch::{Linear, Patch, Rate, State};
 use crate::counters::Counters;
@@ -44,15 +44,15 @@ pub(crate) struct Trial {
     pub(crate) error: f64,
 }
 
-/// One step over `cycles`; `None` where a stage has no contact edge or the system cannot be solved.
+/// One step over `cycles`; `None` where a stage has no contact edge.
 pub(crate) fn step(
     patch: &Patch,
     state: &State,
     rate: &Rate,
     cycles: f64,
+    linear: &Linear,
     counters: &mut Counters,
 ) -> Option<Trial> {
-    let linear = Linear::new(patch, (&state.depth, rate), GAMMA * cycles, counters)?;
     // increments of the depths, of z, and what they make of the volume rate
     let mut increments: Vec<(Vec<f64>, Vec<f64>)> = Vec::with_capacity(4);
     let sum = |factors: &[f64], increments: &[(Vec<f64>, Vec<f64>)]| {
@@ -80,7 +80,7 @@ pub(crate) fn step(
         right[patch.end()..].fill(0.0);
         linear.solve(&mut right);
         // the volume has no feedback on the rest, but its rate falls with the depths like theirs
-        volume += cycles * WEIGHTS[stage] * (volume_rate + cycles * GAMMA * linear.volume_change(&right));
+        volume += cycles * WEIGHTS[stage] * (volume_rate + linear.gamma_step * linear.volume_change(&right));
         let mut image = right;
         for (coupling, increment) in COUPLING[stage].iter().zip(&increments) {
             add(&mut image, -coupling / GAMMA, &increment.1);

@@ -82,7 +82,9 @@ impl Scene {
         let (mut passed, mut step) = (0.0, 1e-4 * life);
         let mut counters = Counters::default();
         while passed < 3.0 * life {
-            let trial = rosenbrock::step(&patch, &state, &rate, step, &mut counters);
+            let linear =
+                Linear::new(&patch, (&state.depth, &rate), rosenbrock::GAMMA * step, &mut counters).unwrap();
+            let trial = rosenbrock::step(&patch, &state, &rate, step, &linear, &mut counters);
             let ratio = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error) / (1e-3 * DEPTH);
             let factor = if ratio.is_finite() { (0.8 * ratio.cbrt().recip()).clamp(0.2, 4.0) } else { 0.2 };
             if let Some(trial) = trial.filter(|_| ratio <= 1.0) {
