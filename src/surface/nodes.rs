@@ -123,7 +123,7 @@ impl Nodes {
         nodes
     }
 
-    fn update_integrals(&mut self, profile: &Profile) {
+    pub(crate) fn update_integrals(&mut self, profile: &Profile) {
         self.integrals.clear();
         self.integrals.reserve_exact(self.x.len());
         let mut load = 0.0;

@@ -289,9 +289,15 @@ fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, settings: &Integrat
     image.extend(patch.worn_image(rate, parts, &radii));
     x.extend(radii);
     let place = MeshPlace { region: patch.mesh.region, cells, first, contact: patch.contact(rate) };
-    let mut nodes = Nodes::assembled(patch.body.profile(), settings.cells, (x, image, depth), place);
+    let mut nodes = Nodes::holding((x, image, depth), settings.cells, Some(place));
     match patch.body.worn() {
-        None => nodes,
+        None => {
+            // a life makes them at its end: before, only the balance with a rig asks for them
+            if patch.motion.rig.is_some() {
+                nodes.update_integrals(patch.body.profile());
+            }
+            nodes
+        }
         Some(base) => {
             nodes.extend_beyond_mesh(patch.body.profile());
             base.with(&nodes, THINNING * settings.tolerance, patch.body.profile())

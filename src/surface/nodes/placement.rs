@@ -71,19 +71,6 @@ impl Nodes {
         nodes
     }
 
-    /// Nodes left by a moving mesh, which ends with the last: radii, image of the wear and depth,
-    /// m, with the mesh's place among them.
-    pub(crate) fn assembled(
-        profile: &Profile,
-        resolution: usize,
-        (x, worn_image, depth): (Vec<f64>, Vec<f64>, Vec<f64>),
-        mesh: MeshPlace,
-    ) -> Self {
-        let mut nodes = Self::holding(x, worn_image, depth, resolution, Some(mesh));
-        nodes.update_integrals(profile);
-        nodes
-    }
-
     /// Whether a moving mesh ends with the last node.
     pub(crate) fn ends_with_mesh(&self) -> bool {
         self.mesh().is_some_and(|mesh| mesh.first + mesh.cells == self.last())
@@ -95,11 +82,10 @@ impl Nodes {
         self.update_integrals(profile);
     }
 
-    /// Nodes with what they carry; the integrals are still to be made.
-    fn holding(
-        x: Vec<f64>,
-        worn_image: Vec<f64>,
-        depth: Vec<f64>,
+    /// Nodes of some radii, image of the wear and depth, m, with the place among them of the moving
+    /// mesh that leaves them; the integrals are still to be made.
+    pub(crate) fn holding(
+        (x, worn_image, depth): (Vec<f64>, Vec<f64>, Vec<f64>),
         resolution: usize,
         mesh: Option<MeshPlace>,
     ) -> Self {
@@ -154,7 +140,7 @@ impl Nodes {
     /// Some nodes of more: of their radii, images and depths, m, those that are kept.
     pub(super) fn of_kept(kept: &[usize], fields: [&[f64]; 3], resolution: usize, profile: &Profile) -> Self {
         let [x, worn_image, depth] = fields.map(|field| kept.iter().map(|&k| field[k]).collect());
-        let mut nodes = Self::holding(x, worn_image, depth, resolution, None);
+        let mut nodes = Self::holding((x, worn_image, depth), resolution, None);
         nodes.update_integrals(profile);
         nodes
     }
