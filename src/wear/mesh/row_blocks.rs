@@ -33,14 +33,23 @@ impl RowBlocks {
 
     /// The product with x.
     pub(super) fn times(&self, x: &[f64], product: &mut [f64]) {
-        for (block, product) in self.0.iter().zip(product.chunks_mut(ROWS)) {
-            let mut sums = [0.0; ROWS];
-            for (column, x) in block.columns.iter().zip(&x[block.first..]) {
-                for row in 0..ROWS {
-                    sums[row] += column[row] * x;
-                }
-            }
-            product.iter_mut().zip(sums).for_each(|(product, sum)| *product = sum);
+        let (whole, rest) = product.as_chunks_mut::<ROWS>();
+        let mut blocks = self.0.iter().map(|block| block.times(x));
+        whole.iter_mut().zip(&mut blocks).for_each(|(product, sums)| *product = sums);
+        if let Some(sums) = blocks.next() {
+            rest.copy_from_slice(&sums[..rest.len()]);
         }
+    }
+}
+
+impl Block {
+    fn times(&self, x: &[f64]) -> [f64; ROWS] {
+        let mut sums = [0.0; ROWS];
+        for (column, x) in self.columns.iter().zip(&x[self.first..]) {
+            for row in 0..ROWS {
+                sums[row] += column[row] * x;
+            }
+        }
+        sums
     }
 }
