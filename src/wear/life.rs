@@ -229,9 +229,7 @@ fn step_factor((length, error): (f64, f64), previous: Option<(f64, f64)>) -> f64
 /// A first step that changes the image by about the size to which the method's error stays within
 /// the tolerance.
 fn first_step(patch: &Patch, rate: &Rate, settings: &IntegrationSettings) -> f64 {
-    let mut growth = vec![0.0; rate.growth.len()];
-    patch.mesh.abel(&rate.growth, &mut growth);
-    let change = patch.largest_image(0, &growth, rate);
+    let change = patch.largest_image(0, &patch.mesh.abel(&rate.growth), rate);
     0.1 * settings.tolerance.cbrt() * rate.indentation.abs() / change
 }
 

@@ -165,29 +165,30 @@ impl UnitMesh {
     }
 
     /// w = D̂ z.
-    pub(crate) fn inverse_abel(&self, z: &[f64], w: &mut [f64]) {
-        self.inverse_rows.times(z, w);
+    pub(crate) fn inverse_abel(&self, z: &[f64]) -> Vec<f64> {
+        self.inverse_rows.times(z)
     }
 
     /// z with D̂ z = w, from the first unknown node on.
-    pub(crate) fn abel(&self, w: &[f64], z: &mut [f64]) {
-        let first = self.first();
-        z[first..].copy_from_slice(&w[first..]);
-        for j in first..=self.cells {
+    pub(crate) fn abel(&self, w: &[f64]) -> Vec<f64> {
+        let mut z = w.to_vec();
+        for j in self.first()..=self.cells {
             let column = self.inverse_column(j);
             z[j] /= column[0];
             let value = z[j];
             add(&mut z[j + 1..], -value, &column[1..]);
         }
+        z
     }
 
     /// K̂ q for a line q that is zero at the last node, or with `rim` for one that jumps to zero
     /// there.
-    pub(crate) fn pressure(&self, q: &[f64], rim: bool, p: &mut [f64]) {
-        self.pressure_rows.times(q, p);
+    pub(crate) fn pressure(&self, q: &[f64], rim: bool) -> Vec<f64> {
+        let mut p = self.pressure_rows.times(q);
         if rim {
-            add(p, q[self.cells], &self.rim);
+            add(&mut p, q[self.cells], &self.rim);
         }
+        p
     }
 
     /// The row y with y·w = f·z: solves D̂ᵀ y = f.

@@ -173,8 +173,7 @@ impl Patch {
         if self.mesh.first() == 1 {
             z[0] = self.inner_image(span);
         }
-        let mut depth = vec![0.0; n + 1];
-        self.mesh.inverse_abel(&z, &mut depth);
+        let mut depth = self.mesh.inverse_abel(&z);
         if !self.rim {
             // the depth at the edge is known: the error of taking the image over must not all go to
             // the last cell; and none to the image next to the front, or it would creep

@@ -31,14 +31,12 @@ impl RowBlocks {
         Self((0..size).step_by(ROWS).map(block).collect())
     }
 
-    /// The product with x.
-    pub(super) fn times(&self, x: &[f64], product: &mut [f64]) {
-        let (whole, rest) = product.as_chunks_mut::<ROWS>();
-        let mut blocks = self.0.iter().map(|block| block.times(x));
-        whole.iter_mut().zip(&mut blocks).for_each(|(product, sums)| *product = sums);
-        if let Some(sums) = blocks.next() {
-            rest.copy_from_slice(&sums[..rest.len()]);
-        }
+    /// The product of a square matrix with x.
+    pub(super) fn times(&self, x: &[f64]) -> Vec<f64> {
+        let mut product = Vec::with_capacity(ROWS * self.0.len());
+        self.0.iter().for_each(|block| product.extend_from_slice(&block.times(x)));
+        product.truncate(x.len());
+        product
     }
 }
 

@@ -76,8 +76,7 @@ impl Patch {
         }
         if corrected {
             image.resize(self.cells() + 1, 0.0);
-            let mut held = vec![0.0; self.cells() + 1];
-            self.mesh.inverse_abel(&image, &mut held);
+            let held = self.mesh.inverse_abel(&image);
             depth[1..=FRONT_CELLS].copy_from_slice(&held[1..=FRONT_CELLS]);
         }
         corrected

@@ -60,8 +60,7 @@ impl Linear {
 
     /// Depths that belong to a solution z, zero at a moving edge.
     pub(in crate::wear) fn depth(&self, z: &[f64]) -> Vec<f64> {
-        let mut depth = vec![0.0; z.len()];
-        self.mesh.inverse_abel(z, &mut depth);
+        let mut depth = self.mesh.inverse_abel(z);
         depth[self.end..].fill(0.0);
         depth
     }
@@ -152,10 +151,9 @@ impl Patch {
     fn approach_change(&self, rate: &Rate, stiffness: &[f64], softening: &[f64]) -> (Vec<f64>, f64) {
         let (mesh, n, end) = (&*self.mesh, self.cells(), self.end());
         let sensitivity = self.sensitivity(rate);
-        let (mut pressure, mut slip) = (vec![0.0; n + 1], vec![0.0; n + 1]);
-        mesh.pressure(&vec![1.0; n + 1], self.rim, &mut pressure);
+        let pressure = mesh.pressure(&vec![1.0; n + 1], self.rim);
         let slips: Vec<f64> = (0..=n).map(|j| if rate.slip[j] > 0.0 { rate.scale[j] } else { 0.0 }).collect();
-        mesh.inverse_abel(&slips, &mut slip);
+        let slip = mesh.inverse_abel(&slips);
         let growth = |i: usize| stiffness[i] * pressure[i] - sensitivity * softening[i] * slip[i];
         let volume = |j: usize| {
             let bound = rate.free_slip - rate.slip[j];

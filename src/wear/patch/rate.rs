@@ -46,9 +46,7 @@ impl Patch {
     /// The rate of wear at given depths inside the region; `None` where no contact edge can be
     /// found.
     pub(crate) fn rate(&self, depth: &[f64], guess: f64) -> Option<Rate> {
-        let mut image = vec![0.0; depth.len()];
-        self.mesh.abel(depth, &mut image);
-        self.rate_of((depth.to_vec(), image), guess)
+        self.rate_of((depth.to_vec(), self.mesh.abel(depth)), guess)
     }
 
     /// The same where z, too, is known. Both may have any value where they are given: z at the
@@ -94,13 +92,11 @@ impl Patch {
         if mesh.first() == 1 {
             slip[0] = 0.0;
         }
-        let mut pressure = vec![0.0; n + 1];
-        mesh.pressure(&overlap, self.rim, &mut pressure);
+        let mut pressure = mesh.pressure(&overlap, self.rim);
         let root = span.sqrt();
         pressure.iter_mut().for_each(|p| *p /= root);
         let scaled: Vec<f64> = slip.iter().zip(&scale).map(|(s, b)| s * b).collect();
-        let mut surface_slip = vec![0.0; n + 1];
-        mesh.inverse_abel(&scaled, &mut surface_slip);
+        let surface_slip = mesh.inverse_abel(&scaled);
         let mut growth: Vec<f64> =
             pressure.iter().zip(&surface_slip).map(|(p, s)| self.factor * p * s).collect();
         if !self.rim {
@@ -111,12 +107,9 @@ impl Patch {
         let share =
             if share.is_finite() { share.clamp(1.0 / (1.0 + MOST_SHARE), 1.0 + MOST_SHARE) } else { 1.0 };
         growth.iter_mut().for_each(|rate| *rate *= share);
-        let mut drift = vec![0.0; n + 1];
-        let (mut area_rate, mut drift_share, mut edge) = (0.0, 1.0, None);
+        let (mut drift, mut area_rate, mut drift_share, mut edge) = (Vec::new(), 0.0, 1.0, None);
         if !self.rim {
-            for i in 1..n {
-                drift[i] = mesh.drift_of(&depth, i) / span;
-            }
+            drift = (0..=n).map(|i| mesh.drift_of(&depth, i) / span).collect();
             drift_share = self.drift_share(&depth, span, &drift);
             drift.iter_mut().for_each(|drift| *drift *= drift_share);
             let condition = self.edge_condition((&depth, image[n]), radius_squared, edge_slope);
