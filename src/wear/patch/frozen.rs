@@ -37,8 +37,13 @@ impl Sources {
 
     /// ∫ r w dr of the depth up to a radius, m³.
     pub(super) fn integral(&self, radius_squared: f64) -> f64 {
-        let pairs = self.0.iter().flat_map(|(squares, weights)| squares.iter().zip(weights));
-        pairs.map(|(square, weight)| weight * (radius_squared - square).max(0.0).sqrt()).sum()
+        let mut integral = [0.0; 4];
+        for (squares, weights) in &self.0 {
+            for lane in 0..4 {
+                integral[lane] += weights[lane] * (radius_squared - squares[lane]).max(0.0).sqrt();
+            }
+        }
+        integral.iter().sum()
     }
 }
 

@@ -134,12 +134,12 @@ impl Patch {
             if let Some(edge) = &edge {
                 add(column, speed, &mesh.drift_column(j)[first..]);
                 let moved = -dot(&edge.condition.depth[first..], column) / edge.total;
-                add(column, moved, &rate.drift[first..]);
                 let radius_squared = self.area_change(j, rate) / edge.condition.radius_squared;
-                if radius_squared != 0.0 {
-                    add(column, -gamma_step * radius_squared, &edge.growth[first..]);
-                    volume_row[j] += radius_squared * edge.volume;
-                }
+                let rows = rate.drift[first..].iter().zip(&edge.growth[first..]);
+                column.iter_mut().zip(rows).for_each(|(entry, (drift, growth))| {
+                    *entry += moved * drift - gamma_step * radius_squared * growth;
+                });
+                volume_row[j] += radius_squared * edge.volume;
             }
             add(&mut column[j - first..], 1.0, mesh.inverse_column(j));
         }
