@@ -143,8 +143,8 @@ pub(crate) fn integrate(
             let trial = linear
                 .as_ref()
                 .and_then(|linear| rosenbrock::step(&patch, &state, &rate, length, linear, counters));
-            // in the first step the rates change most
-            system = linear.filter(|_| is_new && previous.is_some());
+            // in the first step the rates change most, and over a worn body with each cell
+            system = linear.filter(|_| is_new && carried && previous.is_some());
             let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error);
             let ratio = error / (settings.tolerance * rate.indentation.abs());
             let factor = step_factor((length, ratio), previous);

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// Length of a step over that of the one before, whose linear system serves it, too: the method is
 /// of third order with any. However fast a mode relaxes, what is left of it is at most 0.72 of it
-/// there; beyond 1.57 it would grow.
+/// there; beyond 1.63 it would grow.
 const KEPT: RangeInclusive<f64> = 0.5..=1.4;
 
 /// The system, factorised.
@@ -134,12 +134,12 @@ impl Patch {
             if let Some(edge) = &edge {
                 add(column, speed, &mesh.drift_column(j)[first..]);
                 let moved = -dot(&edge.condition.depth[first..], column) / edge.total;
+                add(column, moved, &rate.drift[first..]);
                 let radius_squared = self.area_change(j, rate) / edge.condition.radius_squared;
-                let rows = rate.drift[first..].iter().zip(&edge.growth[first..]);
-                column.iter_mut().zip(rows).for_each(|(entry, (drift, growth))| {
-                    *entry += moved * drift - gamma_step * radius_squared * growth;
-                });
-                volume_row[j] += radius_squared * edge.volume;
+                if radius_squared != 0.0 {
+                    add(column, -gamma_step * radius_squared, &edge.growth[first..]);
+                    volume_row[j] += radius_squared * edge.volume;
+                }
             }
             add(&mut column[j - first..], 1.0, mesh.inverse_column(j));
         }
