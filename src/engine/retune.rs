@@ -72,6 +72,7 @@ impl FrettingContact {
             let model = Arc::make_mut(&mut this.model);
             model.parameters = Arc::new(new);
             (model.constants, model.bound_slope) = (constants, bound_slope);
+            // from the bound of before, which the springs keep to, however small the new one is
             let work = if this.state.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
             this.keep_bound_slope();
             this.state.counters.spring_walks += 1;

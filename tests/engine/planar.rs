@@ -56,11 +56,12 @@ fn a_line_at_any_angle_is_the_line_along_x() {
 }
 
 /// Cycles in which a thin annulus slips: the work is that of the line along x, though it is but
-/// 1e-5 to 2e-2 of that of full slip.
+/// 1e-6 to 2e-2 of that of full slip. What the samples leave of it grows as the annulus becomes as
+/// thin as their distance; the rounded punch, whose image is the steepest, is the worst.
 #[test]
 fn small_slip_at_an_angle_takes_the_work_of_the_line_along_x() {
-    for profile in [BALL, CONE] {
-        for share in [0.02, 0.05, 0.1, 0.2] {
+    for profile in [BALL, CONE, BLUNTED, ROUNDED] {
+        for (share, most) in [(0.01, 0.1), (0.02, 0.06), (0.05, 0.03), (0.1, 0.015), (0.2, 0.007)] {
             let mut plane = pressed(profile.clone(), FORCE);
             let mut line = pressed(profile.clone(), FORCE);
             let amplitude = share * full(&line);
@@ -71,7 +72,7 @@ fn small_slip_at_an_angle_takes_the_work_of_the_line_along_x() {
             }
             let off = plane.dissipated_energy() / line.dissipated_energy() - 1.0;
             println!("{profile:?}, {share}: {off:.1e}");
-            assert!(off.abs() < 2e-2, "{profile:?}, {share}: {off}");
+            assert!(off.abs() < most, "{profile:?}, {share}: {off}");
         }
     }
 }

@@ -306,7 +306,7 @@ fn a_flat_punch_in_gross_slip_flattens_its_pressure_as_tabulated() {
     assert_volumes_agree(&contact, 0.02, "punch in gross slip");
 }
 
-/// A rounding of nanometres is none for the contact, at any load.
+/// A rim rounded by some nanometres wears like a sharp one, at any load.
 #[test]
 fn a_punch_with_a_sharp_rim_wears_like_a_flat_punch() {
     let b = 1e-4;
