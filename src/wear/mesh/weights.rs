@@ -78,7 +78,10 @@ impl Places {
 
     /// Adds `factor` times the value at a place of cell j to the weights of its nodes.
     fn add_value(self, row: &mut [f64], j: usize, s: f64, factor: f64) {
-        self.weights(j, s).for_each(|(node, weight)| row[node] += factor * weight);
+        let first = usize::from(j == 0);
+        let values = self.values(j, s);
+        let nodes = row[j + first - 1..].iter_mut();
+        nodes.zip(&values[first..]).for_each(|(entry, value)| *entry += factor * value);
     }
 
     /// φ d/dφ at node i inside: the first of five nodes, and their weights, of fourth order in ξ
@@ -128,9 +131,10 @@ impl Places {
     /// Weights of ∫ h dx / √L and of the volume over L.
     pub(super) fn integrals(self) -> (Vec<f64>, Vec<f64>) {
         let n = self.cells;
+        let rule = gauss_legendre::<POINTS>();
         let (mut width, mut volume) = (vec![0.0; n + 1], vec![0.0; n + 1]);
         for j in 0..n {
-            for (node, weight) in gauss_legendre::<POINTS>() {
+            for (node, weight) in rule {
                 let s = 0.5 * (1.0 + node);
                 let xi = j as f64 + s;
                 let part = 0.5 * weight * self.measure(xi);

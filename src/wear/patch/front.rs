@@ -43,16 +43,21 @@ impl Patch {
         if moved || edge { Front::Moved } else { Front::Kept }
     }
 
+    /// Largest image that may wear, m: the overlap at the front, at most the indentation depth.
+    pub(crate) fn most_worn(&self, rate: &Rate) -> f64 {
+        rate.indentation.abs().min(rate.free_slip / self.bound_slope)
+    }
+
     /// Whether the contact edge has come to the end of the body.
     pub(crate) fn is_at_end_of_body(&self, rate: &Rate) -> bool {
         rate.radius_squared.sqrt() >= self.body.profile().outer_radius() * (1.0 - RIM)
     }
 
-    /// Last node before the front; 0 where the first slips, or all do. Behind a rig a front may
-    /// retreat so slowly that a node next to it comes and goes, in cells of a millionth of the
-    /// region: its error is no reason for a shorter step.
+    /// Last node before the front; 0 where the first slips, or all do. A front may move so slowly
+    /// that a node next to it comes and goes, in cells of a millionth of the region. Its error is
+    /// no reason for a shorter step.
     pub(crate) fn sticking(&self, rate: &Rate) -> usize {
-        if self.motion.rig.is_none() || self.mesh.region == Region::Disc {
+        if self.mesh.region == Region::Disc {
             return 0;
         }
         rate.slip[1..=FRONT_CELLS].iter().take_while(|slip| **slip == 0.0).count()
