@@ -70,19 +70,6 @@ pub(crate) fn update_limit(tolerance: f64, surface: &Surface, contact: &Contact,
     tolerance * annulus(contact, stick_radius) * room.max(0.1 * contact.depth.abs())
 }
 
-/// Ratio of a worn volume (m³) to a share of what the slipping annulus has to lose, however little
-/// that is, down to a part of `tolerance` of the depth.
-pub(crate) fn share_of_room(
-    volume: f64,
-    (share, tolerance): (f64, f64),
-    surface: &Surface,
-    contact: &Contact,
-    stick_radius: f64,
-) -> f64 {
-    let least = tolerance * contact.depth.abs();
-    volume / (share * annulus(contact, stick_radius) * room(surface, contact, stick_radius).max(least))
-}
-
 /// Twice the mean approach d − g of the slipping annulus, m; 0 where there is none.
 fn room(surface: &Surface, contact: &Contact, stick_radius: f64) -> f64 {
     let width = (contact.radius - stick_radius).max(0.0);

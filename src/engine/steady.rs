@@ -3,7 +3,12 @@
 use super::FrettingContact;
 use super::history::MOST_PIECES;
 use crate::error::Error;
-use crate::wear::{Sliding, SlipAtDepth, share_of_room};
+use crate::wear::{self, Sliding, SlipAtDepth};
+
+/// Share of what the slip zone can lose that one update of a steady motion wears off at most, where
+/// the tolerance is not larger. With 20e-3, V of cycles over a worn body was 0.3 to 3 % low, and
+/// changed with rounding.
+const MOST_SHARE: f64 = 1e-3;
 
 impl FrettingContact {
     /// Wears the surface by an amount (cycles or metres) of sliding at constant load, whatever the
@@ -71,13 +76,8 @@ impl FrettingContact {
         };
         let volume = self.model.constants.wear_per_work * unit_work * left;
         let tolerance = self.model.parameters.tolerance;
-        let ratio = share_of_room(
-            volume,
-            (self.model.tuning.stroke * tolerance, tolerance),
-            &self.surface,
-            &contact,
-            stick,
-        );
+        let share = (self.model.tuning.stroke * tolerance).min(MOST_SHARE.max(tolerance));
+        let ratio = volume / wear::update_limit(share, &self.surface, &contact, stick);
         // what is no number has to stop the loop
         let amount = if ratio <= 1.0 { left } else { left / ratio };
         (amount, unit_work * amount)
