@@ -5,11 +5,6 @@ use super::history::MOST_PIECES;
 use crate::error::Error;
 use crate::wear::{self, Sliding, SlipAtDepth};
 
-/// Share of what the slip zone can lose that one update of a steady motion wears off at most, where
-/// the tolerance is not larger. With 20e-3, V of cycles over a worn body was 0.3 to 3 % low, and
-/// changed with rounding.
-const MOST_SHARE: f64 = 1e-3;
-
 impl FrettingContact {
     /// Wears the surface by an amount (cycles or metres) of sliding at constant load, whatever the
     /// surface, and adds the work to the history's. Afterwards the contact is that of the new
@@ -75,8 +70,8 @@ impl FrettingContact {
             }
         };
         let volume = self.model.constants.wear_per_work * unit_work * left;
-        let tolerance = self.model.parameters.tolerance;
-        let share = (self.model.tuning.stroke * tolerance).min(MOST_SHARE.max(tolerance));
+        let (tuning, tolerance) = (self.model.tuning, self.model.parameters.tolerance);
+        let share = (tuning.stroke * tolerance).min(tuning.steady_share.max(tolerance));
         let ratio = volume / wear::update_limit(share, &self.surface, &contact, stick);
         // what is no number has to stop the loop
         let amount = if ratio <= 1.0 { left } else { left / ratio };

@@ -135,3 +135,20 @@ fn results_hold_where_a_value_is_halved_or_doubled() {
         assert_eq!(*used, name != "placed_with", "{name}");
     }
 }
+
+/// Cycles in one call, where a larger load has worn the body further out: the update that comes
+/// before the mesh can follow. Half is held up by the tolerance, which is as large.
+#[test]
+fn an_update_of_steady_motion_may_be_halved_or_doubled() {
+    let way = |contact: &mut FrettingContact| {
+        for (force, place) in [(100.0, 1.0), (100.0, -1.0), (120.0, 0.9), (90.0, -1.0), (100.0, 1.0)] {
+            contact.advance_to(force, place * 1.5e-6).unwrap();
+        }
+        contact.advance_cycles(100.0, 1.5e-6, 10.0).unwrap();
+    };
+    let base = Parameters::default();
+    let parameters = Parameters { wear_coefficient: 1e-11 * base.hardness, ..base };
+    let work = |by: f64| work(way, &parameters, Tuning { steady_share: by * USUAL.steady_share, ..USUAL });
+    let changes = [0.5, 2.0].map(|by| work(by) / work(1.0) - 1.0);
+    assert!(changes[1] != 0.0 && changes.iter().all(|change| change.abs() <= 1e-3), "{changes:?}");
+}
