@@ -78,10 +78,7 @@ impl Places {
 
     /// Adds `factor` times the value at a place of cell j to the weights of its nodes.
     fn add_value(self, row: &mut [f64], j: usize, s: f64, factor: f64) {
-        let first = usize::from(j == 0);
-        let values = self.values(j, s);
-        let nodes = row[j + first - 1..].iter_mut();
-        nodes.zip(&values[first..]).for_each(|(entry, value)| *entry += factor * value);
+        self.weights(j, s).for_each(|(node, weight)| row[node] += factor * weight);
     }
 
     /// φ d/dφ at node i inside: the first of five nodes, and their weights, of fourth order in ξ
