@@ -136,7 +136,8 @@ impl FrettingContact {
             }
             self.expect(Some(motion));
         } else {
-            self.absorb_law(&law, backlog.work, backlog.radius)?;
+            let way = if self.state.planar.is_some() { FrontMotion::Creeps } else { FrontMotion::Returns };
+            self.absorb_law((&law, way), backlog.work, backlog.radius)?;
             let lost = self.rest_on_worn(&old, zone)?;
             if !begins_at_reversal {
                 self.lose_to_friction(lost);
@@ -183,7 +184,7 @@ impl FrettingContact {
     }
 
     /// Defers the wear of work (J) to a later update; below 0 where the profile has worn too much.
-    fn defer(&mut self, work: f64) {
+    pub(super) fn defer(&mut self, work: f64) {
         if let Some(wear) = &mut self.state.wear {
             wear.deferred_work += work;
         }
@@ -257,27 +258,33 @@ impl FrettingContact {
     }
 
     /// Wears a slip law off on nodes at rest, which is that of friction work (J) of the springs.
-    /// `radius` is the largest of its contacts, m.
+    /// `radius` is the largest of its contacts, m. Returns the work whose wear has found no place
+    /// there and is deferred, J.
     ///
     /// # Errors
     /// [`Error::WearOutrun`] where one update cannot follow; those of the normal contact.
-    pub(super) fn absorb_law(&mut self, law: &[SlipAtDepth], work: f64, radius: f64) -> Result<(), Error> {
+    pub(super) fn absorb_law(
+        &mut self,
+        (law, way): (&[SlipAtDepth], FrontMotion),
+        work: f64,
+        radius: f64,
+    ) -> Result<f64, Error> {
         let per_work = self.model.constants.wear_per_work;
         let before = self.surface.worn().map_or(0.0, Nodes::worn_volume);
-        let nodes = self.nodes_at_rest(law, radius);
+        let nodes = self.nodes_at_rest(law, radius, way);
         let lost = (before - nodes.worn_volume()) / per_work;
         if lost.is_finite() {
             self.defer(lost);
         }
         self.surface.set_worn(Some(nodes));
         let work = work + self.take_deferred(work);
-        let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(()) };
+        let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(0.0) };
         let (transforms, made) = self.memory.get().transforms.get(nodes);
         self.state.counters.transform_tables += u64::from(made);
         let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.model.constants)?;
         let Some(fields) = fields else {
             self.defer(work);
-            return Ok(());
+            return Ok(work);
         };
         self.state.counters.pressure_transforms += fields.transforms;
         self.state.counters.descent_transforms += fields.transforms;
@@ -303,13 +310,14 @@ impl FrettingContact {
         let share = wear::mean_work_share(&self.surface, law, &grown, control);
         let target = per_work * work * share;
         let scale = scale_to(target);
-        wear.deferred_work += (target - scale * volume) / per_work;
+        let residual = (target - scale * volume) / per_work;
+        wear.deferred_work += residual;
         self.surface = self.surface.worn_further(change, scale);
         self.correct_work(work * (share - 1.0));
         self.state.counters.descent_transforms += 1;
         self.state.counters.profile_updates += 1;
         self.look_at_coating();
-        Ok(())
+        Ok(residual)
     }
 
     /// Radius up to which springs stuck (m) while others slipped in contacts up to a radius (m),
@@ -325,8 +333,8 @@ impl FrettingContact {
     }
 
     /// Nodes at rest for a slip law whose largest contact has a radius (m): fine at its innermost
-    /// front.
-    fn nodes_at_rest(&mut self, law: &[SlipAtDepth], radius: f64) -> Nodes {
+    /// front, as its way asks for.
+    fn nodes_at_rest(&mut self, law: &[SlipAtDepth], radius: f64, way: FrontMotion) -> Nodes {
         let profile = self.surface.profile();
         let front = law.iter().map(SlipAtDepth::front).fold(f64::INFINITY, f64::min);
         let inner = self.radius_of_front(front, radius);
@@ -353,7 +361,6 @@ impl FrettingContact {
         {
             left = thinned;
         }
-        let way = if self.state.planar.is_some() { FrontMotion::Creeps } else { FrontMotion::Returns };
         left.adapt(profile, radius, (inner, way));
         left
     }

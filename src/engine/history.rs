@@ -10,7 +10,7 @@ use nalgebra::Vector2;
 
 /// Most pieces into which wear may split a line, and most updates in place of one call for a steady
 /// motion. A contact that would need more is refused.
-pub(crate) const MOST_PIECES: u32 = 1024;
+pub(crate) const MOST_PIECES: u32 = 4096;
 
 /// Transient motion.
 impl FrettingContact {

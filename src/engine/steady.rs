@@ -3,7 +3,21 @@
 use super::FrettingContact;
 use super::history::MOST_PIECES;
 use crate::error::Error;
+use crate::surface::{FrontMotion, ROUNDING};
 use crate::wear::{self, Sliding, SlipAtDepth};
+
+/// Least share of the limit that an update is made with.
+const LEAST_SHARE: f64 = 1.0 / 64.0;
+
+/// How the updates of a motion have gone so far.
+struct Pace {
+    /// The most that one cycle or metre has worked, J.
+    work: f64,
+    /// The most that one update could have worn, m³.
+    limit: f64,
+    /// Share of it for the next update: less after one that the profile did not follow.
+    share: f64,
+}
 
 impl FrettingContact {
     /// Wears the surface by an amount (cycles or metres) of sliding at constant load, whatever the
@@ -19,7 +33,8 @@ impl FrettingContact {
     /// [`Error::TooMuchWear`] where neither the mesh nor [`MOST_PIECES`] updates can follow; those
     /// of the normal contact.
     pub(super) fn wear_steadily(&mut self, value: f64, sliding: Sliding, amount: f64) -> Result<(), Error> {
-        let (mut left, mut chunks, mut next_trial) = (amount, 0, 1);
+        let (mut left, mut updates, mut next_trial) = (amount, 0, 1);
+        let mut pace = Pace { work: 0.0, limit: 0.0, share: 1.0 };
         loop {
             let refused = match self.wear_by(value, (sliding, None), left, false) {
                 Ok(work) => {
@@ -30,26 +45,26 @@ impl FrettingContact {
                 Err(refused @ (Error::TooMuchWear { .. } | Error::NotFinite { .. })) => refused,
                 Err(other) => return Err(other),
             };
-            while chunks < next_trial && left > 0.0 {
+            while updates < next_trial && left > 0.0 {
                 // held in depth, a body may wear until it is free
                 if self.state.contact.is_open() {
                     return Ok(());
                 }
-                let (amount, work) = self.chunk(sliding, left);
-                let moves = amount > 0.0 && work.is_finite();
-                if chunks == MOST_PIECES || !moves {
-                    return Err(refused);
+                if updates == MOST_PIECES {
+                    let amplitude = sliding.amplitude();
+                    return Err(Error::TooMuchWear { cycles: amount, left, amplitude, steps: updates });
                 }
-                let contact = self.state.contact;
-                let law = SlipAtDepth::of_motion(sliding, amount, contact.depth, self.model.bound_slope);
-                match self.absorb_law(&[law], work, contact.radius) {
-                    Err(Error::WearOutrun { .. }) => return Err(refused),
-                    other => other?,
+                match self.transaction(|this| this.wear_part(sliding, left, &mut pace)) {
+                    Ok(part) if part > 0.0 => {
+                        left -= part;
+                        pace.share = (2.0 * pace.share).min(1.0);
+                    }
+                    Err(Error::WearOutrun { .. }) if pace.share > LEAST_SHARE => pace.share *= 0.25,
+                    Ok(_) | Err(Error::WearOutrun { .. }) => return Err(refused),
+                    Err(other) => return Err(other),
                 }
-                self.add_work(work);
                 self.state.contact = self.contact_at(value)?;
-                left -= amount;
-                chunks += 1;
+                updates += 1;
             }
             if left <= 0.0 {
                 return Ok(());
@@ -58,8 +73,11 @@ impl FrettingContact {
         }
     }
 
-    /// As much of a steady motion as one update may take off (cycles or metres), and its work, J.
-    fn chunk(&mut self, sliding: Sliding, left: f64) -> (f64, f64) {
+    /// Wears as much of a steady motion off as one update may; returns how much that is (cycles or
+    /// metres), 0 where the numbers allow none. A slip zone that wears free wears ever less: the
+    /// largest limit so far falls with the root of the work of a cycle, so that all updates to the
+    /// end are at most twice as many as at the limit itself.
+    fn wear_part(&mut self, sliding: Sliding, left: f64, pace: &mut Pace) -> Result<f64, Error> {
         let contact = self.state.contact;
         let (unit_work, stick) = match sliding {
             Sliding::Onward => (self.model.constants.friction_coefficient * self.normal_reaction(), 0.0),
@@ -69,13 +87,36 @@ impl FrettingContact {
                 (4.0 * quarter_work, stick)
             }
         };
-        let volume = self.model.constants.wear_per_work * unit_work * left;
+        // a slip zone that has worn free
+        if unit_work <= ROUNDING * pace.work {
+            return Ok(left);
+        }
         let (tuning, tolerance) = (self.model.tuning, self.model.parameters.tolerance);
-        let share = (tuning.stroke * tolerance).min(tuning.steady_share.max(tolerance));
-        let ratio = volume / wear::update_limit(share, &self.surface, &contact, stick);
+        let share = (tuning.stroke * tolerance).min(tuning.steady_share);
+        pace.work = pace.work.max(unit_work);
+        // a worn rim may stick outside of what slips
+        let inner = if stick < contact.radius { stick } else { self.model.widest_stick(&contact) };
+        pace.limit = pace.limit.max(wear::update_limit(share, &self.surface, &contact, inner));
+        let limit = pace.share * pace.limit * (unit_work / pace.work).sqrt();
+        let volume = self.model.constants.wear_per_work * unit_work * left;
+        let part = if volume <= limit { left } else { left * (limit / volume) };
+        let work = unit_work * part;
         // what is no number has to stop the loop
-        let amount = if ratio <= 1.0 { left } else { left / ratio };
-        (amount, unit_work * amount)
+        if !work.is_finite() {
+            return Ok(0.0);
+        }
+        let law = SlipAtDepth::of_motion(sliding, part, contact.depth, self.model.bound_slope);
+        let residual = self.absorb_law((&[law], FrontMotion::Creeps), work, contact.radius)?;
+        // where a slip zone has worn free, the springs in the cell at its front go on to work: what
+        // finds no place then is none
+        let is_free = stick > 0.0 && unit_work < tuning.little_work * pace.work && residual > 0.5 * work;
+        if is_free {
+            self.defer(-residual);
+            self.add_work(work - residual);
+            return Ok(left);
+        }
+        self.add_work(work);
+        Ok(part)
     }
 
     /// Puts the slipping springs where a steady cycle has them at its end, on a surface that has

@@ -16,9 +16,8 @@ const MOST_STEPS: f64 = 1000.0;
 /// And behind a rig: where a front hovers, stretches of constant amplitude come sooner to an end.
 const MOST_STEPS_BEHIND_A_RIG: f64 = 250.0;
 
-/// And of what is but a small part of a life, which takes
-/// one or two, and on a body already worn where the mesh does not carry it. The method is of third
-/// order: a thousandth of the tolerance takes ten times as many.
+/// And of what is but a small part of a life, which takes one or two. The method is of third order:
+/// a thousandth of the tolerance takes ten times as many.
 const MOST_STEPS_OF_AN_UPDATE: f64 = 60.0;
 
 /// And at most as many times that, however tight the tolerance: no call may go on for ever.
@@ -111,8 +110,11 @@ pub(crate) fn integrate(
     let mut left = cycles;
     let mut steps = 0;
     let tighter = (1e-3 / settings.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
-    let most_of_an_update = (MOST_STEPS_OF_AN_UPDATE * tighter) as u32;
-    let most = if motion.rig.is_some() { MOST_STEPS_BEHIND_A_RIG } else { MOST_STEPS };
+    let most = match (amount.is_update, motion.rig) {
+        (true, _) => MOST_STEPS_OF_AN_UPDATE,
+        (false, Some(_)) => MOST_STEPS_BEHIND_A_RIG,
+        (false, None) => MOST_STEPS,
+    };
     let most = (most * tighter) as u32;
     // of the surface, m³, where it is known
     let mut worn_volume = None;
@@ -129,8 +131,7 @@ pub(crate) fn integrate(
         // always made
         let mut fresh = true;
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
-            let carried = patch.body.worn().is_none() && !amount.is_update;
-            if steps >= if carried { most } else { most_of_an_update } {
+            if steps >= most {
                 let amplitude = motion.sliding.amplitude();
                 return Err(Error::TooMuchWear { cycles, left, amplitude, steps });
             }
@@ -143,8 +144,8 @@ pub(crate) fn integrate(
             let trial = linear
                 .as_ref()
                 .and_then(|linear| rosenbrock::step(&patch, &state, &rate, length, linear, counters));
-            // in the first step the rates change most, and over a worn body with each cell
-            system = linear.filter(|_| is_new && carried && previous.is_some());
+            // in the first step the rates change most
+            system = linear.filter(|_| is_new && !amount.is_update && previous.is_some());
             let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error);
             let ratio = error / (settings.tolerance * patch.most_worn(&rate));
             let factor = step_factor((length, ratio), previous);
@@ -191,15 +192,6 @@ pub(crate) fn integrate(
             return Err(edge_not_found(motion));
         }
         worn_volume = Some(on_mesh);
-        if let Some(body) = patch.body.worn() {
-            let worn = nodes.worn_volume();
-            // on cells that do not follow the body at its edge the depths may carry a tenth of the
-            // work's volume
-            if (worn - body.worn_volume() - volume).abs() > MISSING * volume {
-                return Err(edge_not_found(motion));
-            }
-            worn_volume = Some(worn);
-        }
         life.surface.set_worn(Some(nodes));
     }
     // between two meshes nobody asks what lies beyond
@@ -245,15 +237,11 @@ fn left_at_the_end(
     let mut nodes = exported_nodes(patch, &state, &rate, settings);
     let mut missing = target - nodes.worn_volume();
     let defect = missing.abs();
-    // what a mesh over a worn body carries may be less than what is missing
-    let most = if patch.body.worn().is_some() { MISSING * patch.own_volume(&rate) } else { f64::INFINITY };
     for _ in 0..CORRECTIONS {
         if missing.abs() <= MET * settings.tolerance * target {
             break;
         }
-        // `clamp` would panic at a volume that is no number
-        let volume = missing.signum() * missing.abs().min(most.abs());
-        let Some(grown) = patch.with_volume(&state, &rate, volume) else { break };
+        let Some(grown) = patch.with_volume(&state, &rate, missing) else { break };
         (state, rate) = grown;
         nodes = exported_nodes(patch, &state, &rate, settings);
         missing = target - nodes.worn_volume();
@@ -288,17 +276,9 @@ fn exported_nodes(patch: &Patch, state: &State, rate: &Rate, settings: &Integrat
     x.extend(radii);
     let place = MeshPlace { region: patch.mesh.region, cells, first, contact: patch.contact(rate) };
     let mut nodes = Nodes::holding((x, image, depth), settings.cells, Some(place));
-    match patch.body.worn() {
-        None => {
-            // a life makes them at its end: before, only the balance with a rig asks for them
-            if patch.motion.rig.is_some() {
-                nodes.update_integrals(patch.body.profile());
-            }
-            nodes
-        }
-        Some(base) => {
-            nodes.extend_beyond_mesh(patch.body.profile());
-            base.with(&nodes, THINNING * settings.tolerance, patch.body.profile())
-        }
+    // a life makes them at its end: before, only the balance with a rig asks for them
+    if patch.motion.rig.is_some() {
+        nodes.update_integrals(patch.body.profile());
     }
+    nodes
 }

@@ -80,64 +80,47 @@ pub(super) fn mesh_slip_zone(
         check_end_of_body(surface, motion, constants)?;
     }
     let a = if rim { outer } else { a };
-    let start = |body: Surface,
-                 inside: Frozen,
-                 front: f64,
-                 radius_squared: f64,
-                 images: &dyn Fn(&[f64]) -> Vec<f64>| {
-        let patch = Patch::new((body, inside), mesh.clone(), front, *motion, rim, constants);
+    let start = |front: f64, radius_squared: f64, images: &dyn Fn(&[f64]) -> Vec<f64>| {
+        let inside = inside(surface, front, settings.tolerance);
+        let patch = Patch::new((surface.unworn(), inside), mesh.clone(), front, *motion, rim, constants);
         let depth = patch.depths(&images(&patch.radii(radius_squared)), radius_squared);
         let rate = patch.rate(&depth, radius_squared)?;
         let radius_squared = rate.radius_squared;
         Some((patch, State { depth, radius_squared }, rate))
     };
-    if let Some(nodes) = surface.worn() {
-        // the mesh goes on where it was left
-        if let Some(place) = nodes.mesh().filter(|place| fits(nodes, place, &mesh, (front, settings.cells))) {
-            let (first, end) = (place.first, place.first + place.cells);
-            let (front, edge) = (nodes.x()[first], nodes.x()[end]);
-            let images = |_: &[f64]| {
-                nodes.worn_image()[first..=end].iter().copied().step_by(place.cells / mesh.cells).collect()
-            };
-            let kept = start(
-                surface.unworn(),
-                inside(surface, front, settings.tolerance),
-                front,
-                edge * edge,
-                &images,
-            );
-            if let Some((patch, state, rate)) = kept
-                && rim == (edge == outer)
-                && (state.radius_squared - edge * edge).abs() <= 1e-4 * patch.span(state.radius_squared)
-            {
-                return Ok(Some((patch, state, rate)));
-            }
-        }
-        // it is made again where it can carry all the wear there is, else the wear so far is left
-        // to the body
-        let beyond = nodes.x().partition_point(|x| *x <= a);
-        let deepest = nodes.depth().iter().fold(0.0, |most: f64, w| most.max(*w));
-        if nodes.depth()[beyond..].iter().all(|w| *w <= FAINT * deepest) {
-            let images = |x: &[f64]| x.iter().map(|x| nodes.smooth_image(*x)).collect();
-            let made =
-                start(surface.unworn(), inside(surface, front, settings.tolerance), front, a * a, &images);
-            let volume = volume.unwrap_or_else(|| nodes.worn_volume());
-            if let Some((patch, state, rate)) = made
-                && (patch.volume(&rate) - volume).abs() <= MISSING * volume.min(patch.own_volume(&rate))
-                && (state.radius_squared - a * a).abs()
-                    <= EDGE_CELLS * 2.0 * patch.span(a * a) / settings.cells as f64
-            {
-                return Ok(Some((patch, state, rate)));
-            }
+    let Some(nodes) = surface.worn() else {
+        let made = start(front, a * a, &|x| vec![0.0; x.len()]);
+        return made.map(Some).ok_or_else(|| edge_not_found(motion));
+    };
+    // the mesh goes on where it was left
+    if let Some(place) = nodes.mesh().filter(|place| fits(nodes, place, &mesh, (front, settings.cells))) {
+        let (first, end) = (place.first, place.first + place.cells);
+        let (front, edge) = (nodes.x()[first], nodes.x()[end]);
+        let images = |_: &[f64]| {
+            nodes.worn_image()[first..=end].iter().copied().step_by(place.cells / mesh.cells).collect()
+        };
+        if let Some((patch, state, rate)) = start(front, edge * edge, &images)
+            && rim == (edge == outer)
+            && (state.radius_squared - edge * edge).abs() <= 1e-4 * patch.span(state.radius_squared)
+        {
+            return Ok(Some((patch, state, rate)));
         }
     }
-    let zero = |x: &[f64]| vec![0.0; x.len()];
-    let inside = if front > 0.0 && surface.worn().is_none() {
-        inside(surface, front, settings.tolerance)
-    } else {
-        Frozen::default()
-    };
-    start(surface.clone(), inside, front, a * a, &zero).map(Some).ok_or_else(|| edge_not_found(motion))
+    // it is made again where it can carry all the wear there is
+    let beyond = nodes.x().partition_point(|x| *x <= a);
+    let deepest = nodes.depth().iter().fold(0.0, |most: f64, w| most.max(*w));
+    let is_within = nodes.depth()[beyond..].iter().all(|w| *w <= FAINT * deepest);
+    let volume = volume.unwrap_or_else(|| nodes.worn_volume());
+    let made =
+        is_within.then(|| start(front, a * a, &|x| x.iter().map(|x| nodes.smooth_image(*x)).collect()));
+    made.flatten()
+        .filter(|(patch, state, rate)| {
+            (patch.volume(rate) - volume).abs() <= MISSING * volume.min(patch.own_volume(rate))
+                && (state.radius_squared - a * a).abs()
+                    <= EDGE_CELLS * 2.0 * patch.span(a * a) / settings.cells as f64
+        })
+        .map(Some)
+        .ok_or_else(|| edge_not_found(motion))
 }
 
 /// A contact may grow to the end of a punch, but not to that of a table: what lies beyond its last

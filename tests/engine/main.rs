@@ -37,3 +37,4 @@ mod update_jumps;
 mod varying_load;
 mod wear;
 mod wear_depth;
+mod worn_bodies;

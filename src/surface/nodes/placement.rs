@@ -1,9 +1,8 @@
 //! Where nodes are: around a contact, from a moving mesh, joined, refined and thinned.
 
-use super::thinning::{met_by_lines, thin_unless};
+use super::thinning::thin_unless;
 use super::{Integrals, MeshPlace, Nodes};
 use crate::profile::Profile;
-use crate::surface::NodeTransforms;
 use crate::transform;
 
 /// Nodes kept ready outside the contact, into which it may grow within one update.
@@ -94,49 +93,6 @@ impl Nodes {
         Self { x, worn_image, depth, integrals, resolution, mesh, remains: None }
     }
 
-    /// These nodes with the wear of a mesh, left as the others, on top. Nodes at which the line
-    /// between others meets image and depth within a share of their largest values are left out:
-    /// the volume follows from the depths.
-    ///
-    /// A body that ends at its last node, worn there, is steep outside the mesh. There its depths
-    /// stay lines between its own nodes: more of them would change the volume.
-    pub(crate) fn with(&self, others: &Self, share: f64, profile: &Profile) -> Self {
-        let end = self.x[self.last()];
-        let edge = match others.mesh() {
-            Some(mesh) if self.depth[self.last()] > 0.0 => others.x[mesh.first + mesh.cells],
-            _ => f64::INFINITY,
-        };
-        let mut x = self.x.clone();
-        x.extend(others.x.iter().filter(|x| **x <= edge || **x > end));
-        x.sort_by(f64::total_cmp);
-        x.dedup_by(|b, a| *b - *a <= 1e-13 * *a);
-        let outside = x.partition_point(|x| *x <= edge);
-        let transforms = NodeTransforms::new(&x);
-        let image_of = |nodes: &Self| x.iter().map(|x| nodes.worn_part(*x).0).collect::<Vec<f64>>();
-        let sum = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a + b).collect::<Vec<f64>>();
-        let depth_of = |nodes: &Self, image: &[f64]| {
-            let mut depth = transforms.inverse_abel(image);
-            // behind its last node nothing of a surface has worn, where lines cannot follow its
-            // image exactly
-            let inside = x[..outside].partition_point(|x| *x < nodes.x[nodes.last()]);
-            depth[..inside].iter_mut().for_each(|w| *w = w.max(0.0));
-            depth[inside..].iter_mut().zip(&x[inside..]).for_each(|(w, x)| *w = nodes.line(&nodes.depth, *x));
-            depth
-        };
-        let (base, top) = (image_of(self), image_of(others));
-        let depth = sum(&depth_of(self, &base), &depth_of(others, &top));
-        let mut worn_image = sum(&base, &top);
-        if outside < x.len() {
-            let found = transforms.inverse_abel(&worn_image);
-            let mut missing: Vec<f64> =
-                depth.iter().zip(&found).map(|(depth, found)| depth - found).collect();
-            missing[..outside].fill(0.0);
-            worn_image = sum(&worn_image, &transforms.abel(&missing));
-        }
-        let kept = thin_unless(&x, &worn_image, share, |_, _| false, met_by_lines(&x, &depth, share));
-        Self::of_kept(&kept, [&x, &worn_image, &depth], self.resolution, profile)
-    }
-
     /// Some nodes of more: of their radii, images and depths, m, those that are kept.
     pub(super) fn of_kept(kept: &[usize], fields: [&[f64]; 3], resolution: usize, profile: &Profile) -> Self {
         let [x, worn_image, depth] = fields.map(|field| kept.iter().map(|&k| field[k]).collect());
@@ -151,7 +107,9 @@ impl Nodes {
     pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, (front, way): (f64, FrontMotion)) {
         let before = self.x.len();
         self.extend_beyond(a, profile.outer_radius());
-        if self.wants_node_at((front, way), a) {
+        let node = self.x.iter().copied().find(|x| (x - front).abs() <= 1e-9 * a);
+        let front = node.unwrap_or(front);
+        if self.is_coarse_at(front, way, a) && (node.is_none() || way.levels() > 0) {
             self.refine_at(front, way.levels());
         }
         let start = if front < a { front } else { 0.0 };
@@ -255,12 +213,10 @@ impl Nodes {
         }
     }
 
-    /// A front wants a node of its own unless the cell around it is fine.
-    fn wants_node_at(&self, (front, way): (f64, FrontMotion), a: f64) -> bool {
+    /// Whether the cell at a front, or outside it, is wider than will do.
+    fn is_coarse_at(&self, front: f64, way: FrontMotion, a: f64) -> bool {
         let Some(j) = self.cell(front) else { return false };
-        let width = self.x[j + 1] - self.x[j];
-        let off = (front - self.x[j]).min(self.x[j + 1] - front);
-        front > 0.0 && off > 1e-9 * a && width > way.fine() * a / self.resolution as f64
+        front > 0.0 && self.x[j + 1] - self.x[j] > way.fine() * a / self.resolution as f64
     }
 
     /// Puts a node at `front` and a fan of nodes outside it whose distances fall by four at each

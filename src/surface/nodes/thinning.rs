@@ -46,7 +46,7 @@ pub(super) fn thin_unless(
 
 /// Whether the line (in x²) between two nodes meets a field at all between them within a share of
 /// its largest value.
-pub(super) fn met_by_lines(x: &[f64], field: &[f64], share: f64) -> impl Fn(usize, usize) -> bool {
+fn met_by_lines(x: &[f64], field: &[f64], share: f64) -> impl Fn(usize, usize) -> bool {
     let least = share * field.iter().fold(0.0, |most: f64, h| most.max(h.abs()));
     move |anchor, end| {
         let slope = (field[end] - field[anchor]) / ((x[end] - x[anchor]) * (x[end] + x[anchor]));
