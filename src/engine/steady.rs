@@ -57,13 +57,13 @@ impl FrettingContact {
                 match self.transaction(|this| this.wear_part(sliding, left, &mut pace)) {
                     Ok(part) if part > 0.0 => {
                         left -= part;
+                        self.state.contact = self.contact_at(value)?;
                         pace.share = (2.0 * pace.share).min(1.0);
                     }
                     Err(Error::WearOutrun { .. }) if pace.share > LEAST_SHARE => pace.share *= 0.25,
                     Ok(_) | Err(Error::WearOutrun { .. }) => return Err(refused),
                     Err(other) => return Err(other),
                 }
-                self.state.contact = self.contact_at(value)?;
                 updates += 1;
             }
             if left <= 0.0 {
@@ -107,8 +107,8 @@ impl FrettingContact {
         }
         let law = SlipAtDepth::of_motion(sliding, part, contact.depth, self.model.bound_slope);
         let residual = self.absorb_law((&[law], FrontMotion::Creeps), work, contact.radius)?;
-        // where a slip zone has worn free, the springs in the cell at its front go on to work: what
-        // finds no place then is none
+        // where a slip zone has worn free, only springs in the cell at its front still work, and
+        // cannot wear: that work is not counted
         let is_free = stick > 0.0 && unit_work < tuning.little_work * pace.work && residual > 0.5 * work;
         if is_free {
             self.defer(-residual);

@@ -26,10 +26,6 @@ const MOST_TIGHTER: f64 = 100.0;
 /// Share of the tolerance that leaving out nodes may take of the largest image.
 pub(crate) const THINNING: f64 = 0.05;
 
-/// Share of the worn volume, and of that within the slipping region, that a new mesh may miss: its
-/// depths are then raised to it.
-pub(super) const MISSING: f64 = 0.05;
-
 /// Most corrections of the volume: the second takes what the first leaves by the difference between
 /// the integrals of mesh and nodes.
 const CORRECTIONS: usize = 2;

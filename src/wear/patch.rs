@@ -6,8 +6,8 @@
 //! Here w̃ is the depth that belongs to the image inside the region alone, h·1[x ≥ c]: what lies
 //! inside the stick radius c has no part in the rate of wear, and the depth at the contact edge a
 //! is zero, so that w̃(a) = −w_in(a), minus the depth there that belongs to the image inside.
-//! The nodes move with a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN
-//! with A = a². All fields stay smooth in the mesh coordinate, at the moving edge too.
+//! The nodes move with a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN with A = a². All
+//! fields stay smooth in the mesh coordinate, at the moving edge too.
 
 mod edge;
 mod front;

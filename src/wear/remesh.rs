@@ -1,7 +1,7 @@
 //! A new mesh on the slipping region of a surface.
 
 use super::Constants;
-use super::life::{IntegrationSettings, MISSING, THINNING};
+use super::life::{IntegrationSettings, THINNING};
 use super::mesh::UnitMesh;
 use super::patch::{FRONT_CELLS, Frozen, Motion, Patch, RIM, Rate, State, edge_not_found};
 use crate::error::Error;
@@ -28,9 +28,8 @@ const FEWEST_CELLS: usize = 24;
 /// a mesh.
 const THINNEST: f64 = 1e-5;
 
-// The next two and `MISSING` say when a mesh is made on a worn surface. Half of each and twice
-// leave every scene of the stability report with the same outcome; beyond them, updates on nodes at
-// rest do the same, only slower.
+// The next three say when a mesh is made on a worn surface. Beyond them, updates on nodes at rest
+// do the same, only slower.
 
 /// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an
 /// update of a profile that wears very fast leaves there by an inexact contact edge.
@@ -40,9 +39,12 @@ const FAINT: f64 = 1e-2;
 /// known to a cell: in cells of an even mesh over the slipping region.
 const EDGE_CELLS: f64 = 1.0;
 
+/// Share of the worn volume, and of that within the slipping region, that a new mesh may miss: its
+/// depths are then raised to it.
+const MISSING: f64 = 0.05;
+
 /// The slipping region of a contact, with the state that its surface gives it and the rate of that;
-/// `None` where nothing slips. The worn volume, m³, may be
-/// known.
+/// `None` where nothing slips. The worn volume, m³, may be known.
 pub(super) fn mesh_slip_zone(
     surface: &Surface,
     contact: &Contact,

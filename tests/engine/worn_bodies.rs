@@ -28,7 +28,9 @@ fn six_tenths((body, control): (Shape, NormalControl), resolution: usize, tolera
 }
 
 /// Blocks under falling and rising loads. On a mesh that took the body worn so far for its shape V
-/// was up to 6 % off at constant depth, and the last of these was refused.
+/// was up to 6 % off at constant depth, and the last of these was refused. V may be off by twice
+/// the tolerance, T by five times: where a slip zone has all but worn free, T is that of the cells
+/// at its front.
 #[test]
 fn blocks_of_other_loads_wear_as_on_fine_cells() {
     let alternating = &[(1.0, 1.0), (0.5, 0.5), (1.0, 1.0), (0.5, 0.5)][..];
@@ -104,10 +106,7 @@ fn cycles_over_a_worn_body_depend_neither_on_the_cells_nor_on_rounding() {
     const WAY: [(f64, f64); 8] =
         [(1.0, 1.0), (1.0, -1.0), (0.5, 0.2), (1.2, 0.9), (0.9, -1.0), (1.0, 0.0), (0.0, 0.5), (1.0, 1.0)];
     let after = |resolution: usize, tolerance: f64, change: f64| {
-        // 0.6 of full slip
-        let stick_ratio = 0.4_f64.sqrt();
-        let mut problem = Problem::partial_slip(PARABOLA, Force, stick_ratio).with_seed_cycles(100.0);
-        (problem.parameters.resolution, problem.parameters.tolerance) = (resolution, tolerance);
+        let problem = six_tenths((PARABOLA, Force), resolution, tolerance);
         let amplitude = problem.amplitude * (1.0 + change);
         let mut contact = begun(&problem);
         for (load, place) in WAY {

@@ -14,9 +14,10 @@ pub(crate) enum FrontMotion {
     /// With every stroke it comes in again: a node, unless the cell there is finer than half an
     /// even one.
     Returns,
-    /// As the body goes round it creeps outward before the worn image that rises steeply behind it.
-    /// Where a cell flattens that rise it creeps too far, and V of an orbit was 1.2 % low at a
-    /// tolerance of 10⁻⁴ and 128 cells: a fan, unless the cell is finer than a twentieth.
+    /// As the body goes round, or in cycles of one amplitude, it stays or creeps outward before the
+    /// worn image that rises steeply behind it. Where a cell flattens that rise it creeps too far,
+    /// and V of an orbit was 1.2 % low at a tolerance of 10⁻⁴ and 128 cells: a fan, unless the cell
+    /// is finer than a twentieth.
     Creeps,
 }
 
