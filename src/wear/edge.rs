@@ -14,9 +14,6 @@ pub(crate) struct Edge {
     /// Whether the load line jumps to zero at the last node (a body that ends there) instead of
     /// falling to zero at a.
     pub(crate) jump: bool,
-    /// Where the load ends with the worn depth: by how much the radius changes with the depth at
-    /// the last node but one and at the last.
-    follows: Option<[f64; 2]>,
 }
 
 impl Edge {
@@ -26,23 +23,18 @@ impl Edge {
     /// wear, and the line to the next node reaches the indentation depth too early. There the load
     /// ends where the worn depth, extended on a line from the last two nodes, comes to zero.
     pub(crate) fn new(nodes: &Nodes, more: &[f64], contact: &Contact, outer_radius: f64) -> Self {
-        let (x, mut radius, mut follows) = (nodes.x(), contact.radius, None);
+        let (x, mut radius) = (nodes.x(), contact.radius);
         let jump = radius >= outer_radius;
         let last = x.partition_point(|&x| x < radius || (jump && x <= radius)).max(1) - 1;
         let depth = |i: usize| nodes.depth()[i] + more.get(i).copied().unwrap_or(0.0);
         if !jump && last > 0 && last + 1 < x.len() && depth(last + 1) == 0.0 {
             let fall = depth(last - 1) - depth(last);
             if fall > 0.0 {
-                let width = x[last] - x[last - 1];
-                let end = (x[last] + width * depth(last) / fall).min(x[last + 1]);
-                if end > radius {
-                    radius = end;
-                    let slope = if end < x[last + 1] { width / (fall * fall) } else { 0.0 };
-                    follows = Some([-slope * depth(last), slope * depth(last - 1)]);
-                }
+                let end = x[last] + (x[last] - x[last - 1]) * depth(last) / fall;
+                radius = radius.max(end.min(x[last + 1]));
             }
         }
-        Self { last, radius, jump, follows }
+        Self { last, radius, jump }
     }
 
     /// Weight of the load at the last node in the pressure at node i, 1/m, from the piece behind
@@ -63,46 +55,18 @@ impl Edge {
         }
     }
 
-    /// By how much the pressure at node i, of a unit load at the last node, changes as the edge
-    /// moves, 1/m².
-    pub(super) fn slope(&self, x: &[f64], i: usize) -> f64 {
+    /// The same for a change of load there, which also moves the edge: q ≈ γ (a² − x²) keeps its
+    /// slope.
+    pub(super) fn response(&self, x: &[f64], i: usize) -> f64 {
+        let weight = self.weight(x, i);
+        if self.jump {
+            return weight;
+        }
         let (r, end) = (x[i], x[self.last]);
         let reach = leg(self.radius, r);
-        if self.jump || reach == 0.0 {
-            return 0.0;
-        }
-        -self.weight(x, i) * self.radius / (reach * (reach + leg(end, r)))
+        let area = (self.radius - end) * (self.radius + end);
+        if reach > 0.0 { weight * (1.0 - area / (2.0 * reach * (reach + leg(end, r)))) } else { weight }
     }
-
-    /// What moves the edge, where the overlap d − g (m) is given at the last node and, unless that
-    /// is the last of all, at the next.
-    pub(super) fn motion(&self, x: &[f64], overlap: &[f64]) -> Motion {
-        let last = self.last;
-        match (self.follows, overlap) {
-            (Some(follows), _) => Motion::WithDepth(follows),
-            (None, &[inner, outer]) if !self.jump && inner > outer => {
-                let area = (x[last + 1] - x[last]) * (x[last + 1] + x[last]);
-                let slope = area / (2.0 * self.radius * (inner - outer) * (inner - outer));
-                Motion::WithOverlap([-slope * outer, slope * inner])
-            }
-            // beyond all nodes the overlap keeps its slope
-            (None, &[inner]) if !self.jump && inner > 0.0 => {
-                let area = (self.radius - x[last]) * (self.radius + x[last]);
-                Motion::WithOverlap([area / (2.0 * self.radius * inner), 0.0])
-            }
-            _ => Motion::WithOverlap([0.0; 2]),
-        }
-    }
-}
-
-/// What moves the contact edge, and by how much.
-#[derive(Debug, Clone, Copy)]
-pub(super) enum Motion {
-    /// The worn depth at the last node but one and at the last.
-    WithDepth([f64; 2]),
-    /// The overlap at the last node and at the next: the edge is where a line in x² between them
-    /// comes to zero.
-    WithOverlap([f64; 2]),
 }
 
 /// Transform of a load line given at the nodes up to the edge: p or τ at the nodes 0..=last.

@@ -1,7 +1,7 @@
 //! The linear system of an implicit update, known by what it does to a vector, and an approximate
 //! inverse.
 
-use super::edge::{Edge, Motion};
+use super::edge::Edge;
 use super::{Constants, SlipFields};
 use crate::surface::{NodeTransforms, outer_weight};
 use crate::transform::{abel_last, dot, pressure_weight};
@@ -14,27 +14,20 @@ pub(super) struct System<'a> {
     edge: Edge,
     /// κ E* B at the nodes, m.
     stiffness: Vec<f64>,
-    /// Pressure at the nodes of a unit load at the last of them, from there to the edge, 1/m.
-    end: Vec<f64>,
-    /// Fall of the pressure over E* at the nodes as the edge moves, 1/m.
-    slope: Vec<f64>,
-    motion: Motion,
-    /// Nodes at which the body touches: others carry no load, whatever wears.
-    touching: Vec<bool>,
+    /// Pressure at the nodes of a uniform load and, at its end, of a change of the load there, 1/m.
+    response: Vec<f64>,
     /// Weights of the mean of the image over the contact, by which the body sinks under a given
     /// force.
     mean: Option<Vec<f64>>,
 }
 
 impl<'a> System<'a> {
-    /// For a contact that ends at an edge, with the overlap d − g (m) at the nodes up to the one
-    /// behind it.
     pub(super) fn new(
         x: &'a [f64],
         transforms: &'a NodeTransforms,
         fields: &SlipFields,
         first: usize,
-        (edge, overlap): (Edge, &[f64]),
+        edge: Edge,
         constants: &Constants,
     ) -> Self {
         let kappa = constants.wear_per_work * constants.friction_coefficient * constants.normal_modulus;
@@ -43,10 +36,7 @@ impl<'a> System<'a> {
             x,
             first,
             stiffness: fields.slip_path[first..=edge.last].iter().map(|path| kappa * path).collect(),
-            end: (first..=edge.last).map(|i| edge.weight(x, i)).collect(),
-            slope: (first..=edge.last).map(|i| -overlap[edge.last].max(0.0) * edge.slope(x, i)).collect(),
-            motion: edge.motion(x, &overlap[edge.last..]),
-            touching: overlap[..=edge.last].iter().map(|q| *q > 0.0).collect(),
+            response: (first..=edge.last).map(|i| edge.response(x, i)).collect(),
             mean: constants.force_control.then(|| depth_weights(x, &edge)),
             edge,
         }
@@ -55,21 +45,11 @@ impl<'a> System<'a> {
     pub(super) fn apply(&self, depth: &[f64]) -> Vec<f64> {
         let mut all = vec![0.0; self.x.len()];
         all[self.first..=self.edge.last].copy_from_slice(depth);
-        let last = self.edge.last;
-        let worn = self.transforms.abel(&all);
-        let approach = self.mean.as_ref().map_or(0.0, |mean| dot(mean, &worn[..=last]));
-        let of_node = |(image, touches): (&f64, &bool)| if *touches { image - approach } else { 0.0 };
-        let fall: Vec<f64> = worn.iter().zip(&self.touching).map(of_node).collect();
-        let relief = self.transforms.pressure(&fall);
-        let moved = match self.motion {
-            Motion::WithDepth([inner, outer]) => inner * all[last - 1] + outer * all[last],
-            Motion::WithOverlap([inner, outer]) => {
-                let next = worn.get(last + 1).copied().unwrap_or(0.0);
-                inner * (approach - worn[last]) + outer * (approach - next)
-            }
-        };
-        let relief = relief[self.first..].iter().zip(&self.end).zip(&self.slope);
-        let relief = relief.map(|((p, weight), slope)| p + fall[last] * weight + moved * slope);
+        let image = &self.transforms.abel(&all)[..=self.edge.last];
+        let relief = self.transforms.pressure(image);
+        let approach = self.mean.as_ref().map_or(0.0, |mean| dot(mean, image));
+        let end = image[self.edge.last] - approach;
+        let relief = relief[self.first..].iter().zip(&self.response).map(|(p, response)| p + end * response);
         depth.iter().zip(&self.stiffness).zip(relief).map(|((w, s), p)| w + s * p).collect()
     }
 

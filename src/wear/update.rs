@@ -64,7 +64,21 @@ pub(crate) fn worn_depth(
     let count = nodes.x().len();
     update.depth = vec![0.0; count];
     let Some(first) = fields.slip_path.iter().position(|s| *s > 0.0) else { return Ok(update) };
-    let solver = Solver::new((surface, nodes), transforms, (fields.contact, first), control, constants);
+    let present = fields.contact;
+    let profile = surface.profile();
+    let unworn = nodes.x().iter().map(|&x| profile.image(x)).collect();
+    let mut solver = Solver {
+        surface,
+        nodes,
+        transforms,
+        control,
+        constants,
+        first,
+        present,
+        unworn,
+        reference: Vec::new(),
+    };
+    (solver.reference, _) = solver.pressure(&present, nodes.worn_image(), &[]);
     let whole: Vec<f64> = fields.work_per_area.iter().map(|work| constants.wear_per_work * work).collect();
     let (mut done, mut part) = (0.0, 1.0);
     let mut left = vec![0.0; count];
@@ -109,80 +123,53 @@ struct Trial {
     residual: f64,
 }
 
-/// What given depths make of the contact.
-struct Reached {
-    pressure: Vec<f64>,
-    edge: Edge,
-    /// d − g at the nodes up to the one behind the edge, m.
-    overlap: Vec<f64>,
-}
-
-impl<'a> Solver<'a> {
-    fn new(
-        (surface, nodes): (&'a Surface, &'a Nodes),
-        transforms: &'a NodeTransforms,
-        (present, first): (Contact, usize),
-        control: NormalControl,
-        constants: &'a Constants,
-    ) -> Self {
-        let unworn = nodes.x().iter().map(|&x| surface.profile().image(x)).collect();
-        let reference = Vec::new();
-        let mut solver =
-            Self { surface, nodes, transforms, control, constants, first, present, unworn, reference };
-        solver.reference = solver.reached(&present, nodes.worn_image(), &[]).pressure;
-        solver
-    }
-
-    /// Pressure in a contact with `more` worn depth on the nodes, whose worn images are given.
-    fn reached(&self, contact: &Contact, worn: &[f64], more: &[f64]) -> Reached {
+impl Solver<'_> {
+    fn pressure(&self, contact: &Contact, worn: &[f64], more: &[f64]) -> (Vec<f64>, Edge) {
         let edge = Edge::new(self.nodes, more, contact, self.surface.profile().outer_radius());
-        let known = (edge.last + 2).min(worn.len());
-        let overlap: Vec<f64> =
-            self.unworn[..known].iter().zip(worn).map(|(g, h)| contact.depth - g - h).collect();
-        let load: Vec<f64> = overlap[..=edge.last]
-            .iter()
-            .map(|overlap| self.constants.normal_modulus * overlap.max(0.0))
+        let load: Vec<f64> = (0..=edge.last)
+            .map(|i| self.constants.normal_modulus * (contact.depth - self.unworn[i] - worn[i]).max(0.0))
             .collect();
-        Reached { pressure: pressure_nodes(self.transforms, self.nodes.x(), &load, &edge), edge, overlap }
-    }
-
-    /// The contact with more worn depth; `None` where it is open, or nothing in it slips.
-    fn with(&self, depth: &[f64]) -> Result<Option<Reached>, Error> {
-        let change = self.transforms.abel(depth);
-        let worn: Vec<f64> = self.nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
-        let contact = if depth.iter().all(|w| *w == 0.0) {
-            self.present
-        } else {
-            let mut moved = self.nodes.clone();
-            moved.set_worn(worn.clone(), self.nodes.depth().to_vec(), self.surface.profile());
-            let mut trial = self.surface.clone();
-            trial.set_worn(Some(moved));
-            trial.contact(self.control, self.present.control, 2.0 * self.constants.normal_modulus)?
-        };
-        let reached = self.reached(&contact, &worn, depth);
-        Ok((!contact.is_open() && self.first <= reached.edge.last).then_some(reached))
+        (pressure_nodes(self.transforms, self.nodes.x(), &load, &edge), edge)
     }
 
     /// Wears a part of the history, and what is `left` of those before, on top of the depths so
     /// far: the best iterate of Newton's method.
     fn part(&self, part: &SlipFields, left: &[f64], update: &mut Update) -> Result<Trial, Error> {
-        let Constants { wear_per_work, friction_coefficient, .. } = *self.constants;
+        let Constants { wear_per_work, friction_coefficient, normal_modulus, .. } = *self.constants;
+        let nodes = self.nodes;
         let mut depth = update.depth.clone();
         let before: Vec<f64> = depth.iter().zip(left).map(|(depth, left)| depth + left).collect();
         let mut best = Trial { depth: depth.clone(), left: left.to_vec(), residual: f64::INFINITY };
+        let mut trial = self.surface.clone();
         let mut start = 0.0;
         for iteration in 0..=MOST_NEWTON {
-            // where so much wears that the contact opens there is no pressure to go on with
-            let Some(Reached { pressure, edge, overlap }) = self.with(&depth)? else {
-                let none = Trial { left: vec![0.0; depth.len()], depth, residual: 0.0 };
-                return Ok(if iteration == 0 { none } else { best });
+            let change = self.transforms.abel(&depth);
+            let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
+            let contact = if depth.iter().all(|w| *w == 0.0) {
+                self.present
+            } else {
+                let mut moved = nodes.clone();
+                moved.set_worn(worn.clone(), nodes.depth().to_vec(), self.surface.profile());
+                trial.set_worn(Some(moved));
+                trial.contact(self.control, self.present.control, 2.0 * normal_modulus)?
             };
+            let (now, edge) = self.pressure(&contact, &worn, &depth);
+            // a trial that wears so much that the contact opens has no pressure to go on with; a
+            // body held in depth may wear free
+            if contact.is_open() || self.first > edge.last {
+                let free = iteration == 0 || !self.constants.force_control;
+                return Ok(if free {
+                    Trial { left: vec![0.0; depth.len()], depth, residual: 0.0 }
+                } else {
+                    best
+                });
+            }
             let residual: Vec<f64> = (self.first..=edge.last)
                 .map(|i| {
                     let reference = self.reference.get(i).copied().unwrap_or(0.0);
                     wear_per_work
                         * (part.work_per_area[i]
-                            + friction_coefficient * part.slip_path[i] * (pressure[i] - reference))
+                            + friction_coefficient * part.slip_path[i] * (now[i] - reference))
                         + before[i]
                         - depth[i]
                 })
@@ -200,8 +187,7 @@ impl<'a> Solver<'a> {
             if share <= ACCURACY || iteration == MOST_NEWTON {
                 break;
             }
-            let ends = (edge, &overlap[..]);
-            let system = System::new(self.nodes.x(), self.transforms, part, self.first, ends, self.constants);
+            let system = System::new(nodes.x(), self.transforms, part, self.first, edge, self.constants);
             let levels = system.levels();
             let solved =
                 krylov::solve(|x| system.apply(x), |r| levels.relax(r), &residual, (REDUCTION, MOST_KRYLOV));
