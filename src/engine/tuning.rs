@@ -12,7 +12,7 @@ pub(super) struct Tuning {
     pub(super) stroke: f64,
     /// Share of what the slip zone can lose that one update of a steady motion wears off at most.
     pub(super) steady_share: f64,
-    /// Work of a cycle, over that of the first, below which the slip zone of steady cycles may have
+    /// Work of a cycle, over the most so far, below which the slip zone of steady cycles may have
     /// worn free.
     pub(super) little_work: f64,
     /// An annulus that slips is taken to be at least this share of the contact radius wide: what
