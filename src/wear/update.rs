@@ -17,7 +17,8 @@ pub(crate) struct Update {
     pub(crate) systems: u64,
     /// Iterations that these took, each with two transforms.
     pub(crate) iterations: u64,
-    /// Whether the depths solve the equations of the update.
+    /// Whether the depths solve the equations of the update: what is left is little of what wears
+    /// at the pressure of before, and no more than the indentation depth (root mean square).
     pub(crate) followed: bool,
 }
 
@@ -91,7 +92,9 @@ pub(crate) fn worn_depth(
         (update.depth, left) = (trial.depth, trial.left);
         done += part;
     }
-    update.followed = dot(&left, &left) <= LEFT * LEFT * dot(&whole, &whole);
+    let size = fields.contact.depth * fields.contact.depth * count as f64;
+    let left = dot(&left, &left);
+    update.followed = left <= LEFT * LEFT * dot(&whole, &whole) && left <= size;
     for (w, path) in update.depth.iter_mut().zip(&fields.slip_path) {
         *w = if *path > 0.0 { w.max(0.0) } else { 0.0 };
     }
@@ -123,6 +126,28 @@ struct Trial {
     residual: f64,
 }
 
+/// Changes of the depths, m.
+struct Step {
+    newton: Vec<f64>,
+    taken: Vec<f64>,
+}
+
+impl Step {
+    /// The step after this one by the secant through both (Anderson, J. ACM 12 (1965), 547, with
+    /// one step of memory): the derivative errs at the contact edge only, so that one Newton step
+    /// after the other errs in the same direction. `None` where it would be more than about four
+    /// times that of Newton's method: then the steps have little in common.
+    fn secant(&self, newton: &[f64]) -> Option<Vec<f64>> {
+        if dot(newton, &self.newton) >= 0.75 * dot(&self.newton, &self.newton) {
+            return None;
+        }
+        let change: Vec<f64> = newton.iter().zip(&self.newton).map(|(now, last)| now - last).collect();
+        let share = dot(newton, &change) / dot(&change, &change);
+        let both = self.taken.iter().zip(&change);
+        Some(newton.iter().zip(both).map(|(now, (taken, change))| now - share * (taken + change)).collect())
+    }
+}
+
 impl Solver<'_> {
     fn pressure(&self, contact: &Contact, worn: &[f64], more: &[f64]) -> (Vec<f64>, Edge) {
         let edge = Edge::new(self.nodes, more, contact, self.surface.profile().outer_radius());
@@ -132,79 +157,89 @@ impl Solver<'_> {
         (pressure_nodes(self.transforms, self.nodes.x(), &load, &edge), edge)
     }
 
+    /// Pressure and contact edge with more worn depth; `None` where what slips carries nothing any
+    /// more.
+    fn reached(&self, depth: &[f64]) -> Result<Option<(Vec<f64>, Edge)>, Error> {
+        let change = self.transforms.abel(depth);
+        let worn: Vec<f64> = self.nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
+        let contact = if depth.iter().all(|w| *w == 0.0) {
+            self.present
+        } else {
+            let mut moved = self.nodes.clone();
+            moved.set_worn(worn.clone(), self.nodes.depth().to_vec(), self.surface.profile());
+            let mut trial = self.surface.clone();
+            trial.set_worn(Some(moved));
+            trial.contact(self.control, self.present.control, 2.0 * self.constants.normal_modulus)?
+        };
+        let (pressure, edge) = self.pressure(&contact, &worn, depth);
+        Ok((!contact.is_open() && self.first <= edge.last).then_some((pressure, edge)))
+    }
+
     /// Wears a part of the history, and what is `left` of those before, on top of the depths so
     /// far: the best iterate of Newton's method.
     fn part(&self, part: &SlipFields, left: &[f64], update: &mut Update) -> Result<Trial, Error> {
-        let Constants { wear_per_work, friction_coefficient, normal_modulus, .. } = *self.constants;
-        let nodes = self.nodes;
+        let Constants { wear_per_work, friction_coefficient, .. } = *self.constants;
         let mut depth = update.depth.clone();
         let before: Vec<f64> = depth.iter().zip(left).map(|(depth, left)| depth + left).collect();
         let mut best = Trial { depth: depth.clone(), left: left.to_vec(), residual: f64::INFINITY };
-        let mut trial = self.surface.clone();
-        let mut start = 0.0;
+        let (mut start, mut last_step) = (0.0, None::<Step>);
+        let first = self.first;
         for iteration in 0..=MOST_NEWTON {
-            let change = self.transforms.abel(&depth);
-            let worn: Vec<f64> = nodes.worn_image().iter().zip(&change).map(|(h, dh)| h + dh).collect();
-            let contact = if depth.iter().all(|w| *w == 0.0) {
-                self.present
-            } else {
-                let mut moved = nodes.clone();
-                moved.set_worn(worn.clone(), nodes.depth().to_vec(), self.surface.profile());
-                trial.set_worn(Some(moved));
-                trial.contact(self.control, self.present.control, 2.0 * normal_modulus)?
-            };
-            let (now, edge) = self.pressure(&contact, &worn, &depth);
-            // a trial that wears so much that the contact opens has no pressure to go on with; a
-            // body held in depth may wear free
-            if contact.is_open() || self.first > edge.last {
-                let free = iteration == 0 || !self.constants.force_control;
-                return Ok(if free {
-                    Trial { left: vec![0.0; depth.len()], depth, residual: 0.0 }
-                } else {
-                    best
-                });
+            let reached = self.reached(&depth)?;
+            // what each node is short of: the pressure is that at the end, 0 out of contact
+            let pressure = reached.as_ref().map_or(&[][..], |(pressure, _)| pressure);
+            let mut newton = vec![0.0; depth.len()];
+            for i in first..depth.len() {
+                let at = |pressure: &[f64]| pressure.get(i).copied().unwrap_or(0.0);
+                let relief = part.slip_path[i] * (at(pressure) - at(&self.reference));
+                let gain = part.work_per_area[i] + friction_coefficient * relief;
+                newton[i] = before[i] + wear_per_work * gain - depth[i];
             }
-            let residual: Vec<f64> = (self.first..=edge.last)
-                .map(|i| {
-                    let reference = self.reference.get(i).copied().unwrap_or(0.0);
-                    wear_per_work
-                        * (part.work_per_area[i]
-                            + friction_coefficient * part.slip_path[i] * (now[i] - reference))
-                        + before[i]
-                        - depth[i]
-                })
-                .collect();
-            let size = dot(&residual, &residual).sqrt();
+            let last =
+                reached.as_ref().map_or(self.reference.len().max(first + 1) - 1, |(_, edge)| edge.last);
+            let residual = &newton[first..=last];
+            let size = dot(residual, residual).sqrt();
             if iteration == 0 {
                 start = size;
             }
             let share = if start > 0.0 { size / start } else { 0.0 };
             if share <= best.residual {
                 let mut left = vec![0.0; depth.len()];
-                left[self.first..=edge.last].copy_from_slice(&residual);
+                left[first..=last].copy_from_slice(residual);
                 best = Trial { depth: depth.clone(), left, residual: share };
             }
             if share <= ACCURACY || iteration == MOST_NEWTON {
                 break;
             }
-            let system = System::new(nodes.x(), self.transforms, part, self.first, edge, self.constants);
-            let levels = system.levels();
-            let solved =
-                krylov::solve(|x| system.apply(x), |r| levels.relax(r), &residual, (REDUCTION, MOST_KRYLOV));
-            let Some((correction, iterations)) = solved else { return Err(not_finite(&self.present)) };
-            update.systems += 1;
-            update.iterations += iterations;
-            if correction.iter().any(|w| !w.is_finite()) {
-                return Err(not_finite(&self.present));
+            if let Some((_, edge)) = reached {
+                let correction = self.correction(part, residual, edge, update)?;
+                newton[first..=last].copy_from_slice(&correction);
             }
-            for (row, w) in correction.iter().enumerate() {
-                depth[self.first + row] += w;
-            }
-            for i in edge.last + 1..depth.len() {
-                depth[i] = before[i] + wear_per_work * part.work_per_area[i];
-            }
+            let step =
+                last_step.as_ref().and_then(|last| last.secant(&newton)).unwrap_or_else(|| newton.clone());
+            depth.iter_mut().zip(&step).for_each(|(depth, step)| *depth += step);
+            last_step = Some(Step { newton, taken: step });
         }
         Ok(best)
+    }
+
+    /// Depths (m) that make up for a residual, at the nodes from the first that slips to an edge.
+    fn correction(
+        &self,
+        part: &SlipFields,
+        residual: &[f64],
+        edge: Edge,
+        update: &mut Update,
+    ) -> Result<Vec<f64>, Error> {
+        let system = System::new(self.nodes.x(), self.transforms, part, self.first, edge, self.constants);
+        let levels = system.levels();
+        let solved =
+            krylov::solve(|x| system.apply(x), |r| levels.relax(r), residual, (REDUCTION, MOST_KRYLOV));
+        let finite = solved.filter(|(correction, _)| correction.iter().all(|w| w.is_finite()));
+        let (correction, iterations) = finite.ok_or_else(|| not_finite(&self.present))?;
+        update.systems += 1;
+        update.iterations += iterations;
+        Ok(correction)
     }
 }
 

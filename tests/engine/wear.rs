@@ -328,6 +328,35 @@ fn a_punch_with_a_sharp_rim_wears_like_a_flat_punch() {
     }
 }
 
+/// Strokes, swings of load and many cycles of a sphere with a flat: only a ring of 3e-2 to 1e-11 of
+/// the radius slips, until the load falls to nothing. Every load is followed, and what wears shows
+/// on the profile except for the tolerance times V + πa²d.
+#[test]
+fn a_sphere_with_a_flat_wears_at_any_load() {
+    for (flat_radius, seed) in [3e-4, 1e-3, 3e-3, 1e-2].into_iter().flat_map(|b| [(b, 1e4), (b, 1e6)]) {
+        let profile = Profile::BluntedSphere { radius: 0.01, flat_radius };
+        for k in 0..20 {
+            let load = FORCE * (1.0 + 1e-3 * f64::from(k));
+            let start = exact(&profile, load);
+            let disc = PI * start.normal.radius().powi(2) * start.normal.depth();
+            let amplitude = 0.6 * start.full_slip();
+            let wear_per_work = disc / (seed * MU * load * amplitude);
+            let wear_coefficient = wear_per_work * Parameters::default().hardness;
+            let mut contact =
+                contact(Parameters { profile: profile.clone(), wear_coefficient, ..Parameters::default() });
+            contact.start_at(load, 0.0).expect("it can be pressed");
+            for (share, place) in [(1.0, 1.0), (1.0, -1.0), (0.5, 0.2), (1.2, 0.9), (0.0, 0.5), (1.0, 1.0)] {
+                to(&mut contact, share * load, place * amplitude);
+            }
+            contact.advance_cycles(load, amplitude, 0.2 * seed).expect("the cycles are followed");
+            to(&mut contact, load, 4.0 * amplitude);
+            let missed = (contact.profile_volume() - contact.wear_volume()).abs();
+            let what = format!("b = {flat_radius}, N0 = {seed}, {load} N, {wear_coefficient:e}: {missed:e}");
+            assert!(missed <= 1e-3 * (contact.wear_volume() + disc), "{what}");
+        }
+    }
+}
+
 #[test]
 fn a_sphere_in_gross_slip_wears_at_the_centre_as_tabulated() {
     let start = exact(&BALL, FORCE);
