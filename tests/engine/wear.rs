@@ -328,9 +328,10 @@ fn a_punch_with_a_sharp_rim_wears_like_a_flat_punch() {
     }
 }
 
-/// Strokes, swings of load and many cycles of a sphere with a flat: only a ring of 3e-2 to 1e-11 of
-/// the radius slips, until the load falls to nothing. Every load is followed, and what wears shows
-/// on the profile except for the tolerance times V + πa²d.
+/// Strokes, swings of load and many cycles of a sphere with a flat: at most a ring of 1e-2 to 1e-11
+/// of the radius slips, until the load falls to nothing. k is 9e-5 to 10, more than that of any
+/// material. Every load is followed, and what wears shows on the profile, except for what the
+/// stability report allows: the tolerance times V + πa²d.
 #[test]
 fn a_sphere_with_a_flat_wears_at_any_load() {
     for (flat_radius, seed) in [3e-4, 1e-3, 3e-3, 1e-2].into_iter().flat_map(|b| [(b, 1e4), (b, 1e6)]) {
