@@ -41,8 +41,8 @@ const LEFT: f64 = 0.1;
 const LEAST_PART: f64 = 1.0 / 256.0;
 
 /// Share of a Newton step along the one before, at and above which the secant through both is not
-/// used: it would make the step more than four times as long. Found by trial: with 0.5 about as many
-/// loads are refused of a flat that wears beyond all measure.
+/// used: it would make the step more than four times as long. Found by trial: with 0.5 about as
+/// many loads are refused of a flat that wears beyond all measure.
 const ALIKE: f64 = 0.75;
 
 /// Most iterations of a linear system.
