@@ -32,7 +32,7 @@ impl FrettingContact {
     pub(super) fn gather(&mut self, work: f64, to: &Contact, direction: Vector2<f64>) {
         let (modulus, bound_slope, tip) =
             (2.0 * self.model.constants.tangential_modulus, self.model.bound_slope, self.surface.tip());
-        let from = self.state.contact;
+        let (from, in_plane) = (self.state.contact, self.state.planar.is_some());
         let Some(wear) = &mut self.state.wear else { return };
         if work > 0.0 && direction != Vector2::zeros() {
             if wear.backlog.is_empty() {
@@ -45,7 +45,7 @@ impl FrettingContact {
                 &self.memory.get().slips,
                 (work, work / (modulus * bound_slope)),
                 (&from, to),
-                tip,
+                (tip, in_plane),
             )
         {
             wear.deferred_work += work;

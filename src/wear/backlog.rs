@@ -17,34 +17,49 @@ use levels::{Level, Levels};
 use serde::{Deserialize, Serialize};
 use std::mem::{replace, take};
 
-/// Leading bits of the mantissa that tell two bins of one octave apart: there are eight. See
-/// `docs/decisions/wear_backlog.md`.
+/// Leading bits of the mantissa that tell two bins of one octave apart, for depths and for places
+/// of hinges: there are eight. See `docs/decisions/wear_backlog.md`.
 const BITS: u32 = 3;
 
+/// And of places where the body has moved in the plane: 32. On an orbit the slip of a line rises
+/// like a square root behind its front, by many hinges.
+const BITS_IN_PLANE: u32 = 5;
+
 /// Most bins in the range of a double.
-const MOST_BINS: i64 = 2048 << BITS;
+const MOST_BINS: i64 = 2048 << BITS_IN_PLANE;
 
 /// Share of the depth at first slip below which all depths have one bin: slip there wears little.
 const LEAST_DEPTH: f64 = 0.125;
 
 /// Bin of a length in the range of a double: bins grow with the length.
-fn bin_of_length(length: f64) -> i64 {
-    (length.abs().to_bits() >> (f64::MANTISSA_DIGITS - 1 - BITS)) as i64
+fn bin_of_length(length: f64, bits: u32) -> i64 {
+    (length.abs().to_bits() >> (f64::MANTISSA_DIGITS - 1 - bits)) as i64
 }
 
 /// Bin of a depth over the tip, of which that at first slip is `reference`, m.
 fn bin_of_depth(depth: f64, reference: f64) -> i32 {
-    (bin_of_length(depth) - bin_of_length(LEAST_DEPTH * reference)).max(0) as i32
+    let bin = |length: f64| bin_of_length(length, BITS);
+    (bin(depth) - bin(LEAST_DEPTH * reference)).max(0) as i32
 }
 
-/// Bin of the place of a hinge. Beyond the contact `edge`, where there is no pressure, is one.
-fn bin_of_place(place: f64, edge: f64) -> i64 {
-    if place < edge {
-        i64::MIN
-    } else if place < 0.0 {
-        -bin_of_length(place)
-    } else {
-        bin_of_length(place)
+/// Bins of the places of hinges.
+#[derive(Debug, Clone, Copy)]
+struct Bins {
+    /// Place of the contact edge, m. Beyond it, where there is no pressure, is one bin.
+    edge: f64,
+    bits: u32,
+}
+
+impl Bins {
+    fn of(self, hinge: &Hinge) -> i64 {
+        let place = hinge.place;
+        if place < self.edge {
+            i64::MIN
+        } else if place < 0.0 {
+            -bin_of_length(place, self.bits)
+        } else {
+            bin_of_length(place, self.bits)
+        }
     }
 }
 
@@ -63,6 +78,8 @@ pub(super) struct Hinge {
 pub(crate) struct WearBacklog {
     /// Depth at the first slip, m: images are counted from here.
     reference: f64,
+    /// Whether its slip is that of motion in the plane.
+    in_plane: bool,
     levels: Levels,
     /// Friction work, J.
     pub(crate) work: f64,
@@ -181,13 +198,14 @@ impl WearBacklog {
 
     /// Adds the slip of a straight line between two contacts and its friction work, J; says whether
     /// there was slip. `overlap_moment` is ∫ (d − g) e dx with d at the instant at which a spring
-    /// slips, m³, which is the work over 2μE*; `tip` is the image at the axis, m.
+    /// slips, m³, which is the work over 2μE*; `tip` is the image at the axis, m. The first line of
+    /// a backlog says whether its motion is `in_plane`.
     pub(crate) fn record(
         &mut self,
         pieces: &[SlipPiece],
         (work, overlap_moment): (f64, f64),
         (from, to): (&Contact, &Contact),
-        tip: f64,
+        (tip, in_plane): (f64, bool),
     ) -> bool {
         let slip: f64 = pieces.iter().map(|piece| piece.integral).sum();
         if slip.is_nan() || slip <= 0.0 {
@@ -203,8 +221,10 @@ impl WearBacklog {
         self.radius = self.radius.max(from.radius).max(to.radius);
         if self.levels.is_empty() {
             self.reference = to.depth.max(from.depth);
+            self.in_plane = in_plane;
         }
         let reference = self.reference;
+        let bits = self.bits();
         let index = bin_of_depth(depth - tip, reference - tip);
         let at = self.levels.find(index).unwrap_or_else(|place| {
             self.levels.insert(place, Level::new(index), &[]);
@@ -216,7 +236,7 @@ impl WearBacklog {
         let mut at_depth = self.levels.level(at);
         at_depth.level.slip += slip;
         at_depth.level.moment += slip * depth;
-        let edge = at_depth.level.edge(reference);
+        let bins = Bins { edge: at_depth.level.edge(reference), bits };
         // the slope of E between knots, and the hinges where it changes
         let (mut slope, mut end) = (0.0, f64::NEG_INFINITY);
         let flat = 1e-13 * (reference - tip).abs();
@@ -228,10 +248,10 @@ impl WearBacklog {
                 at_depth.level.slope += next;
             } else {
                 if k > 0 && g0 > end + flat {
-                    at_depth.add_hinge(-slope, reference - end, edge);
+                    at_depth.add_hinge(-slope, reference - end, bins);
                     slope = 0.0;
                 }
-                at_depth.add_hinge(next - slope, reference - g0, edge);
+                at_depth.add_hinge(next - slope, reference - g0, bins);
             }
             (slope, end) = (next, g1);
         }
@@ -252,7 +272,13 @@ impl WearBacklog {
 
     /// The slip path under one depth, in memory that is there.
     pub(super) fn law_into(&self, (level, hinges): (&Level, &[Hinge]), law: &mut SlipAtDepth) {
-        level.law_into(hinges, self.reference, law);
+        let bins = Bins { edge: level.edge(self.reference), bits: self.bits() };
+        level.law_into((hinges, bins), self.reference, law);
+    }
+
+    /// Leading bits that tell its bins apart.
+    fn bits(&self) -> u32 {
+        if self.in_plane { BITS_IN_PLANE } else { BITS }
     }
 }
 
@@ -267,14 +293,13 @@ impl Level {
         reference - self.depth()
     }
 
-    fn law_into(&self, hinges: &[Hinge], reference: f64, law: &mut SlipAtDepth) {
+    fn law_into(&self, (hinges, bins): (&[Hinge], Bins), reference: f64, law: &mut SlipAtDepth) {
         let knots = &mut law.knots;
         knots.clear();
         // what strokes that cancel leave in their bins is rounding
         let largest = hinges.iter().map(|hinge| hinge.slope.abs()).fold(self.slope.abs(), f64::max);
         let rounding = CANCELLED * largest;
-        let edge = self.edge(reference);
-        for ends in hinges.chunk_by(|a, b| bin_of_place(a.place, edge) == bin_of_place(b.place, edge)) {
+        for ends in hinges.chunk_by(|a, b| bins.of(a) == bins.of(b)) {
             if let [low, high] = ends {
                 let sum = low.slope + high.slope;
                 let mean = low.place + high.slope / sum * (high.place - low.place);

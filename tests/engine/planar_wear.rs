@@ -76,11 +76,11 @@ impl Outcome {
 const ROW: (f64, usize, usize) = (300.0, 300, 10);
 
 /// The engine takes traction and slip of a radius for parallel. On an orbit springs lag behind the
-/// motion, each by its own angle: 1 % of V.
+/// motion, each by its own angle: 0.6 % of V.
 #[test]
 fn orbits_in_partial_and_in_gross_slip() {
     for radius in [0.6, 1.5] {
-        compare(&Parameters::default(), ROW, 600, circle(radius)).assert_close(1.5e-2);
+        compare(&Parameters::default(), ROW, 600, circle(radius)).assert_close(8e-3);
     }
 }
 
@@ -113,7 +113,7 @@ fn an_orbit_wears_the_same_at_any_setting() {
         let best = volumes[3];
         println!("{radius}: {:?}", volumes.map(|volume| volume / best - 1.0));
         for volume in volumes {
-            close_to(volume, best, 1e-2, &format!("{radius}: {volumes:?}"));
+            close_to(volume, best, 6e-3, &format!("{radius}: {volumes:?}"));
         }
     }
 }

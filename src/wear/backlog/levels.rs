@@ -1,7 +1,7 @@
 //! The levels of a backlog and their hinges, each in one array: there are many backlogs, and few
 //! hinges at each level.
 
-use super::{CANCELLED, Hinge, bin_of_place};
+use super::{Bins, CANCELLED, Hinge};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -162,18 +162,17 @@ pub(super) struct LevelMut<'a> {
 }
 
 impl LevelMut<'_> {
-    /// Adds a hinge, a slope that begins at a place (m), under a contact that ends at `edge`, m.
-    pub(super) fn add_hinge(&mut self, slope: f64, place: f64, edge: f64) {
+    /// Adds a hinge, a slope that begins at a place (m), in its bin.
+    pub(super) fn add_hinge(&mut self, slope: f64, place: f64, bins: Bins) {
         if slope == 0.0 {
             return;
         }
         let new = Hinge { slope, place };
-        let bin_of = |hinge: &Hinge| bin_of_place(hinge.place, edge);
-        let bin = bin_of(&new);
+        let bin = bins.of(&new);
         let own = &self.hinges[self.first..self.first + self.level.hinges as usize];
-        let start = self.first + own.partition_point(|hinge| bin_of(hinge) < bin);
+        let start = self.first + own.partition_point(|hinge| bins.of(hinge) < bin);
         let others = self.hinges[start..self.first + own.len()].iter();
-        let others = others.take_while(|hinge| bin_of(hinge) == bin).count();
+        let others = others.take_while(|hinge| bins.of(hinge) == bin).count();
         let mut end = start + others;
         match &mut self.hinges[start..end] {
             [same] if same.place == place => same.slope += slope,
