@@ -15,17 +15,8 @@
 
 mod abel;
 mod cell;
-mod dense;
-mod fast;
-mod fixed;
-mod interpolation;
-mod sweep;
-mod tree;
 
-pub use abel::{Abel, CROSSOVER, Scratch};
-pub use dense::DenseAbel;
-pub use fast::FastAbel;
-pub(crate) use fixed::FixedImage;
+pub use abel::Abel;
 
 use std::f64::consts::FRAC_2_PI;
 

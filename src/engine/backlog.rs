@@ -3,6 +3,7 @@
 use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{SlipPiece, Springs};
+use crate::parameters::Parameters;
 use crate::surface::{Contact, FrontMotion, Nodes, Surface};
 use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
 use nalgebra::Vector2;
@@ -10,6 +11,12 @@ use std::mem::take;
 
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
 pub(super) const MOST_SCALE: f64 = 1.5;
+
+/// Share of the largest image, times the square of the cells, below which thinning takes nothing
+/// more, however tight the tolerance: a line over an even cell misses ten times that of a parabola.
+/// With 0.002 the short life of the stability report at a tolerance of 1e-6 takes 1.6 times as
+/// long; V is the same to 2e-4 on the way and to 5e-6 at the end.
+const LEAST_THINNING: f64 = 0.01;
 
 impl FrettingContact {
     /// Memory for the slip of a line, where it is wanted for wear.
@@ -357,8 +364,9 @@ impl FrettingContact {
         if let Some(spread) = left.spread_at_rim(deepest, profile) {
             left = spread;
         }
-        if let Some(thinned) = left.thinned(wear::THINNING * self.model.parameters.tolerance, radius, profile)
-        {
+        let Parameters { tolerance, resolution, .. } = *self.model.parameters;
+        let share = (wear::THINNING * tolerance).max(LEAST_THINNING / (resolution as f64).powi(2));
+        if let Some(thinned) = left.thinned(share, radius, profile) {
             left = thinned;
         }
         left.adapt(profile, radius, (inner, way));

@@ -1,5 +1,7 @@
 use super::*;
 use crate::quadrature::composite;
+use crate::transform::leg;
+use std::f64::consts::FRAC_2_PI;
 
 fn analytic() -> Vec<(Profile, f64)> {
     vec![
@@ -208,6 +210,9 @@ fn bad_tables_are_refused_with_their_place() {
         let m = message(text);
         assert!(m.contains(line) && m.contains(part), "{text:?}: {m}");
     }
+    let many = (0..45_000).map(|i| (1e-8 * f64::from(i), 0.0)).collect();
+    let m = ProfileTable::new(many).unwrap_err().to_string();
+    assert!(m.contains("45000 points") && m.contains("at most 20000") && m.contains("every 3"), "{m}");
     let fine = ProfileTable::parse("# head\n0, 0\n1e-5;\t1e-9 # note\n\n2e-5 4e-9\n").unwrap();
     assert_eq!(fine.points(), [(0.0, 0.0), (1e-5, 1e-9), (2e-5, 4e-9)]);
 }
@@ -393,5 +398,75 @@ fn a_scan_over_both_sides_is_sent_to_the_command() {
     let message = ProfileTable::parse("-1e-4 5e-7\n0 0\n1e-4 5e-7\n").unwrap_err().to_string();
     for part in ["line 1, \"-1e-4 5e-7\"", "r = -1e-4 m", "cargo fmu profile"] {
         assert!(message.contains(part), "{message}");
+    }
+}
+
+/// Rough radii, unevenly spaced over three decades: a sphere with waves on it, above the axis.
+fn rough(points: usize) -> ProfileTable {
+    let radius = |i: usize| {
+        let t = i as f64 / (points - 1) as f64;
+        3e-4 * (0.1 * t + 0.9 * t.powi(3)) + 1e-8 * (i as f64 * 2.4).sin() * t * (1.0 - t)
+    };
+    let height = |r: f64| 2e-7 + r * r / 0.02 + 1e-9 * (r * 7e5).sin();
+    ProfileTable::new((0..points).map(radius).map(|r| (r, height(r))).collect()).unwrap()
+}
+
+#[test]
+fn the_profile_of_a_table_passes_through_its_points() {
+    for points in [3, 20, 300, 2000] {
+        let table = rough(points);
+        for (r, f) in table.points() {
+            assert!((table.height(*r) - f).abs() < 1e-12 * f, "{points} points, {r:e}");
+        }
+        assert_eq!(table.height(1.0), table.height(table.outer_radius()));
+    }
+}
+
+#[test]
+fn heights_and_pressures_of_a_table_are_those_of_its_pieces() {
+    let table = rough(600);
+    let (x, outer) = (table.radii(), table.outer_radius());
+    let slope =
+        |j: usize| (table.image(x[j + 1]) - table.image(x[j])) / ((x[j + 1] - x[j]) * (x[j + 1] + x[j]));
+    // with x = r sin φ, f = (2/π) ∫ g dφ; g is smooth in φ on every piece
+    let height = |r: f64| -> f64 {
+        let angle = |x: f64| x.atan2(leg(r, x));
+        let value = |phi: f64| FRAC_2_PI * table.image(r * phi.sin());
+        let pieces = (0..599).filter(|j| x[*j] < r);
+        pieces.map(|j| composite(angle(x[j]), angle(x[j + 1].min(r)), value)).sum()
+    };
+    let integral = |r: f64, a: f64| -> f64 {
+        (0..599).map(|j| 2.0 * slope(j) * (leg(x[j + 1].min(a), r) - leg(x[j].min(a), r))).sum()
+    };
+    let scale = integral(0.0, outer);
+    // at the points, next to them, and in the middle between them
+    for pair in x.windows(2).step_by(37) {
+        for r in [pair[0] * (1.0 + 1e-13), 0.5 * (pair[0] + pair[1]), pair[1]] {
+            let (found, direct) = (table.height(r), height(r));
+            assert!(
+                r == 0.0 || (found - direct).abs() < 1e-12 * direct,
+                "height at {r:e}: {found:e} {direct:e}"
+            );
+            for a in [0.5 * r, r, r * (1.0 + 1e-6), 1.1 * r, 0.3 * outer, outer, 2.0 * outer] {
+                let (found, direct) = (table.pressure_integral(r, a), integral(r, a));
+                assert!((found - direct).abs() < 1e-12 * scale, "{r:e} to {a:e}: {found:e} {direct:e}");
+            }
+        }
+    }
+    assert_eq!(table.pressure_integral(2.0 * outer, 3.0 * outer), 0.0);
+}
+
+#[test]
+fn a_flat_tip_of_a_table_has_an_image_of_exactly_nothing() {
+    for unit in [1e-29, 1e-4, 1e27] {
+        let point = |i: u32| {
+            let r = unit * f64::from(i);
+            (r, 7.0 * unit + (r - 80.0 * unit).max(0.0) / 50.0)
+        };
+        let table = ProfileTable::new((0..200).map(point).collect()).unwrap();
+        let image = |i: u32| table.image(unit * f64::from(i));
+        assert!((0..=80).all(|i| image(i) == 7.0 * unit), "{unit:e}");
+        assert!((81..200).all(|i| image(i) > 7.0 * unit), "{unit:e}");
+        assert_eq!(table.height(33.3 * unit), 7.0 * unit);
     }
 }

@@ -1,7 +1,7 @@
 //! The transforms between image, profile and pressure at the nodes of a surface.
 
 use super::Nodes;
-use crate::transform::{Abel, DenseAbel, Scratch};
+use crate::transform::Abel;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -18,8 +18,7 @@ pub(crate) struct NodeTransforms {
 
 impl NodeTransforms {
     pub(crate) fn new(x: &[f64]) -> Self {
-        let mut transforms =
-            Self { abel: Abel::Dense(DenseAbel::default()), per_metre: 1.0, squares: Vec::new() };
+        let mut transforms = Self { abel: Abel::default(), per_metre: 1.0, squares: Vec::new() };
         transforms.renew(x);
         transforms
     }
@@ -36,7 +35,7 @@ impl NodeTransforms {
     /// up to the first value that is not.
     pub(crate) fn inverse_abel(&self, image: &[f64]) -> Vec<f64> {
         let mut depth = Vec::new();
-        self.inverse_abel_at(0..image.len(), image, &mut depth, &mut Scratch::default());
+        self.inverse_abel_at(0..image.len(), image, &mut depth, &mut Vec::new());
         depth
     }
 
@@ -47,16 +46,16 @@ impl NodeTransforms {
         targets: Range<usize>,
         image: &[f64],
         depth: &mut Vec<f64>,
-        scratch: &mut Scratch,
+        buffer: &mut Vec<f64>,
     ) {
         depth.resize(self.squares.len(), 0.0);
-        self.abel.inverse_abel_at(targets, image, depth, scratch);
+        self.abel.inverse_abel_at(targets, image, depth, buffer);
     }
 
     /// The inverse of [`Self::inverse_abel`].
     pub(crate) fn abel(&self, depth: &[f64]) -> Vec<f64> {
         let mut image = vec![0.0; self.squares.len()];
-        self.abel.abel(depth, &mut image, &mut Scratch::default());
+        self.abel.abel(depth, &mut image, &mut Vec::new());
         image
     }
 
@@ -64,7 +63,7 @@ impl NodeTransforms {
     pub(crate) fn pressure(&self, load: &[f64]) -> Vec<f64> {
         let mut pressure = Vec::new();
         let load = &mut load.to_vec();
-        self.pressure_at(0..load.len(), load, &mut pressure, &mut Scratch::default());
+        self.pressure_at(0..load.len(), load, &mut pressure, &mut Vec::new());
         pressure
     }
 
@@ -76,11 +75,11 @@ impl NodeTransforms {
         targets: Range<usize>,
         load: &mut Vec<f64>,
         pressure: &mut Vec<f64>,
-        scratch: &mut Scratch,
+        buffer: &mut Vec<f64>,
     ) {
         load.resize(self.squares.len(), load.last().copied().unwrap_or(0.0));
         pressure.resize(self.squares.len(), 0.0);
-        self.abel.pressure_at(targets.clone(), load, pressure, scratch);
+        self.abel.pressure_at(targets.clone(), load, pressure, buffer);
         pressure[targets].iter_mut().for_each(|p| *p *= self.per_metre);
     }
 }

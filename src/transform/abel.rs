@@ -1,76 +1,60 @@
-//! Dense or fast, whichever is quicker for the number of nodes.
+//! The Abel transforms on fixed nodes by triangular tables of exact weights: n²/2 numbers each,
+//! read in order.
+//!
+//! Under X → λX the inverse transform stays what it is and the pressure falls by 1/√λ, so the
+//! tables of a disc of unit width serve all that have its shape.
 
-use super::dense::DenseAbel;
-use super::fast::FastAbel;
-use super::sweep::Expansions;
+use super::{cell, dot};
 use std::ops::Range;
 
-/// Number of nodes from which the fast transforms are the quicker ones. Measured with `cargo bench
-/// --bench transforms`: at 128 cells both take 2 µs; at half as many the tables take a sixth less,
-/// at twice as many the fast form a third less.
-pub const CROSSOVER: usize = 129;
-
-/// The Abel transforms on fixed nodes.
-#[derive(Debug, Clone)]
-pub enum Abel {
-    /// By tables.
-    Dense(DenseAbel),
-    /// In O(n).
-    Fast(FastAbel),
-}
-
-/// Memory that the transforms work in; one serves any number of them in turn.
+/// The Abel transforms on fixed nodes. All of them work in a buffer, of which one serves any number
+/// of them in turn: it is allocated at first use only.
 #[derive(Debug, Clone, Default)]
-pub struct Scratch {
-    values: Vec<f64>,
-    expansions: Expansions,
-}
-
-impl Scratch {
-    /// Room for the values at `nodes` nodes; allocates at first use only.
-    pub(super) fn parts(&mut self, nodes: usize) -> (&mut [f64], &mut Expansions) {
-        if self.values.len() < nodes {
-            self.values.resize(nodes, 0.0);
-        }
-        (&mut self.values[..nodes], &mut self.expansions)
-    }
+pub struct Abel {
+    /// Radii of the nodes.
+    root: Vec<f64>,
+    /// Row i: weights of the values at nodes 0 … i, from i = 1 on.
+    inverse: Vec<f64>,
+    /// Row i: weights of the drops over cells i … n − 1.
+    pressure: Vec<f64>,
 }
 
 impl Abel {
-    /// Prepares the transforms for nodes X (m² or any unit), rising strictly from 0.
+    /// Tabulates the weights for nodes X (m² or any unit), rising strictly from 0.
     ///
     /// # Panics
-    /// For fewer than two nodes.
+    /// For no nodes.
     pub fn new(nodes: &[f64]) -> Self {
-        if nodes.len() < CROSSOVER {
-            Self::Dense(DenseAbel::new(nodes))
-        } else {
-            Self::Fast(FastAbel::new(nodes))
-        }
+        let mut tables = Self::default();
+        tables.renew(nodes);
+        tables
     }
 
-    /// Becomes [`Self::new`] of other nodes; tables do so in their own memory.
+    /// Becomes [`Self::new`] of other nodes in its own memory.
     pub(crate) fn renew(&mut self, nodes: &[f64]) {
-        match self {
-            Self::Dense(dense) if nodes.len() < CROSSOVER => dense.renew(nodes),
-            _ => *self = Self::new(nodes),
+        let last = nodes.len() - 1;
+        let Self { root, inverse, pressure } = self;
+        root.clear();
+        root.extend(nodes.iter().map(|x| x.max(0.0).sqrt()));
+        inverse.clear();
+        inverse.resize(last * (last + 3) / 2, 0.0);
+        pressure.resize(last * (last + 1) / 2, 0.0);
+        for i in 1..=last {
+            cell::add_inverse(nodes, root, nodes[i], 0..i, &mut inverse[inverse_row(i)]);
+        }
+        for i in 0..last {
+            cell::pressure(nodes, nodes[i], i..last, &mut pressure[pressure_row(i, last)]);
         }
     }
 
-    /// Multiplications of one Abel transform or its inverse, and of one pressure.
-    pub fn work(&self) -> (usize, usize) {
-        match self {
-            Self::Dense(dense) => dense.work(),
-            Self::Fast(fast) => fast.work(),
-        }
+    fn nodes(&self) -> usize {
+        self.root.len()
     }
 
-    /// As [`FastAbel::inverse_abel`].
-    pub fn inverse_abel(&self, values: &[f64], out: &mut [f64], scratch: &mut Scratch) {
-        match self {
-            Self::Dense(dense) => dense.inverse_abel(values, out, scratch),
-            Self::Fast(fast) => fast.inverse_abel(values, out, scratch),
-        }
+    /// Inverse transform s(Zᵢ) = (1/π) ∫ v dX/√(X (Zᵢ − X)) from 0 to Zᵢ = Xᵢ, for v linear in X
+    /// between the values given at the nodes.
+    pub fn inverse_abel(&self, values: &[f64], out: &mut [f64], buffer: &mut Vec<f64>) {
+        self.inverse_abel_at(0..self.nodes(), values, out, buffer);
     }
 
     /// [`Self::inverse_abel`] at some nodes, of values that are equal at all nodes before the
@@ -80,28 +64,39 @@ impl Abel {
         targets: Range<usize>,
         values: &[f64],
         out: &mut [f64],
-        scratch: &mut Scratch,
+        buffer: &mut Vec<f64>,
     ) {
-        match self {
-            Self::Dense(dense) => dense.inverse_abel_at(targets, values, out, scratch),
-            Self::Fast(fast) => fast.inverse_abel_at(targets, values, out, scratch),
+        // a constant is its own transform, and so it is to the last digit
+        let (base, first) = (values[0], targets.start);
+        let shifted = self.room(buffer);
+        for (shifted, value) in shifted[targets.clone()].iter_mut().zip(&values[first..]) {
+            *shifted = value - base;
+        }
+        out[0] = base;
+        for i in first.max(1)..targets.end {
+            out[i] = base + dot(&self.inverse[inverse_row(i)][first..], &shifted[first..=i]);
         }
     }
 
-    /// As [`FastAbel::abel`].
-    pub fn abel(&self, s: &[f64], out: &mut [f64], scratch: &mut Scratch) {
-        match self {
-            Self::Dense(dense) => dense.abel(s, out, scratch),
-            Self::Fast(fast) => fast.abel(s, out, scratch),
+    /// The inverse of [`Self::inverse_abel`] by forward substitution: values whose inverse
+    /// transform is `s` at the nodes.
+    pub fn abel(&self, s: &[f64], out: &mut [f64], buffer: &mut Vec<f64>) {
+        let base = s[0];
+        out[0] = base;
+        let values = self.room(buffer);
+        values[0] = 0.0;
+        for target in 1..self.nodes() {
+            let row = &self.inverse[inverse_row(target)];
+            let known = dot(&row[..target], &values[..target]);
+            values[target] = (s[target] - base - known) / row[target];
+            out[target] = base + values[target];
         }
     }
 
-    /// As [`FastAbel::pressure`].
-    pub fn pressure(&self, q: &[f64], out: &mut [f64], scratch: &mut Scratch) {
-        match self {
-            Self::Dense(dense) => dense.pressure(q, out, scratch),
-            Self::Fast(fast) => fast.pressure(q, out, scratch),
-        }
+    /// Pressure −(1/π) ∫ q' dX/√(X − Zᵢ) from Zᵢ = Xᵢ to Xₙ, for q linear in X between the values
+    /// given at the nodes; 0 at the last node.
+    pub fn pressure(&self, q: &[f64], out: &mut [f64], buffer: &mut Vec<f64>) {
+        self.pressure_at(0..self.nodes(), q, out, buffer);
     }
 
     /// [`Self::pressure`] at some nodes, of a load that is constant from the last of them on. What
@@ -111,83 +106,39 @@ impl Abel {
         targets: Range<usize>,
         q: &[f64],
         out: &mut [f64],
-        scratch: &mut Scratch,
+        buffer: &mut Vec<f64>,
     ) {
-        match self {
-            Self::Dense(dense) => dense.pressure_at(targets, q, out, scratch),
-            Self::Fast(fast) => fast.pressure_at(targets, q, out, scratch),
+        let (first, last) = (targets.start, targets.end - 1);
+        let drops = self.room(buffer);
+        for (drop, pair) in drops[first..].iter_mut().zip(q[targets].windows(2)) {
+            *drop = pair[0] - pair[1];
         }
+        for i in first..last {
+            let row = &self.pressure[pressure_row(i, self.nodes() - 1)];
+            out[i] = dot(&row[..last - i], &drops[i..last]);
+        }
+        out[last] = 0.0;
     }
+
+    /// A value for each node.
+    fn room<'a>(&self, buffer: &'a mut Vec<f64>) -> &'a mut [f64] {
+        if buffer.len() < self.nodes() {
+            buffer.resize(self.nodes(), 0.0);
+        }
+        &mut buffer[..self.nodes()]
+    }
+}
+
+/// Place of the weights of node i, from 1 on, in the table of the inverse transform.
+fn inverse_row(i: usize) -> Range<usize> {
+    (i - 1) * (i + 2) / 2..i * (i + 3) / 2
+}
+
+/// Place of the weights of a node before the last in the table of the pressure.
+fn pressure_row(i: usize, last: usize) -> Range<usize> {
+    let start = |i: usize| i * (2 * last + 1 - i) / 2;
+    start(i)..start(i + 1)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn both_forms_give_the_same_on_either_side_of_the_crossover() {
-        for nodes in [2, 3, CROSSOVER - 1, CROSSOVER] {
-            let x: Vec<f64> = (0..nodes).map(|i| (i as f64 / (nodes - 1) as f64).powi(2)).collect();
-            let (chosen, dense) = (Abel::new(&x), DenseAbel::new(&x));
-            assert_eq!(matches!(chosen, Abel::Fast(_)), nodes >= CROSSOVER);
-            let v: Vec<f64> = x.iter().map(|x| 1.0 + x.sin()).collect();
-            let mut scratch = Scratch::default();
-            let mut results = |transforms: &Abel| {
-                let (mut s, mut p, mut back) = (vec![0.0; nodes], vec![0.0; nodes], vec![0.0; nodes]);
-                transforms.inverse_abel(&v, &mut s, &mut scratch);
-                transforms.pressure(&v, &mut p, &mut scratch);
-                transforms.abel(&s, &mut back, &mut scratch);
-                [s, p, back]
-            };
-            let (chosen, dense) = (results(&chosen), results(&Abel::Dense(dense)));
-            for (a, b) in chosen.iter().flatten().zip(dense.iter().flatten()) {
-                assert!((a - b).abs() < 1e-12, "{nodes} nodes: {a} {b}");
-            }
-            for (a, b) in chosen[2].iter().zip(&v) {
-                assert!((a - b).abs() < 1e-12, "{nodes} nodes: {a} back from {b}");
-            }
-        }
-    }
-
-    /// Values that begin to change at a node, and a load that ends at another.
-    #[test]
-    fn some_nodes_have_the_values_that_they_have_among_all() {
-        for (nodes, first, end) in
-            [(100, 37, 81), (100, 1, 100), (300, 37, 38), (300, 90, 211), (300, 150, 300)]
-        {
-            let x: Vec<f64> = (0..nodes).map(|i| (i as f64 / (nodes - 1) as f64).powi(2)).collect();
-            let transforms = Abel::new(&x);
-            let values = |from: usize, to: usize| -> Vec<f64> {
-                (0..nodes).map(|i| 1.0 + x[i.clamp(from, to)].sin()).collect()
-            };
-            let (slip, load) = (values(first - 1, nodes), values(0, end - 1));
-            let mut scratch = Scratch::default();
-            let (mut all, mut some) = (vec![0.0; nodes], vec![0.0; nodes]);
-            transforms.inverse_abel(&slip, &mut all, &mut scratch);
-            transforms.inverse_abel_at(first..end, &slip, &mut some, &mut scratch);
-            let mut off: Vec<f64> = (first..end).map(|i| some[i] - all[i]).collect();
-            transforms.pressure(&load, &mut all, &mut scratch);
-            transforms.pressure_at(first..end, &load, &mut some, &mut scratch);
-            off.extend((first..end).map(|i| some[i] - all[i]));
-            assert!(off.iter().all(|off| off.abs() < 1e-12), "{nodes} nodes, {first} to {end}");
-        }
-    }
-
-    #[test]
-    fn transforms_scale_with_the_width_of_the_mesh() {
-        // what lets the tables of a unit mesh serve all meshes of its shape
-        let share: Vec<f64> = (0..=300).map(|i| (f64::from(i) / 300.0).powi(2)).collect();
-        let v: Vec<f64> = share.iter().map(|x| 1.0 + x.sin()).collect();
-        let width = 2.25;
-        let x: Vec<f64> = share.iter().map(|x| width * x).collect();
-        let (unit, wide) = (Abel::new(&share), Abel::new(&x));
-        let (mut a, mut b) = (vec![0.0; 301], vec![0.0; 301]);
-        unit.inverse_abel(&v, &mut a, &mut Scratch::default());
-        wide.inverse_abel(&v, &mut b, &mut Scratch::default());
-        assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-12));
-        unit.pressure(&v, &mut a, &mut Scratch::default());
-        wide.pressure(&v, &mut b, &mut Scratch::default());
-        let root = f64::sqrt(width);
-        assert!(a.iter().zip(&b).all(|(a, b)| (a / root - b).abs() < 1e-10));
-    }
-}
+mod tests;

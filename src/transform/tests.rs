@@ -2,29 +2,29 @@ use super::*;
 use std::f64::consts::PI;
 
 /// The transforms at all nodes at once.
-struct Nodal(DenseAbel, usize);
+struct Nodal(Abel, usize);
 
 impl Nodal {
     fn new(x: &[f64]) -> Self {
         let squares: Vec<f64> = x.iter().map(|x| x * x).collect();
-        Self(DenseAbel::new(&squares), x.len())
+        Self(Abel::new(&squares), x.len())
     }
 
     fn inverse_abel(&self, v: &[f64]) -> Vec<f64> {
         let mut s = vec![0.0; self.1];
-        self.0.inverse_abel(v, &mut s, &mut Scratch::default());
+        self.0.inverse_abel(v, &mut s, &mut Vec::new());
         s
     }
 
     fn abel(&self, s: &[f64]) -> Vec<f64> {
         let mut v = vec![0.0; self.1];
-        self.0.abel(s, &mut v, &mut Scratch::default());
+        self.0.abel(s, &mut v, &mut Vec::new());
         v
     }
 
     fn pressure(&self, q: &[f64]) -> Vec<f64> {
         let mut p = vec![0.0; self.1];
-        self.0.pressure(q, &mut p, &mut Scratch::default());
+        self.0.pressure(q, &mut p, &mut Vec::new());
         p
     }
 }

@@ -1,7 +1,7 @@
 //! The contact edge among nodes at rest, and its part in the pressure.
 
 use crate::surface::{Contact, NodeTransforms, Nodes};
-use crate::transform::{Scratch, leg};
+use crate::transform::leg;
 use std::f64::consts::{FRAC_1_PI, FRAC_2_PI};
 
 /// What lies between the last node inside the contact and the contact edge.
@@ -73,7 +73,7 @@ impl Edge {
 pub(crate) fn pressure_nodes(transforms: &NodeTransforms, x: &[f64], load: &[f64], edge: &Edge) -> Vec<f64> {
     let mut pressure = Vec::new();
     let load = &mut load[..=edge.last].to_vec();
-    pressure_nodes_into(transforms, (x, 0), (load, edge), (&mut pressure, &mut Scratch::default()));
+    pressure_nodes_into(transforms, (x, 0), (load, edge), (&mut pressure, &mut Vec::new()));
     pressure
 }
 
@@ -82,9 +82,9 @@ pub(super) fn pressure_nodes_into(
     transforms: &NodeTransforms,
     (x, first): (&[f64], usize),
     (load, edge): (&mut Vec<f64>, &Edge),
-    (pressure, scratch): (&mut Vec<f64>, &mut Scratch),
+    (pressure, buffer): (&mut Vec<f64>, &mut Vec<f64>),
 ) {
-    transforms.pressure_at(first..edge.last + 1, load, pressure, scratch);
+    transforms.pressure_at(first..edge.last + 1, load, pressure, buffer);
     pressure.truncate(edge.last + 1);
     for (i, p) in pressure.iter_mut().enumerate().skip(first) {
         *p += load[edge.last] * edge.weight(x, i);

@@ -5,7 +5,6 @@ use super::backlog::{SlipAtDepth, WearBacklog};
 use super::edge::{Edge, pressure_nodes_into};
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, NodeTransforms, Surface};
-use crate::transform::Scratch;
 use std::ops::Range;
 
 /// The wear of the slip under one depth.
@@ -34,7 +33,7 @@ pub(crate) struct FirstOrderWear {
     /// Image at the nodes, m.
     images: Vec<f64>,
     values: Vec<f64>,
-    scratch: Scratch,
+    buffer: Vec<f64>,
 }
 
 impl FirstOrderWear {
@@ -110,14 +109,14 @@ impl FirstOrderWear {
                     front..inside.len(),
                     &self.values,
                     &mut level.path,
-                    &mut self.scratch,
+                    &mut self.buffer,
                 );
                 level.slipped = if axis > 0.0 { 0 } else { front }..inside.len();
                 if is_moved || level.slipped.start < level.first {
                     level.first = level.slipped.start;
                     self.values.clear();
                     self.values.extend(inside.iter().map(|g| (contact.depth - g).max(0.0)));
-                    let memory = (&mut level.pressure, &mut self.scratch);
+                    let memory = (&mut level.pressure, &mut self.buffer);
                     let nodes = (nodes.x(), level.first);
                     pressure_nodes_into(transforms, nodes, (&mut self.values, &edge), memory);
                 }

@@ -1,5 +1,4 @@
 use super::*;
-use crate::transform::DenseAbel;
 use std::f64::consts::{FRAC_2_PI, PI};
 
 type Grading = (&'static str, fn(f64) -> f64);
@@ -16,16 +15,6 @@ fn nodes(grading: fn(f64) -> f64, cells: usize) -> Vec<f64> {
     (0..=cells).map(|i| grading(i as f64 / cells as f64)).collect()
 }
 
-/// Clusters of narrow cells in between wide ones, so that leaves differ in width by many decades.
-fn clusters(cells: usize) -> Vec<f64> {
-    let mut x = vec![0.0];
-    for j in 0..cells {
-        let width = 10f64.powf(-6.0 * (j as f64 * 0.013).sin().abs() - (j as f64 * 1.7).cos());
-        x.push(x[j] + width);
-    }
-    x
-}
-
 fn values(x: &[f64], f: impl Fn(f64) -> f64) -> Vec<f64> {
     x.iter().map(|&x| f(x)).collect()
 }
@@ -40,32 +29,32 @@ fn difference(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Result of one transform, on memory that holds nonsense.
-fn apply(transform: impl Fn(&[f64], &mut [f64], &mut Scratch), values: &[f64]) -> Vec<f64> {
+fn apply(transform: impl Fn(&[f64], &mut [f64], &mut Vec<f64>), values: &[f64]) -> Vec<f64> {
     let mut out = vec![f64::NAN; values.len()];
-    transform(values, &mut out, &mut Scratch::default());
+    transform(values, &mut out, &mut Vec::new());
     out
 }
 
-fn abel(fast: &FastAbel, s: &[f64]) -> Vec<f64> {
-    apply(|s, o, t| fast.abel(s, o, t), s)
+fn abel(tables: &Abel, s: &[f64]) -> Vec<f64> {
+    apply(|s, o, t| tables.abel(s, o, t), s)
 }
 
 #[test]
 fn what_is_linear_is_transformed_exactly() {
     for (name, grading) in GRADINGS {
         let x = nodes(grading, 700);
-        let fast = FastAbel::new(&x);
+        let tables = Abel::new(&x);
         let end = x[700];
         // image x² belongs to profile r²/2
         let profile = values(&x, |z| z / 2.0);
-        let s = apply(|v, o, t| fast.inverse_abel(v, o, t), &x);
+        let s = apply(|v, o, t| tables.inverse_abel(v, o, t), &x);
         assert!(difference(&s, &profile) < 1e-13, "{name}: {:e}", difference(&s, &profile));
-        let back = abel(&fast, &profile);
+        let back = abel(&tables, &profile);
         assert!(difference(&back, &x) < 1e-9, "{name}, back: {:e}", difference(&back, &x));
         let constant = vec![0.7; 701];
-        assert_eq!(apply(|v, o, t| fast.inverse_abel(v, o, t), &constant), constant);
+        assert_eq!(apply(|v, o, t| tables.inverse_abel(v, o, t), &constant), constant);
         // Hertz; q is given to rounding only, which a narrow cell turns into pressure
-        let p = apply(|v, o, t| fast.pressure(v, o, t), &values(&x, |x| end - x));
+        let p = apply(|v, o, t| tables.pressure(v, o, t), &values(&x, |x| end - x));
         let error = difference(&p, &values(&x, |z| FRAC_2_PI * (end - z).sqrt()));
         let narrowest = x.windows(2).map(|pair| pair[1] - pair[0]).fold(1.0, f64::min);
         assert!(error < 1e-13 + f64::EPSILON / narrowest.sqrt(), "{name}, Hertz: {error:e}");
@@ -77,19 +66,19 @@ fn what_is_linear_is_transformed_exactly() {
 /// is constant.
 fn errors(grading: fn(f64) -> f64, cells: usize) -> [f64; 6] {
     let x = nodes(grading, cells);
-    let fast = FastAbel::new(&x);
+    let tables = Abel::new(&x);
     let error = |result: Vec<f64>, exact: &[f64]| largest(result.iter().zip(exact).map(|(a, b)| a - b));
     let (square, square_down) = (values(&x, |x| x * x), values(&x, |z| 0.375 * z * z));
     let (root, root_down) = (values(&x, f64::sqrt), values(&x, |z| FRAC_2_PI * z.sqrt()));
-    let smooth = apply(|v, o, t| fast.pressure(v, o, t), &values(&x, |x| (1.0 - x).powi(2)));
+    let smooth = apply(|v, o, t| tables.pressure(v, o, t), &values(&x, |x| (1.0 - x).powi(2)));
     // up to the cell next to the edge, where it jumps
-    let edge = apply(|v, o, t| fast.pressure(v, o, t), &values(&x, |x| (1.0 - x).max(0.0).sqrt()));
+    let edge = apply(|v, o, t| tables.pressure(v, o, t), &values(&x, |x| (1.0 - x).max(0.0).sqrt()));
     let inside = x.partition_point(|&z| z < 0.75);
     [
-        error(apply(|v, o, t| fast.inverse_abel(v, o, t), &square), &square_down),
-        error(abel(&fast, &square_down), &square),
-        error(apply(|v, o, t| fast.inverse_abel(v, o, t), &root), &root_down),
-        error(abel(&fast, &root_down), &root),
+        error(apply(|v, o, t| tables.inverse_abel(v, o, t), &square), &square_down),
+        error(abel(&tables, &square_down), &square),
+        error(apply(|v, o, t| tables.inverse_abel(v, o, t), &root), &root_down),
+        error(abel(&tables, &root_down), &root),
         error(smooth, &values(&x, |z| 8.0 / (3.0 * PI) * (1.0 - z).powf(1.5))),
         error(edge[..inside].to_vec(), &vec![0.5; inside]),
     ]
@@ -117,93 +106,80 @@ fn errors_fall_with_their_orders() {
 }
 
 #[test]
-fn the_fast_form_is_the_dense_one() {
-    let meshes = GRADINGS.iter().map(|&(name, grading)| (name, nodes(grading, 3000)));
-    for (name, x) in meshes.chain([("clusters", clusters(3000)), ("short", clusters(60))]) {
-        let (dense, fast) = (DenseAbel::new(&x), FastAbel::new(&x));
-        let width = x[x.len() - 1];
-        let v = values(&x, |x| (7.0 * x / width).cos() + (x / width).sqrt());
-        let check = |what: &str, fast: &[f64], dense: &[f64], most: f64| {
-            let error = difference(fast, dense);
-            assert!(error < most, "{name}, {what}: {error:e}");
-        };
-        let s = apply(|v, o, t| dense.inverse_abel(v, o, t), &v);
-        check("inverse", &apply(|v, o, t| fast.inverse_abel(v, o, t), &v), &s, 1e-13);
-        let p = apply(|v, o, t| dense.pressure(v, o, t), &v);
-        check("pressure", &apply(|v, o, t| fast.pressure(v, o, t), &v), &p, 1e-13);
-        let back = abel(&fast, &s);
-        check("there and back", &apply(|v, o, t| fast.inverse_abel(v, o, t), &back), &s, 1e-13);
-        // narrow cells far out leave the inverse badly conditioned, the dense one as well
-        let most = if name == "clusters" { 1e-9 } else { 1e-11 };
-        let mut dense_back = vec![v[0]; v.len()];
-        dense.abel(&s, &mut dense_back, &mut Scratch::default());
-        check("Abel", &back, &dense_back, most);
-        check("there and back", &back, &v, most);
-    }
-}
-
-#[test]
-fn some_meshes_have_exact_weights_for_leaves_that_do_not_adjoin() {
-    let tree = Tree::new(&clusters(3000));
-    let pairs = tree.pairs();
-    assert!(Sweep::inverse(&tree, &pairs).has_sources_apart());
-    assert!(Sweep::pressure(&tree, &pairs).has_sources_apart());
-}
-
-#[test]
-fn work_grows_in_proportion_to_the_cells() {
-    for (name, grading) in GRADINGS {
-        let work = |cells: usize| FastAbel::new(&nodes(grading, cells)).work();
-        let (few, many) = (work(4096), work(32_768));
-        for (few, many) in [(few.0, many.0), (few.1, many.1)] {
-            let exponent = (many as f64 / few as f64).log2() / 3.0;
-            assert!(exponent < 1.05, "{name}: {few} to {many}, exponent {exponent}");
-            assert!(many < 140 * 32_768, "{name}: {many}");
-        }
-    }
-    // where cells grow by several per cent each, all leaves are neighbours: then it is that of the
-    // tables
-    for cells in [200, 400, 1000] {
-        let x = nodes(GRADINGS[3].1, cells);
-        let (dense, fast) = (DenseAbel::new(&x), FastAbel::new(&x));
-        assert!(fast.work() <= dense.work(), "{cells}: {:?} {:?}", fast.work(), dense.work());
-    }
-}
-
-#[test]
 fn transforms_are_causal_to_the_last_digit() {
     let x = nodes(GRADINGS[2].1, 1500);
-    let fast = FastAbel::new(&x);
+    let tables = Abel::new(&x);
     for edge in [1, 40, 777, 1499] {
         // what comes later may be anything
         let v: Vec<f64> = (0..=1500).map(|i| if i <= edge { (i as f64).cos() } else { f64::NAN }).collect();
-        let s = apply(|v, o, t| fast.inverse_abel(v, o, t), &v);
-        let back = abel(&fast, &s);
+        let s = apply(|v, o, t| tables.inverse_abel(v, o, t), &v);
+        let back = abel(&tables, &s);
         assert!(s[..=edge].iter().chain(&back[..=edge]).all(|s| s.is_finite()));
         assert!(s[edge + 1..].iter().all(|s| s.is_nan()));
         let q: Vec<f64> = v.iter().rev().copied().collect();
-        let p = apply(|v, o, t| fast.pressure(v, o, t), &q);
+        let p = apply(|v, o, t| tables.pressure(v, o, t), &q);
         assert!(p[1500 - edge..].iter().all(|p| p.is_finite()));
         assert!(p[..1500 - edge].iter().all(|p| p.is_nan()));
         // what has not slipped stays exactly where it is
         let slip: Vec<f64> = (0..=1500).map(|i| if i <= edge { 0.0 } else { 1.0 }).collect();
-        let s = apply(|v, o, t| fast.inverse_abel(v, o, t), &slip);
+        let s = apply(|v, o, t| tables.inverse_abel(v, o, t), &slip);
         assert!(s[..=edge].iter().all(|s| *s == 0.0) && s[edge + 1..].iter().all(|s| *s > 0.0));
-        assert!(abel(&fast, &s)[..=edge].iter().all(|v| *v == 0.0));
+        assert!(abel(&tables, &s)[..=edge].iter().all(|v| *v == 0.0));
     }
 }
 
 #[test]
-fn scratch_carries_nothing_from_one_call_to_the_next() {
+fn the_buffer_carries_nothing_from_one_call_to_the_next() {
     let (long, short) = (nodes(GRADINGS[1].1, 2000), nodes(GRADINGS[0].1, 900));
-    let (of_long, of_short) = (FastAbel::new(&long), FastAbel::new(&short));
+    let (of_long, of_short) = (Abel::new(&long), Abel::new(&short));
     let (v, w) = (values(&long, f64::cos), values(&short, f64::exp));
-    let (mut scratch, mut out) = (Scratch::default(), vec![0.0; 2001]);
-    of_long.inverse_abel(&v, &mut out, &mut scratch);
-    of_short.pressure(&w, &mut out[..901], &mut scratch);
+    let (mut buffer, mut out) = (Vec::new(), vec![0.0; 2001]);
+    of_long.inverse_abel(&v, &mut out, &mut buffer);
+    of_short.pressure(&w, &mut out[..901], &mut buffer);
     assert_eq!(out[..901], apply(|v, o, t| of_short.pressure(v, o, t), &w));
-    of_short.inverse_abel(&w, &mut out[..901], &mut scratch);
+    of_short.inverse_abel(&w, &mut out[..901], &mut buffer);
     assert_eq!(out[..901], apply(|v, o, t| of_short.inverse_abel(v, o, t), &w));
-    of_long.inverse_abel(&v, &mut out, &mut scratch);
+    of_long.inverse_abel(&v, &mut out, &mut buffer);
     assert_eq!(out, apply(|v, o, t| of_long.inverse_abel(v, o, t), &v));
+}
+
+/// Values that begin to change at a node, and a load that ends at another.
+#[test]
+fn some_nodes_have_the_values_that_they_have_among_all() {
+    for (nodes, first, end) in [(100, 37, 81), (100, 1, 100), (300, 37, 38), (300, 90, 211), (300, 150, 300)]
+    {
+        let x: Vec<f64> = (0..nodes).map(|i| (i as f64 / (nodes - 1) as f64).powi(2)).collect();
+        let transforms = Abel::new(&x);
+        let values = |from: usize, to: usize| -> Vec<f64> {
+            (0..nodes).map(|i| 1.0 + x[i.clamp(from, to)].sin()).collect()
+        };
+        let (slip, load) = (values(first - 1, nodes), values(0, end - 1));
+        let mut buffer = Vec::new();
+        let (mut all, mut some) = (vec![0.0; nodes], vec![0.0; nodes]);
+        transforms.inverse_abel(&slip, &mut all, &mut buffer);
+        transforms.inverse_abel_at(first..end, &slip, &mut some, &mut buffer);
+        let mut off: Vec<f64> = (first..end).map(|i| some[i] - all[i]).collect();
+        transforms.pressure(&load, &mut all, &mut buffer);
+        transforms.pressure_at(first..end, &load, &mut some, &mut buffer);
+        off.extend((first..end).map(|i| some[i] - all[i]));
+        assert!(off.iter().all(|off| off.abs() < 1e-12), "{nodes} nodes, {first} to {end}");
+    }
+}
+
+#[test]
+fn transforms_scale_with_the_width_of_the_mesh() {
+    // what lets the tables of a unit mesh serve all meshes of its shape
+    let share: Vec<f64> = (0..=300).map(|i| (f64::from(i) / 300.0).powi(2)).collect();
+    let v: Vec<f64> = share.iter().map(|x| 1.0 + x.sin()).collect();
+    let width = 2.25;
+    let x: Vec<f64> = share.iter().map(|x| width * x).collect();
+    let (unit, wide) = (Abel::new(&share), Abel::new(&x));
+    let (mut a, mut b) = (vec![0.0; 301], vec![0.0; 301]);
+    unit.inverse_abel(&v, &mut a, &mut Vec::new());
+    wide.inverse_abel(&v, &mut b, &mut Vec::new());
+    assert!(a.iter().zip(&b).all(|(a, b)| (a - b).abs() < 1e-12));
+    unit.pressure(&v, &mut a, &mut Vec::new());
+    wide.pressure(&v, &mut b, &mut Vec::new());
+    let root = f64::sqrt(width);
+    assert!(a.iter().zip(&b).all(|(a, b)| (a / root - b).abs() < 1e-10));
 }
