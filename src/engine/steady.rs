@@ -36,23 +36,24 @@ impl FrettingContact {
         let (mut left, mut updates, mut next_trial) = (amount, 0, 1);
         let mut pace = Pace { work: 0.0, limit: 0.0, share: 1.0 };
         loop {
-            let refused = match self.wear_by(value, (sliding, None), left, false) {
+            match self.wear_by(value, (sliding, None), left, false) {
                 Ok(work) => {
                     self.state.work += work;
                     self.state.contact = self.contact_at(value)?;
                     return Ok(());
                 }
-                Err(refused @ (Error::TooMuchWear { .. } | Error::NotFinite { .. })) => refused,
+                Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {}
                 Err(other) => return Err(other),
-            };
+            }
+            let amplitude = sliding.amplitude();
+            let refused = |left, steps| Error::TooMuchWear { cycles: amount, left, amplitude, steps };
             while updates < next_trial && left > 0.0 {
                 // held in depth, a body may wear until it is free
                 if self.state.contact.is_open() {
                     return Ok(());
                 }
                 if updates == MOST_PIECES {
-                    let amplitude = sliding.amplitude();
-                    return Err(Error::TooMuchWear { cycles: amount, left, amplitude, steps: updates });
+                    return Err(refused(left, updates));
                 }
                 match self.transaction(|this| this.wear_part(sliding, left, &mut pace)) {
                     Ok(part) if part > 0.0 => {
@@ -61,7 +62,7 @@ impl FrettingContact {
                         pace.share = (2.0 * pace.share).min(1.0);
                     }
                     Err(Error::WearOutrun { .. }) if pace.share > LEAST_SHARE => pace.share *= 0.25,
-                    Ok(_) | Err(Error::WearOutrun { .. }) => return Err(refused),
+                    Ok(_) | Err(Error::WearOutrun { .. }) => return Err(refused(left, updates + 1)),
                     Err(other) => return Err(other),
                 }
                 updates += 1;
