@@ -35,6 +35,8 @@ impl FrettingContact {
     pub(super) fn wear_steadily(&mut self, value: f64, sliding: Sliding, amount: f64) -> Result<(), Error> {
         let (mut left, mut updates, mut next_trial) = (amount, 0, 1);
         let mut pace = Pace { work: 0.0, limit: 0.0, share: 1.0 };
+        let amplitude = sliding.amplitude();
+        let refused = |left, steps| Error::TooMuchWear { cycles: amount, left, amplitude, steps };
         loop {
             match self.wear_by(value, (sliding, None), left, false) {
                 Ok(work) => {
@@ -45,8 +47,6 @@ impl FrettingContact {
                 Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {}
                 Err(other) => return Err(other),
             }
-            let amplitude = sliding.amplitude();
-            let refused = |left, steps| Error::TooMuchWear { cycles: amount, left, amplitude, steps };
             while updates < next_trial && left > 0.0 {
                 // held in depth, a body may wear until it is free
                 if self.state.contact.is_open() {

@@ -11,8 +11,9 @@
 use super::text::{self, LengthUnit, Points};
 use crate::error::Error;
 use crate::range;
-use crate::transform::{abel_last, inverse_at, leg};
+use crate::transform::{abel_last, inverse_at, pressure_weight};
 use serde::{Deserialize, Serialize};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 /// A tabulated profile with its one-dimensional image. Copies share their data.
@@ -96,8 +97,8 @@ impl ProfileTable {
         }
         if points.len() > Self::MOST_POINTS {
             let problem = format!(
-                "{} points where at most {} are taken: keep one of every {}, or make a table of 401 by `cargo \
-                 fmu profile`",
+                "{} points where at most {} are taken: keep one of every {}, or let `cargo fmu profile` make a \
+                 table of 401 points",
                 points.len(),
                 Self::MOST_POINTS,
                 points.len().div_ceil(Self::MOST_POINTS)
@@ -331,7 +332,7 @@ impl Piece {
         if x1 <= x0 {
             return 0.0;
         }
-        2.0 * self.slope() * (x1 - x0) * (x1 + x0) / (leg(x1, r) + leg(x0, r))
+        PI * self.slope() * (x1 - x0) * (x1 + x0) * pressure_weight(x0, x1, r)
     }
 
     /// ∫ from x0 to x of g² dξ, in δ = ξ − x0, where X − x0² = δ (2 x0 + δ).
