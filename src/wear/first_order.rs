@@ -129,5 +129,7 @@ impl FirstOrderWear {
                 *sum += pressure * path.max(0.0);
             }
         }
+        // nothing heals where a pressure overshoots
+        sum.iter_mut().for_each(|sum| *sum = sum.max(0.0));
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Constants;
 use super::mesh::UnitMesh;
-use super::patch::{Front, Linear, Motion, Patch, Rate, State, edge_not_found};
+use super::patch::{Front, Linear, Motion, Outside, Patch, Rate, State, edge_not_found};
 use super::remesh::{check_end_of_body, mesh_slip_zone, parts};
 use super::rosenbrock;
 use crate::counters::Counters;
@@ -11,7 +11,7 @@ use crate::surface::{MeshPlace, Nodes, Surface};
 use std::sync::Arc;
 
 /// Most steps of one call at the usual tolerance of 1e-3: a whole life takes some fifty.
-const MOST_STEPS: f64 = 1000.0;
+const MOST_STEPS: f64 = 500.0;
 
 /// And behind a rig: where a front hovers, stretches of constant amplitude come sooner to an end.
 const MOST_STEPS_BEHIND_A_RIG: f64 = 250.0;
@@ -115,10 +115,21 @@ pub(crate) fn integrate(
     // of the surface, m³, where it is known
     let mut worn_volume = None;
     let (mut previous, mut system) = (None, None::<Linear>);
+    let mut outside = None;
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
-        let found = mesh_slip_zone(&life.surface, &contact, motion, constants, settings, worn_volume)?;
+        let outside = outside.get_or_insert_with(|| {
+            surface.worn().map_or_else(Outside::default, |nodes| Outside::of(nodes, contact.radius))
+        });
+        // there are the updates on nodes at rest, which serve small parts of a life as well
+        if outside.is_some() && (amount.is_update || outside.reaches_rim()) {
+            return Err(edge_not_found(motion));
+        }
+        let place = (&life.surface, &*outside);
+        let is_smooth = amount.is_update || worn_volume.is_some();
+        let known = (worn_volume, is_smooth);
+        let found = mesh_slip_zone(place, &contact, motion, constants, settings, known)?;
         let Some((patch, mut state, mut rate)) = found else { break };
         let mut volume = 0.0;
         let mut step =
@@ -151,6 +162,9 @@ pub(crate) fn integrate(
                     (state, rate) = (trial.state, trial.rate);
                     volume += trial.volume;
                     fresh = false;
+                    if patch.recedes(&rate) {
+                        return Err(edge_not_found(motion));
+                    }
                     let edge = state.radius_squared.sqrt();
                     if life.surface.reaches_falling_image(edge) {
                         let mut worn = life.surface.clone();
@@ -191,8 +205,9 @@ pub(crate) fn integrate(
         life.surface.set_worn(Some(nodes));
     }
     // between two meshes nobody asks what lies beyond
-    if let Some(nodes) = life.surface.worn().filter(|nodes| nodes.ends_with_mesh()) {
+    if let (Some(nodes), Some(outside), true) = (life.surface.worn(), outside, life.mesh.is_some()) {
         let mut nodes = nodes.clone();
+        nodes.append_worn(outside.nodes());
         nodes.extend_beyond_mesh(life.surface.profile());
         life.surface.set_worn(Some(nodes));
     }
@@ -230,7 +245,12 @@ fn left_at_the_end(
     settings: &IntegrationSettings,
     target: f64,
 ) -> (Nodes, f64) {
-    let mut nodes = exported_nodes(patch, &state, &rate, settings);
+    let all_nodes = |state: &State, rate: &Rate| {
+        let mut nodes = exported_nodes(patch, state, rate, settings);
+        nodes.append_worn(patch.outside.nodes());
+        nodes
+    };
+    let mut nodes = all_nodes(&state, &rate);
     let mut missing = target - nodes.worn_volume();
     let defect = missing.abs();
     for _ in 0..CORRECTIONS {
@@ -239,7 +259,7 @@ fn left_at_the_end(
         }
         let Some(grown) = patch.with_volume(&state, &rate, missing) else { break };
         (state, rate) = grown;
-        nodes = exported_nodes(patch, &state, &rate, settings);
+        nodes = all_nodes(&state, &rate);
         missing = target - nodes.worn_volume();
     }
     (nodes, defect)

@@ -52,6 +52,9 @@ pub(crate) struct UnitMesh {
     pub(crate) volume: Vec<f64>,
     /// V = L Σ volume_of_image·z.
     pub(crate) volume_of_image: Vec<f64>,
+    /// z of the depth φ, and its Σ width·z.
+    pub(crate) image_of_share: Vec<f64>,
+    pub(crate) mean_of_share: f64,
 }
 
 /// The meshes in use, in any order.
@@ -112,6 +115,8 @@ impl UnitMesh {
             mean_image: Vec::new(),
             volume: Vec::new(),
             volume_of_image: volume,
+            image_of_share: Vec::new(),
+            mean_of_share: 0.0,
         };
         mesh.rim = places.rim_column(|i| mesh.pressure_column(cells)[i]);
         let inverse = |i: usize, j: usize| if j <= i { mesh.inverse_column(j)[i - j] } else { 0.0 };
@@ -123,6 +128,8 @@ impl UnitMesh {
         mesh.edge_image = mesh.in_depths(edge);
         mesh.mean_image = mesh.in_depths(mesh.width.clone());
         mesh.volume = mesh.in_depths(mesh.volume_of_image.clone());
+        mesh.image_of_share = mesh.abel(&mesh.share);
+        mesh.mean_of_share = dot(&mesh.mean_image, &mesh.share);
         mesh
     }
 

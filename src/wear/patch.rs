@@ -4,8 +4,10 @@
 //! One cycle of amplitude U₀ at constant load wears ∂w/∂N = 4 κ p s with κ = kμ/σ₀, the pressure p
 //! of q = d − g and the slip s, the inverse Abel transform of σ = max(U₀ − m q, 0), m = μE*/G*.
 //! Here w̃ is the depth that belongs to the image inside the region alone, h·1[x ≥ c]: what lies
-//! inside the stick radius c has no part in the rate of wear, and the depth at the contact edge a
-//! is zero, so that w̃(a) = −w_in(a), minus the depth there that belongs to the image inside.
+//! inside the stick radius c has no part in the rate of wear. At the contact edge a the depth is
+//! w_out(a), what other loads have left there, so that w̃(a) = w_out(a) − w_in(a), the latter being
+//! the depth there that belongs to the image inside. What is integrated is w̃ − φ w_out(a): of w̃
+//! itself, at fixed values, the image at a may fall as a grows, and then has no edge or many.
 //! The nodes move with a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN with A = a². All
 //! fields stay smooth in the mesh coordinate, at the moving edge too.
 
@@ -14,6 +16,7 @@ mod front;
 mod frozen;
 mod linear;
 mod motion;
+mod outside;
 mod rate;
 mod rig;
 mod volume;
@@ -24,7 +27,7 @@ use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::surface::Region;
 use crate::surface::{Contact, Surface};
-use crate::transform::dot;
+use crate::transform::{add, dot};
 use std::sync::Arc;
 
 use edge::EdgeCondition;
@@ -33,6 +36,7 @@ pub(crate) use frozen::Frozen;
 use frozen::Sources;
 pub(super) use linear::Linear;
 pub(crate) use motion::{Motion, Rig, Sliding};
+pub(crate) use outside::Outside;
 pub(crate) use rate::Rate;
 
 /// How near to the end of the body, relative, a contact edge counts as standing there. A worn rim
@@ -48,6 +52,7 @@ pub(crate) struct Patch {
     /// Stick radius c, m; 0 on a disc.
     pub(crate) inner_radius: f64,
     pub(crate) inside: Frozen,
+    pub(crate) outside: Outside,
     pub(crate) motion: Motion,
     /// Whether the contact ends at the end of the body, so that its edge stays there.
     pub(crate) rim: bool,
@@ -62,7 +67,7 @@ pub(crate) struct Patch {
     sources: Sources,
 }
 
-/// Depths w̃ at the nodes, m, and the square of the contact radius, m².
+/// Depths w̃ − φ w_out(a) at the nodes, m, and the square of the contact radius, m².
 #[derive(Debug, Clone)]
 pub(crate) struct State {
     pub(crate) depth: Vec<f64>,
@@ -70,11 +75,11 @@ pub(crate) struct State {
 }
 
 impl Patch {
-    /// A region from `inner_radius` (0 on a disc) to the contact edge.
+    /// A region from an inner radius (0 on a disc) to the contact edge, and the wear beyond either.
     pub(crate) fn new(
-        (body, inside): (Surface, Frozen),
+        body: Surface,
         mesh: Arc<UnitMesh>,
-        inner_radius: f64,
+        (inner_radius, inside, outside): (f64, Frozen, Outside),
         motion: Motion,
         rim: bool,
         constants: &Constants,
@@ -94,6 +99,7 @@ impl Patch {
             inside_image,
             sources: inside.sources(),
             inside,
+            outside,
             motion,
             rim,
             free_slip,
@@ -164,7 +170,7 @@ impl Patch {
         self.sources.depth_and_slope(r * r).0
     }
 
-    /// Depths w̃ that belong to images given at the nodes, m.
+    /// Depths of the state that belong to images given at the nodes, m.
     pub(crate) fn depths(&self, images: &[f64], radius_squared: f64) -> Vec<f64> {
         let (n, span) = (self.cells(), self.span(radius_squared));
         let radii = self.radii(radius_squared);
@@ -173,6 +179,7 @@ impl Patch {
             z[0] = self.inner_image(span);
         }
         let mut depth = self.mesh.inverse_abel(&z);
+        add(&mut depth, -self.outside.depth_and_slope(radius_squared).0, &self.mesh.share);
         if !self.rim {
             // the depth at the edge is known: the error of taking the image over must not all go to
             // the last cell; and none to the image next to the front, or it would creep

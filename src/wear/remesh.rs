@@ -3,7 +3,7 @@
 use super::Constants;
 use super::life::{IntegrationSettings, THINNING};
 use super::mesh::UnitMesh;
-use super::patch::{FRONT_CELLS, Frozen, Motion, Patch, RIM, Rate, State, edge_not_found};
+use super::patch::{FRONT_CELLS, Frozen, Motion, Outside, Patch, RIM, Rate, State, edge_not_found};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
@@ -28,12 +28,8 @@ const FEWEST_CELLS: usize = 24;
 /// a mesh.
 const THINNEST: f64 = 1e-5;
 
-// The next three say when a mesh is made on a worn surface. Beyond them, updates on nodes at rest
+// The next two say when a mesh is made on a worn surface. Beyond them, updates on nodes at rest
 // do the same, only slower.
-
-/// Wear outside the contact, relative to the deepest, that the mesh may take for none: what an
-/// update of a profile that wears very fast leaves there by an inexact contact edge.
-const FAINT: f64 = 1e-2;
 
 /// How far the contact edge may move where a mesh is made on a surface at rest, on which it is
 /// known to a cell: in cells of an even mesh over the slipping region.
@@ -45,13 +41,18 @@ const MISSING: f64 = 0.05;
 
 /// The slipping region of a contact, with the state that its surface gives it and the rate of that;
 /// `None` where nothing slips. The worn volume, m³, may be known.
+///
+/// Where the surface `is_smooth`, within a life and from part to part of one, its nodes are samples
+/// of a smooth profile; else they are one of lines. Taken for samples, a profile that other loads
+/// have worn is too deep behind its front: of 160 calls whose loads differ by 0.4 % in turn V was
+/// 2.6 % low.
 pub(super) fn mesh_slip_zone(
-    surface: &Surface,
+    (surface, outside): (&Surface, &Outside),
     contact: &Contact,
     motion: &Motion,
     constants: &Constants,
     settings: &IntegrationSettings,
-    volume: Option<f64>,
+    (volume, is_smooth): (Option<f64>, bool),
 ) -> Result<Option<(Patch, State, Rate)>, Error> {
     let motion = &motion.on(surface, contact, constants.bound_slope());
     if contact.is_open() || motion.sliding.amplitude() == 0.0 {
@@ -83,8 +84,8 @@ pub(super) fn mesh_slip_zone(
     }
     let a = if rim { outer } else { a };
     let start = |front: f64, radius_squared: f64, images: &dyn Fn(&[f64]) -> Vec<f64>| {
-        let inside = inside(surface, front, settings.tolerance);
-        let patch = Patch::new((surface.unworn(), inside), mesh.clone(), front, *motion, rim, constants);
+        let places = (front, inside(surface, front, settings.tolerance), outside.clone());
+        let patch = Patch::new(surface.unworn(), mesh.clone(), places, *motion, rim, constants);
         let depth = patch.depths(&images(&patch.radii(radius_squared)), radius_squared);
         let rate = patch.rate(&depth, radius_squared)?;
         let radius_squared = rate.radius_squared;
@@ -109,13 +110,9 @@ pub(super) fn mesh_slip_zone(
         }
     }
     // it is made again where it can carry all the wear there is
-    let beyond = nodes.x().partition_point(|x| *x <= a);
-    let deepest = nodes.depth().iter().fold(0.0, |most: f64, w| most.max(*w));
-    let is_within = nodes.depth()[beyond..].iter().all(|w| *w <= FAINT * deepest);
-    let volume = volume.unwrap_or_else(|| nodes.worn_volume());
-    let made =
-        is_within.then(|| start(front, a * a, &|x| x.iter().map(|x| nodes.smooth_image(*x)).collect()));
-    made.flatten()
+    let image = |x: &f64| if is_smooth { nodes.smooth_image(*x) } else { surface.worn_image(*x) };
+    let volume = volume.or(outside.whole_volume()).unwrap_or_else(|| nodes.worn_volume());
+    start(front, a * a, &|x| x.iter().map(image).collect())
         .filter(|(patch, state, rate)| {
             (patch.volume(rate) - volume).abs() <= MISSING * volume.min(patch.own_volume(rate))
                 && (state.radius_squared - a * a).abs()

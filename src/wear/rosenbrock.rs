@@ -56,7 +56,7 @@ pub(crate) fn step(
     // increments of the depths, of z, and what they make of the volume rate
     let mut increments: Vec<(Vec<f64>, Vec<f64>)> = Vec::with_capacity(4);
     let sum = |factors: &[f64], increments: &[(Vec<f64>, Vec<f64>)]| {
-        let (mut depth, mut image) = (state.depth.clone(), rate.image.clone());
+        let (mut depth, mut image) = (state.depth.clone(), rate.own_image.clone());
         for (factor, increment) in factors.iter().zip(increments) {
             add(&mut depth, cycles * factor, &increment.0);
             add(&mut image, cycles * factor, &increment.1);

@@ -27,10 +27,9 @@ fn six_tenths((body, control): (Shape, NormalControl), resolution: usize, tolera
     problem
 }
 
-/// Blocks under falling and rising loads. On a mesh that took the body worn so far for its shape V
-/// was up to 6 % off at constant depth, and the last of these was refused. V may be off by twice
-/// the tolerance, T by five times: where a slip zone has all but worn free, T is that of the cells
-/// at its front.
+/// Blocks under falling and rising loads, against 256 cells, where V of the first of them agrees
+/// with that of 512 to 1e-4. V may be off by the tolerance, T by twice that: where a slip zone has
+/// all but worn free, T is that of the cells at its front.
 #[test]
 fn blocks_of_other_loads_wear_as_on_fine_cells() {
     let alternating = &[(1.0, 1.0), (0.5, 0.5), (1.0, 1.0), (0.5, 0.5)][..];
@@ -46,9 +45,54 @@ fn blocks_of_other_loads_wear_as_on_fine_cells() {
                 let (volume, force, counters) = after(64, 1e-3);
                 let (of_volume, of_force) = (volume / exact - 1.0, force / exact_force - 1.0);
                 println!("{body:?}, {control:?}, {what}: V {of_volume:+.1e}, T {of_force:+.1e}; {counters}");
-                assert!(of_volume.abs() <= 2e-3, "{body:?}, {control:?}, {what}: V {of_volume:e}");
-                assert!(of_force.abs() <= 5e-3, "{body:?}, {control:?}, {what}: T {of_force:e}");
+                assert!(of_volume.abs() <= 1e-3, "{body:?}, {control:?}, {what}: V {of_volume:e}");
+                assert!(of_force.abs() <= 2e-3, "{body:?}, {control:?}, {what}: T {of_force:e}");
             }
+        }
+    }
+}
+
+/// A mesh carries what a larger load has worn further out: no nodes at rest are made for a smaller
+/// one, and the steps are those of a life. Where slip just reaches the axis, updates come first (at
+/// 0.6 of the load, cone).
+#[test]
+fn cycles_under_a_smaller_load_take_the_steps_of_a_life() {
+    for body in [PARABOLA, problems::CONE] {
+        for control in [Force, Indentation] {
+            let problem = Problem::partial_slip(body, control, 0.4);
+            for load in [0.95, 0.9, 0.8, 0.7, 0.5, 0.4, 0.3] {
+                let counters = *after_blocks(&problem, &[(1.0, 1.0), (load, 1.0)]).counters();
+                println!("{body:?}, {control:?}, {load}: {counters}");
+                assert_eq!(counters.transform_tables, 0, "{body:?}, {control:?}, {load}: {counters}");
+                assert!(counters.profile_updates <= 100, "{body:?}, {control:?}, {load}: {counters}");
+            }
+        }
+    }
+}
+
+/// Many calls at loads that differ by 0.4 % in turn wear as one call at their mean: each call makes
+/// a new mesh from the profile that the last one has left. V may be off by five times the tolerance
+/// after 160 of them.
+#[test]
+fn calls_at_nearly_one_load_wear_as_one() {
+    for body in [PARABOLA, problems::CONE] {
+        for control in [Force, Indentation] {
+            let problem = Problem::partial_slip(body, control, 0.4);
+            let cycles = 0.5 * problem.seed_cycles();
+            let after = |calls: u32, swing: f64| {
+                let mut contact = begun(&problem);
+                for k in 0..calls {
+                    let load = problem.normal * if k % 2 == 0 { 1.0 + swing } else { 1.0 - swing };
+                    contact
+                        .advance_cycles(load, problem.amplitude, cycles / f64::from(calls))
+                        .expect("the cycles are followed");
+                }
+                contact.wear_volume()
+            };
+            let exact = after(1, 0.0);
+            let off = [10, 40, 160].map(|calls| after(calls, 2e-3) / exact - 1.0);
+            println!("{body:?}, {control:?}: V off by {off:?}");
+            assert!(off.iter().all(|off| off.abs() <= 5e-3), "{body:?}, {control:?}: {off:?}");
         }
     }
 }

@@ -71,14 +71,18 @@ impl Nodes {
         nodes
     }
 
-    /// Whether a moving mesh ends with the last node.
-    pub(crate) fn ends_with_mesh(&self) -> bool {
-        self.mesh().is_some_and(|mesh| mesh.first + mesh.cells == self.last())
+    /// Appends those of some nodes, given by radius and depth (m), that lie beyond the last.
+    pub(crate) fn append_worn(&mut self, nodes: impl Iterator<Item = (f64, f64)>) {
+        let end = self.last();
+        let first = 1.5 * self.x[end] - 0.5 * self.x[end - 1];
+        nodes.filter(|(x, _)| *x > first).for_each(|(x, depth)| self.append(x, depth));
     }
 
-    /// Appends nodes beyond a moving mesh that ends with the last.
+    /// Appends unworn nodes until enough lie beyond a moving mesh.
     pub(crate) fn extend_beyond_mesh(&mut self, profile: &Profile) {
-        self.extend_beyond(self.x[self.last()], profile.outer_radius());
+        if let Some(mesh) = self.mesh() {
+            self.extend_beyond(self.x[mesh.first + mesh.cells], profile.outer_radius());
+        }
         self.update_integrals(profile);
     }
 
@@ -191,14 +195,19 @@ impl Nodes {
             let end = self.x[self.last()];
             let even = end / self.resolution as f64;
             let width = (1.02 * (end - self.x[self.last() - 1])).min(even);
-            self.x.push((end + width).min(outer));
-            self.worn_image.push(0.0);
-            self.depth.push(0.0);
-            self.integrals.push(Integrals::UNKNOWN);
-            if self.worn_image.iter().any(|h| *h != 0.0) {
-                let last = self.last();
-                self.worn_image[last] = transform::abel_last(&self.x, &self.worn_image, 0.0);
-            }
+            self.append((end + width).min(outer), 0.0);
+        }
+    }
+
+    /// Appends a node with a depth, m.
+    fn append(&mut self, x: f64, depth: f64) {
+        self.x.push(x);
+        self.worn_image.push(0.0);
+        self.depth.push(depth);
+        self.integrals.push(Integrals::UNKNOWN);
+        if depth != 0.0 || self.worn_image.iter().any(|h| *h != 0.0) {
+            let last = self.last();
+            self.worn_image[last] = transform::abel_last(&self.x, &self.worn_image, depth);
         }
     }
 

@@ -41,6 +41,25 @@ impl CellLine {
     }
 }
 
+/// A cubic in X along a cell.
+struct Cubic {
+    start: f64,
+    width: f64,
+    value: f64,
+    rise: f64,
+    /// How much more it rises than the line at its start, and less at its end, over the cell.
+    bends: (f64, f64),
+}
+
+impl Cubic {
+    fn value_and_slope(&self, square: f64) -> (f64, f64) {
+        let t = ((square - self.start) / self.width).clamp(0.0, 1.0);
+        let ((a, b), s) = (self.bends, 1.0 - t);
+        let value = self.value + t * self.rise + t * s * (a * s + b * t);
+        (value, (self.rise + a * s * (1.0 - 3.0 * t) + b * t * (2.0 - 3.0 * t)) / self.width)
+    }
+}
+
 impl Nodes {
     /// Worn depth at a radius, m.
     pub(crate) fn depth_at(&self, r: f64) -> f64 {
@@ -204,26 +223,32 @@ impl Nodes {
         }
     }
 
-    /// Image of the wear at x by Steffen's monotone cubic in x²: of higher order than
-    /// the line where the image is smooth, without overshoot at a jump. For taking it over to other
-    /// nodes.
+    /// Image of the wear at x by a monotone cubic in x²: of higher order than the line where the
+    /// image is smooth, without overshoot at a jump. For taking it over to other nodes.
     pub(crate) fn smooth_image(&self, x: f64) -> f64 {
-        let Some(j) = self.cell(x) else { return self.worn_part(x).0 };
-        let (x0, width) = (self.x[j], (self.x[j + 1] - self.x[j]) * (self.x[j + 1] + self.x[j]));
-        let slope = |k: usize| {
-            let secant = self.slope(k);
-            if k == 0 {
-                return secant;
-            }
-            let width = |k: usize| (self.x[k + 1] - self.x[k]) * (self.x[k + 1] + self.x[k]);
-            steffen_slope((width(k - 1), self.slope(k - 1)), (width(k), secant))
+        match self.cell(x) {
+            Some(j) => self.cubic(&self.worn_image, j).value_and_slope(x * x).0,
+            None => self.worn_part(x).0,
+        }
+    }
+
+    /// Worn depth at a square of a radius by such a cubic, m, and its slope in that, 1/m; 0 behind
+    /// the last node.
+    pub(crate) fn smooth_depth(&self, square: f64) -> (f64, f64) {
+        let cell = self.cell(square.sqrt());
+        cell.map_or((0.0, 0.0), |j| self.cubic(&self.depth, j).value_and_slope(square))
+    }
+
+    /// Steffen's cubic of a field in a cell.
+    fn cubic(&self, field: &[f64], j: usize) -> Cubic {
+        let width = |k: usize| (self.x[k + 1] - self.x[k]) * (self.x[k + 1] + self.x[k]);
+        let cell = |k: usize| (width(k), (field[k + 1] - field[k]) / width(k));
+        let at = |k: usize| {
+            if k == 0 || k == self.last() { cell(j).1 } else { steffen_slope(cell(k - 1), cell(k)) }
         };
-        let (h0, h1, secant) = (self.worn_image[j], self.worn_image[j + 1], self.slope(j));
-        let start = slope(j);
-        let end = if j + 1 < self.last() { slope(j + 1) } else { secant };
-        let t = ((x - x0) * (x + x0) / width).clamp(0.0, 1.0);
-        let (a, b) = (start * width - (h1 - h0), (h1 - h0) - end * width);
-        (1.0 - t) * h0 + t * h1 + t * (1.0 - t) * (a * (1.0 - t) + b * t)
+        let (width, secant) = cell(j);
+        let bends = (width * (at(j) - secant), width * (secant - at(j + 1)));
+        Cubic { start: self.x[j] * self.x[j], width, value: field[j], rise: width * secant, bends }
     }
 
     /// Slope h'(x).

@@ -16,14 +16,14 @@ pub(super) struct EdgeCondition {
 }
 
 impl Patch {
-    /// w̃ at the contact edge, and its slope in A.
+    /// Depth of the state at the contact edge, and its slope in A.
     pub(super) fn edge_depth(&self, radius_squared: f64) -> (f64, f64) {
         let (depth, slope) = self.sources.depth_and_slope(radius_squared);
         (-depth, -slope)
     }
 
     /// Residual of the condition for the edge, g(a) − d or what the load lacks, and its slope in A,
-    /// from Σ edge·w̃ and Σ mean·w̃ over the nodes before the last.
+    /// from Σ edge·depth and Σ mean·depth over the nodes before the last.
     fn edge_residual(&self, radius_squared: f64, sums: (f64, f64)) -> (f64, f64) {
         let end = self.cells();
         let (depth, slope) = self.edge_depth(radius_squared);
@@ -31,7 +31,8 @@ impl Patch {
         self.edge_residual_of(radius_squared, sums, slope)
     }
 
-    /// The same from z at the edge, its mean Σ width·z, and the slope of w̃ there in A.
+    /// The same from z at the edge that belongs to the depths, its mean Σ width·z, and the slope of
+    /// the depth there in A.
     fn edge_residual_of(
         &self,
         radius_squared: f64,
@@ -39,24 +40,27 @@ impl Patch {
         depth_slope: f64,
     ) -> (f64, f64) {
         let (a, span, end) = (radius_squared.sqrt(), self.span(radius_squared), self.cells());
+        let (outside, outside_slope) = self.outside.depth_and_slope(radius_squared);
         if a > self.body.profile().outer_radius() {
             return (f64::INFINITY, f64::NAN);
         }
         let (mesh, scale) = (&self.mesh, self.scale(span, a));
-        let h = edge_image / scale;
+        let h = (edge_image + outside * mesh.image_of_share[end]) / scale;
+        let mean = mean + outside * mesh.mean_of_share;
+        let change = |of_depth: f64, of_share: f64| of_depth * depth_slope + of_share * outside_slope;
         // 1/b is a/√L on an annulus
         let stretch = match mesh.region {
             Region::Annulus => 0.5 / radius_squared - 0.5 / span,
             Region::Disc => 0.0,
         };
-        let h_slope = mesh.edge_image[end] * depth_slope / scale + h * stretch;
+        let h_slope = change(mesh.edge_image[end], mesh.image_of_share[end]) / scale + h * stretch;
         let body_slope = self.body.image_slope(a);
         if !self.is_force() {
             return (self.body.image(a) + h - self.motion.value, 0.5 * body_slope / a + h_slope);
         }
         let root = span.sqrt();
         let worn = a * h - self.inside_width - root * mean;
-        let mean_slope = root * mesh.mean_image[end] * depth_slope + 0.5 * mean / root;
+        let mean_slope = root * change(mesh.mean_image[end], mesh.mean_of_share) + 0.5 * mean / root;
         let worn_slope = 0.5 * h / a + a * h_slope - mean_slope;
         (self.body.load(a) + worn - self.motion.value, 0.5 * body_slope + worn_slope)
     }
@@ -117,8 +121,8 @@ impl Patch {
         Some(roots::of_rising(low, high, |radius_squared| self.edge_residual(radius_squared, sums)))
     }
 
-    /// The condition at given depths, of which w̃ at the edge has the given slope in A, and at z
-    /// there.
+    /// The condition at given depths, of which that at the edge has the given slope in A, and at z
+    /// there that belongs to them.
     pub(super) fn edge_condition(
         &self,
         (depth, edge_image): (&[f64], f64),

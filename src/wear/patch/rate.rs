@@ -13,7 +13,8 @@ const MOST_SHARE: f64 = 0.25;
 pub(crate) struct Rate {
     /// dw̃/dN at the moving nodes, m.
     pub(crate) growth: Vec<f64>,
-    /// z of the state.
+    /// z of the depths of the state, and of all that has worn in the region.
+    pub(crate) own_image: Vec<f64>,
     pub(crate) image: Vec<f64>,
     pub(crate) radius_squared: f64,
     pub(crate) indentation: f64,
@@ -28,7 +29,7 @@ pub(crate) struct Rate {
     pub(super) scale: Vec<f64>,
     pub(super) pressure: Vec<f64>,
     pub(super) surface_slip: Vec<f64>,
-    /// φ ∂w̃/∂X.
+    /// Change of the depths with A where the nodes move along what is at rest.
     pub(super) drift: Vec<f64>,
     /// dA/dN, m².
     pub(super) area_rate: f64,
@@ -58,7 +59,11 @@ impl Patch {
     }
 
     /// The same at a given contact edge.
-    pub(super) fn rate_at(&self, (mut depth, mut image): (Vec<f64>, Vec<f64>), radius_squared: f64) -> Rate {
+    pub(super) fn rate_at(
+        &self,
+        (mut depth, mut own_image): (Vec<f64>, Vec<f64>),
+        radius_squared: f64,
+    ) -> Rate {
         let (mesh, n) = (&*self.mesh, self.cells());
         let (a, span) = (radius_squared.sqrt(), self.span(radius_squared));
         let radius = self.radii(radius_squared);
@@ -66,11 +71,14 @@ impl Patch {
         let mut edge_slope = 0.0;
         if !self.rim {
             (depth[n], edge_slope) = self.edge_depth(radius_squared);
-            image[n] = dot(&mesh.edge_image, &depth);
+            own_image[n] = dot(&mesh.edge_image, &depth);
         }
         if mesh.first() == 1 {
-            image[0] = self.inner_image(span);
+            own_image[0] = self.inner_image(span);
         }
+        let (outside, outside_slope) = self.outside.depth_and_slope(radius_squared);
+        let mut image = own_image.clone();
+        add(&mut image, outside, &mesh.image_of_share);
         let mut whole = self.body.images(&radius);
         whole.iter_mut().zip(&image).zip(&scale).for_each(|((g, z), b)| *g += z / b);
         let indentation = if !self.is_force() {
@@ -112,7 +120,8 @@ impl Patch {
             drift = (0..=n).map(|i| mesh.drift_of(&depth, i) / span).collect();
             drift_share = self.drift_share(&depth, span, &drift);
             drift.iter_mut().for_each(|drift| *drift *= drift_share);
-            let condition = self.edge_condition((&depth, image[n]), radius_squared, edge_slope);
+            add(&mut drift[..n], outside / span - outside_slope, &mesh.share);
+            let condition = self.edge_condition((&depth, own_image[n]), radius_squared, edge_slope);
             area_rate =
                 -dot(&condition.depth, &growth) / (condition.radius_squared + dot(&condition.depth, &drift));
             add(&mut growth, area_rate, &drift);
@@ -120,6 +129,7 @@ impl Patch {
         }
         Rate {
             growth,
+            own_image,
             image,
             radius_squared,
             indentation,

@@ -9,11 +9,12 @@ use crate::transform::dot;
 const MOST_GROWTH: f64 = 0.5;
 
 impl Patch {
-    /// Worn volume that the mesh and the frozen part carry, m³.
+    /// Worn volume of all: the mesh, and the frozen parts on either side, m³.
     pub(crate) fn volume(&self, rate: &Rate) -> f64 {
         let inside = self.sources.integral(rate.radius_squared);
         // 4 ∫ h √(a² − x²) dx, of which the weights hold (2/π) ∫ h dx
-        self.own_volume(rate) + 2.0 * std::f64::consts::PI * inside
+        let inside = 2.0 * std::f64::consts::PI * inside;
+        self.own_volume(rate) + inside + self.outside.volume_beyond(rate.radius_squared)
     }
 
     /// Worn volume that the mesh alone carries, m³.
@@ -21,11 +22,14 @@ impl Patch {
         self.span(rate.radius_squared) * dot(&self.mesh.volume_of_image, &rate.image)
     }
 
-    /// Worn depth outside the front at the nodes, m; 0 where it is no unknown.
+    /// Worn depth outside the front at the nodes, m; 0 where nothing slips.
     pub(crate) fn depth_outside(&self, state: &State, rate: &Rate) -> Vec<f64> {
         let (first, end) = (self.mesh.first(), self.end());
-        let depth = |i: usize| state.depth[i] + self.depth_from_inside(rate.radius[i]);
-        (0..=self.cells()).map(|i| if i >= first && i < end { depth(i) } else { 0.0 }).collect()
+        let at_edge = self.outside.depth_and_slope(rate.radius_squared).0;
+        let own =
+            |i: usize| if i < end { state.depth[i] + self.depth_from_inside(rate.radius[i]) } else { 0.0 };
+        let depth = |i: usize| own(i) + at_edge * self.mesh.share[i];
+        (0..=self.cells()).map(|i| if i >= first { depth(i) } else { 0.0 }).collect()
     }
 
     /// The state that carries a little more volume (m³) outside the front, and its rate. The depths
@@ -34,7 +38,8 @@ impl Patch {
     /// cells. `None` where that is no small change.
     pub(crate) fn with_volume(&self, state: &State, rate: &Rate, volume: f64) -> Option<(State, Rate)> {
         let rising = |depth: &[f64]| -> Vec<f64> {
-            depth.iter().zip(&self.mesh.share).map(|(depth, phi)| depth * phi).collect()
+            let edge = depth[self.cells()];
+            depth.iter().zip(&self.mesh.share).map(|(depth, phi)| (depth - edge * phi) * phi).collect()
         };
         let first = rising(&self.depth_outside(state, rate));
         let second = rising(&first);

@@ -2,9 +2,9 @@ use super::*;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
 use crate::surface::Region;
-use crate::surface::Surface;
+use crate::surface::{Nodes, Surface};
 use crate::wear::mesh::UnitMesh;
-use crate::wear::patch::{Frozen, Motion, Rate, Rig, State};
+use crate::wear::patch::{Frozen, Motion, Outside, Rate, Rig, State};
 use crate::wear::{Constants, Sliding, rosenbrock};
 
 const DEPTH: f64 = 4e-6;
@@ -19,16 +19,52 @@ struct Scene {
     rim: bool,
     /// Whether there is a rig as stiff as the contact.
     rig: bool,
+    /// Whether other loads have worn the body further out.
+    outside: bool,
 }
 
-const SCENES: [Scene; 7] = [
-    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: true },
-    Scene { region: Region::Annulus, control: NormalControl::Indentation, rim: false, rig: false },
-    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: false },
-    Scene { region: Region::Disc, control: NormalControl::Indentation, rim: false, rig: false },
-    Scene { region: Region::Disc, control: NormalControl::Force, rim: false, rig: false },
-    Scene { region: Region::Disc, control: NormalControl::Indentation, rim: true, rig: false },
-    Scene { region: Region::Disc, control: NormalControl::Force, rim: true, rig: false },
+const SCENES: [Scene; 11] = [
+    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: true, outside: false },
+    Scene {
+        region: Region::Annulus,
+        control: NormalControl::Indentation,
+        rim: false,
+        rig: false,
+        outside: false,
+    },
+    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: false, outside: false },
+    Scene {
+        region: Region::Disc,
+        control: NormalControl::Indentation,
+        rim: false,
+        rig: false,
+        outside: false,
+    },
+    Scene { region: Region::Disc, control: NormalControl::Force, rim: false, rig: false, outside: false },
+    Scene {
+        region: Region::Disc,
+        control: NormalControl::Indentation,
+        rim: true,
+        rig: false,
+        outside: false,
+    },
+    Scene { region: Region::Disc, control: NormalControl::Force, rim: true, rig: false, outside: false },
+    Scene {
+        region: Region::Annulus,
+        control: NormalControl::Indentation,
+        rim: false,
+        rig: false,
+        outside: true,
+    },
+    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: false, outside: true },
+    Scene {
+        region: Region::Disc,
+        control: NormalControl::Indentation,
+        rim: false,
+        rig: false,
+        outside: true,
+    },
+    Scene { region: Region::Disc, control: NormalControl::Force, rim: false, rig: false, outside: true },
 ];
 
 impl Scene {
@@ -68,8 +104,10 @@ impl Scene {
             Rig { amplitude: own + (own * c + constants.bound_slope() * outside) / a, compliance: 1.0 / a }
         });
         let motion = Motion { control: self.control, value, sliding, rig };
-        let patch = Patch::new((surface, Frozen::default()), mesh, c, motion, self.rim, &constants);
-        let depth = vec![0.0; cells + 1];
+        let outside = if self.outside { worn_outside(a) } else { Outside::default() };
+        let places = (c, Frozen::default(), outside);
+        let patch = Patch::new(surface, mesh, places, motion, self.rim, &constants);
+        let depth = if self.outside { smooth_inside(&patch, a) } else { vec![0.0; cells + 1] };
         let rate = patch.rate(&depth, a * a).expect("it is in contact");
         let state = State { depth, radius_squared: rate.radius_squared };
         (patch, state, rate, a / (0.6 * 1e-13 * 115e9 * slip))
@@ -95,6 +133,20 @@ impl Scene {
             step *= factor;
         }
     }
+}
+
+/// A fiftieth of the depth worn off at the contact edge, falling to nothing at twice its area.
+fn worn_outside(a: f64) -> Outside {
+    let x: Vec<f64> = (0..=40).map(|k| a * f64::from(k) / 25.0).collect();
+    let depth = x.iter().map(|x| 0.02 * DEPTH * (2.0 - (x / a).powi(2)).max(0.0).powi(2)).collect();
+    Outside::of(&Nodes::holding((x.clone(), vec![0.0; x.len()], depth), 25, None), a)
+}
+
+/// Depths of a state inside, from none at the inner edge, that go on smoothly as those.
+fn smooth_inside(patch: &Patch, a: f64) -> Vec<f64> {
+    let (edge, slope) = patch.outside.depth_and_slope(a * a);
+    let bend = edge - slope * patch.span(a * a);
+    patch.mesh.share.iter().map(|phi| bend * phi * (1.0 - phi)).collect()
 }
 
 fn largest(values: impl Iterator<Item = f64>) -> f64 {
