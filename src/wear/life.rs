@@ -194,7 +194,11 @@ pub(crate) fn integrate(
             exported_nodes(&patch, &state, &rate, settings)
         } else {
             let target = amount.worn + life.volume;
-            let (nodes, defect) = left_at_the_end(&patch, (state, rate), settings, target);
+            let (nodes, [defect, missing]) = left_at_the_end(&patch, (state, rate), settings, target);
+            // a mesh that leaves wear out has not carried what others have left
+            if patch.outside.is_some() && missing > settings.tolerance * target {
+                return Err(edge_not_found(motion));
+            }
             life.defect += defect;
             nodes
         };
@@ -237,14 +241,14 @@ fn first_step(patch: &Patch, rate: &Rate, settings: &IntegrationSettings) -> f64
 }
 
 /// Nodes that a patch leaves where the worn volume is known to be `target` (m³), and by how much
-/// the patch missed that. The depths follow the motion of the mesh, which keeps the volume to
+/// the patch and the nodes miss that. The depths follow the motion of the mesh, which keeps the volume to
 /// second order in the cells; the work of the springs is exact.
 fn left_at_the_end(
     patch: &Patch,
     (mut state, mut rate): (State, Rate),
     settings: &IntegrationSettings,
     target: f64,
-) -> (Nodes, f64) {
+) -> (Nodes, [f64; 2]) {
     let all_nodes = |state: &State, rate: &Rate| {
         let mut nodes = exported_nodes(patch, state, rate, settings);
         nodes.append_worn(patch.outside.nodes());
@@ -262,7 +266,7 @@ fn left_at_the_end(
         nodes = all_nodes(&state, &rate);
         missing = target - nodes.worn_volume();
     }
-    (nodes, defect)
+    (nodes, [defect, missing.abs()])
 }
 
 /// Nodes of the surface that a patch leaves: those of the mesh, on an annulus with one between any
