@@ -241,8 +241,8 @@ fn first_step(patch: &Patch, rate: &Rate, settings: &IntegrationSettings) -> f64
 }
 
 /// Nodes that a patch leaves where the worn volume is known to be `target` (m³), and by how much
-/// the patch and the nodes miss that. The depths follow the motion of the mesh, which keeps the volume to
-/// second order in the cells; the work of the springs is exact.
+/// the patch and the nodes miss that. The depths follow the motion of the mesh, which keeps the
+/// volume to second order in the cells; the work of the springs is exact.
 fn left_at_the_end(
     patch: &Patch,
     (mut state, mut rate): (State, Rate),
