@@ -119,17 +119,16 @@ pub(crate) fn integrate(
     while left > 0.0 {
         counters.contact_solutions += 1;
         let contact = life.surface.contact(motion.control, motion.value, 2.0 * constants.normal_modulus)?;
-        let outside = outside.get_or_insert_with(|| {
-            surface.worn().map_or_else(Outside::default, |nodes| Outside::of(nodes, contact.radius))
-        });
-        // there are the updates on nodes at rest, which serve small parts of a life as well
-        if outside.is_some() && (amount.is_update || outside.reaches_rim()) {
-            return Err(edge_not_found(motion));
-        }
-        let place = (&life.surface, &*outside);
-        let is_smooth = amount.is_update || worn_volume.is_some();
-        let known = (worn_volume, is_smooth);
-        let found = mesh_slip_zone(place, &contact, motion, constants, settings, known)?;
+        let outside = match &outside {
+            Some(outside) => outside,
+            None => {
+                let found = carried_outside(surface, contact.radius, amount.is_update);
+                &*outside.insert(found.ok_or_else(|| edge_not_found(motion))?)
+            }
+        };
+        let body = (&life.surface, outside);
+        let known = (worn_volume, amount.is_update || worn_volume.is_some());
+        let found = mesh_slip_zone(body, &contact, motion, constants, settings, known)?;
         let Some((patch, mut state, mut rate)) = found else { break };
         let mut volume = 0.0;
         let mut step =
@@ -195,7 +194,7 @@ pub(crate) fn integrate(
         } else {
             let target = amount.worn + life.volume;
             let (nodes, [defect, missing]) = left_at_the_end(&patch, (state, rate), settings, target);
-            // a mesh that leaves wear out has not carried what others have left
+            // it has not carried what other loads have left
             if patch.outside.is_some() && missing > settings.tolerance * target {
                 return Err(edge_not_found(motion));
             }
@@ -216,6 +215,17 @@ pub(crate) fn integrate(
         life.surface.set_worn(Some(nodes));
     }
     Ok(life)
+}
+
+/// The wear outside a contact of some radius (m) that a mesh carries; `None` where it cannot: up to
+/// the rim of a body that ends there it is no smooth profile. For a small part of a life it would
+/// not pay, which is an update.
+fn carried_outside(surface: &Surface, radius: f64, is_update: bool) -> Option<Outside> {
+    let Some(nodes) = surface.worn().filter(|nodes| Outside::is_left_on(nodes, radius)) else {
+        return Some(Outside::default());
+    };
+    let reaches_rim = nodes.depth()[nodes.last()] > 0.0;
+    (!is_update && !reaches_rim).then(|| Outside::of(nodes, radius))
 }
 
 /// By what the step should change after one of some length and error (over the tolerance), for an

@@ -6,8 +6,8 @@
 //! Here w̃ is the depth that belongs to the image inside the region alone, h·1[x ≥ c]: what lies
 //! inside the stick radius c has no part in the rate of wear. At the contact edge a the depth is
 //! w_out(a), what other loads have left there, so that w̃(a) = w_out(a) − w_in(a), the latter being
-//! the depth there that belongs to the image inside. What is integrated is w̃ − φ w_out(a): of w̃
-//! itself, at fixed values, the image at a may fall as a grows, and then has no edge or many.
+//! the depth there that belongs to the image inside. What is integrated is w̃ − φ w_out(a): if it
+//! were w̃, the image at a might fall as a grows, and no edge or several would be found.
 //! The nodes move with a² like X = c² + L φ; at them dw̃/dN = R + (∂w̃/∂X) φ dA/dN with A = a². All
 //! fields stay smooth in the mesh coordinate, at the moving edge too.
 
@@ -75,7 +75,8 @@ pub(crate) struct State {
 }
 
 impl Patch {
-    /// A region from an inner radius (0 on a disc) to the contact edge, and the wear beyond either.
+    /// A region from an inner radius (0 on a disc) to the contact edge, with the wear inside that
+    /// radius and outside the contact.
     pub(crate) fn new(
         body: Surface,
         mesh: Arc<UnitMesh>,

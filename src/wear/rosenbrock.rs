@@ -34,7 +34,8 @@ pub(super) const WEIGHTS: [f64; 4] =
 pub(super) const EMBEDDED: [f64; 4] =
     [0.378_109_031_458_193_7, -0.096_042_292_212_423_18, 0.5, 0.217_933_260_754_229_5];
 
-/// Most by which a contact may grow in a step, in areas of its slip zone. In lives it grows by 0.1.
+/// Most by which the area of a contact may change in a step, over that of its slip zone. In lives
+/// it changes by 0.11 at most.
 const MOST_MOVED: f64 = 0.25;
 
 /// A trial step.
@@ -58,8 +59,9 @@ pub(crate) fn step(
 ) -> Option<Trial> {
     // increments of the depths, of z, and what they make of the volume rate
     let mut increments: Vec<(Vec<f64>, Vec<f64>)> = Vec::with_capacity(4);
+    let own_image = patch.own_image(rate);
     let sum = |factors: &[f64], increments: &[(Vec<f64>, Vec<f64>)]| {
-        let (mut depth, mut image) = (state.depth.clone(), rate.own_image.clone());
+        let (mut depth, mut image) = (state.depth.clone(), own_image.clone());
         for (factor, increment) in factors.iter().zip(increments) {
             add(&mut depth, cycles * factor, &increment.0);
             add(&mut image, cycles * factor, &increment.1);

@@ -5,8 +5,8 @@ use crate::surface::Nodes;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Wear outside the contact, relative to the deepest, that is taken for none: what an update of a
-/// profile that wears very fast leaves there by an inexact contact edge.
+/// Wear outside the contact, relative to the deepest, that is left out: an update of a profile that
+/// wears very fast leaves so much there by an inexact contact edge.
 const FAINT: f64 = 1e-2;
 
 /// By how much the contact may be smaller than it was, in its area: where a mesh is made on a
@@ -27,13 +27,15 @@ struct Worn {
 }
 
 impl Outside {
-    /// What other loads have left outside a contact of some radius, m.
-    pub(crate) fn of(nodes: &Nodes, radius: f64) -> Self {
+    /// Whether other loads have left wear outside a contact of some radius, m.
+    pub(crate) fn is_left_on(nodes: &Nodes, radius: f64) -> bool {
         let beyond = nodes.x().partition_point(|x| *x <= radius);
         let deepest = |depths: &[f64]| depths.iter().fold(0.0, |most: f64, w| most.max(*w));
-        if deepest(&nodes.depth()[beyond..]) <= FAINT * deepest(nodes.depth()) {
-            return Self(None);
-        }
+        deepest(&nodes.depth()[beyond..]) > FAINT * deepest(nodes.depth())
+    }
+
+    /// The wear outside a contact of some radius, m.
+    pub(crate) fn of(nodes: &Nodes, radius: f64) -> Self {
         let mut beyond = vec![0.0; nodes.x().len()];
         for j in (0..nodes.last()).rev() {
             let (start, end) = (nodes.x()[j].powi(2), nodes.x()[j + 1].powi(2));
@@ -44,11 +46,6 @@ impl Outside {
 
     pub(crate) fn is_some(&self) -> bool {
         self.0.is_some()
-    }
-
-    /// Whether it goes up to the rim of a body that ends there, where it is no smooth profile.
-    pub(crate) fn reaches_rim(&self) -> bool {
-        self.0.as_ref().is_some_and(|worn| worn.nodes.depth()[worn.nodes.last()] > 0.0)
     }
 
     /// The depth at the square of a radius, m, and its slope in that, 1/m.
@@ -103,7 +100,6 @@ mod tests {
                 (0..=2 * cells).map(|k| END * (f64::from(k) / f64::from(cells)).powf(1.5)).collect();
             let depth = x.iter().map(|x| exact(x * x).powi(3)).collect();
             let outside = Outside::of(&Nodes::holding((x.clone(), vec![0.0; x.len()], depth), 64, None), 1.0);
-            assert!(outside.is_some() && !outside.reaches_rim());
             let mut errors = [0.0_f64; 3];
             for k in 0..=300 {
                 let square = 1.0 + f64::from(k) * 0.012;
@@ -129,15 +125,15 @@ mod tests {
         assert!(fine[0] < 1e-4 && fine[2] < 1e-4, "{fine:?}");
     }
 
-    /// What is faint beside the deepest wear is none, and so is what lies inside.
+    /// What is faint beside the deepest wear is left out, and so is what lies inside.
     #[test]
-    fn little_wear_outside_is_none() {
-        let outside = |faint: f64| {
-            let nodes = (vec![0.0, 1.0, 2.0, 3.0], vec![0.0; 4], vec![1.0, 1.0, faint, 0.0]);
-            Outside::of(&Nodes::holding(nodes, 64, None), 1.5)
+    fn little_wear_outside_is_left_out() {
+        let is_left = |depth: f64| {
+            let nodes = (vec![0.0, 1.0, 2.0, 3.0], vec![0.0; 4], vec![1.0, 1.0, depth, 0.0]);
+            Outside::is_left_on(&Nodes::holding(nodes, 64, None), 1.5)
         };
-        assert!(!outside(0.0).is_some() && !outside(0.009).is_some() && outside(0.011).is_some());
-        assert_eq!(outside(0.009).depth_and_slope(4.0), (0.0, 0.0));
-        assert_eq!(outside(0.009).volume_beyond(4.0), 0.0);
+        assert!(!is_left(0.0) && !is_left(0.009) && is_left(0.011));
+        assert_eq!(Outside::default().depth_and_slope(4.0), (0.0, 0.0));
+        assert_eq!(Outside::default().volume_beyond(4.0), 0.0);
     }
 }

@@ -13,8 +13,7 @@ const MOST_SHARE: f64 = 0.25;
 pub(crate) struct Rate {
     /// dw̃/dN at the moving nodes, m.
     pub(crate) growth: Vec<f64>,
-    /// z of the depths of the state, and of all that has worn in the region.
-    pub(crate) own_image: Vec<f64>,
+    /// z of all that has worn in the region.
     pub(crate) image: Vec<f64>,
     pub(crate) radius_squared: f64,
     pub(crate) indentation: f64,
@@ -58,12 +57,16 @@ impl Patch {
         rate.area_rate.is_finite().then_some(rate)
     }
 
+    /// z of the depths of the state alone.
+    pub(crate) fn own_image(&self, rate: &Rate) -> Vec<f64> {
+        let mut image = rate.image.clone();
+        let outside = self.outside.depth_and_slope(rate.radius_squared).0;
+        add(&mut image, -outside, &self.mesh.image_of_share);
+        image
+    }
+
     /// The same at a given contact edge.
-    pub(super) fn rate_at(
-        &self,
-        (mut depth, mut own_image): (Vec<f64>, Vec<f64>),
-        radius_squared: f64,
-    ) -> Rate {
+    pub(super) fn rate_at(&self, (mut depth, mut image): (Vec<f64>, Vec<f64>), radius_squared: f64) -> Rate {
         let (mesh, n) = (&*self.mesh, self.cells());
         let (a, span) = (radius_squared.sqrt(), self.span(radius_squared));
         let radius = self.radii(radius_squared);
@@ -71,13 +74,13 @@ impl Patch {
         let mut edge_slope = 0.0;
         if !self.rim {
             (depth[n], edge_slope) = self.edge_depth(radius_squared);
-            own_image[n] = dot(&mesh.edge_image, &depth);
+            image[n] = dot(&mesh.edge_image, &depth);
         }
         if mesh.first() == 1 {
-            own_image[0] = self.inner_image(span);
+            image[0] = self.inner_image(span);
         }
         let (outside, outside_slope) = self.outside.depth_and_slope(radius_squared);
-        let mut image = own_image.clone();
+        let edge_image = image[n];
         add(&mut image, outside, &mesh.image_of_share);
         let mut whole = self.body.images(&radius);
         whole.iter_mut().zip(&image).zip(&scale).for_each(|((g, z), b)| *g += z / b);
@@ -121,7 +124,7 @@ impl Patch {
             drift_share = self.drift_share(&depth, span, &drift);
             drift.iter_mut().for_each(|drift| *drift *= drift_share);
             add(&mut drift[..n], outside / span - outside_slope, &mesh.share);
-            let condition = self.edge_condition((&depth, own_image[n]), radius_squared, edge_slope);
+            let condition = self.edge_condition((&depth, edge_image), radius_squared, edge_slope);
             area_rate =
                 -dot(&condition.depth, &growth) / (condition.radius_squared + dot(&condition.depth, &drift));
             add(&mut growth, area_rate, &drift);
@@ -129,7 +132,6 @@ impl Patch {
         }
         Rate {
             growth,
-            own_image,
             image,
             radius_squared,
             indentation,

@@ -23,48 +23,26 @@ struct Scene {
     outside: bool,
 }
 
+const BALL: Scene = Scene {
+    region: Region::Annulus,
+    control: NormalControl::Indentation,
+    rim: false,
+    rig: false,
+    outside: false,
+};
+
 const SCENES: [Scene; 11] = [
-    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: true, outside: false },
-    Scene {
-        region: Region::Annulus,
-        control: NormalControl::Indentation,
-        rim: false,
-        rig: false,
-        outside: false,
-    },
-    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: false, outside: false },
-    Scene {
-        region: Region::Disc,
-        control: NormalControl::Indentation,
-        rim: false,
-        rig: false,
-        outside: false,
-    },
-    Scene { region: Region::Disc, control: NormalControl::Force, rim: false, rig: false, outside: false },
-    Scene {
-        region: Region::Disc,
-        control: NormalControl::Indentation,
-        rim: true,
-        rig: false,
-        outside: false,
-    },
-    Scene { region: Region::Disc, control: NormalControl::Force, rim: true, rig: false, outside: false },
-    Scene {
-        region: Region::Annulus,
-        control: NormalControl::Indentation,
-        rim: false,
-        rig: false,
-        outside: true,
-    },
-    Scene { region: Region::Annulus, control: NormalControl::Force, rim: false, rig: false, outside: true },
-    Scene {
-        region: Region::Disc,
-        control: NormalControl::Indentation,
-        rim: false,
-        rig: false,
-        outside: true,
-    },
-    Scene { region: Region::Disc, control: NormalControl::Force, rim: false, rig: false, outside: true },
+    Scene { control: NormalControl::Force, rig: true, ..BALL },
+    BALL,
+    Scene { control: NormalControl::Force, ..BALL },
+    Scene { region: Region::Disc, ..BALL },
+    Scene { region: Region::Disc, control: NormalControl::Force, ..BALL },
+    Scene { region: Region::Disc, rim: true, ..BALL },
+    Scene { region: Region::Disc, control: NormalControl::Force, rim: true, ..BALL },
+    Scene { outside: true, ..BALL },
+    Scene { control: NormalControl::Force, outside: true, ..BALL },
+    Scene { region: Region::Disc, outside: true, ..BALL },
+    Scene { region: Region::Disc, control: NormalControl::Force, outside: true, ..BALL },
 ];
 
 impl Scene {
