@@ -79,25 +79,44 @@ fn constants_are_transformed_exactly() {
     }
 }
 
+/// A depth that is smooth in ξ, on an annulus after division by √φ.
 #[test]
 fn the_drift_is_of_fourth_order() {
     for region in [Region::Annulus, Region::Disc] {
-        // w = sin 2ξ − 2ξ + (4/3) ξ³, of fifth order at ξ = 0, where the last neighbours are
-        // missing
+        // sin 2ξ − 2ξ + (4/3) ξ³, of fifth order at ξ = 0, where the last neighbours are missing
         let error = |n: usize| {
             let mesh = UnitMesh::shared(region, n);
             let places = Places { region, cells: n };
             let xi = |i: usize| i as f64 / n as f64;
-            let w = |x: f64| (2.0 * x).sin() - 2.0 * x + 4.0 / 3.0 * x.powi(3);
+            let smooth = |x: f64| (2.0 * x).sin() - 2.0 * x + 4.0 / 3.0 * x.powi(3);
             let slope = |x: f64| 2.0 * (2.0 * x).cos() - 2.0 + 4.0 * x * x;
-            let values: Vec<f64> = (0..=n).map(|i| w(xi(i))).collect();
+            let (root, half) = match region {
+                Region::Annulus => (0.5, 0.5),
+                Region::Disc => (0.0, 0.0),
+            };
+            let factor = |i: usize| mesh.share[i].powf(root);
+            let values: Vec<f64> = (0..=n).map(|i| factor(i) * smooth(xi(i))).collect();
             let rate = |i: usize| mesh.share[i] / (places.slope(i as f64) * n as f64);
-            let off = |i: usize| (mesh.drift_of(&values, i) / rate(i) - slope(xi(i))).abs();
+            let off = |i: usize| {
+                let exact = half * smooth(xi(i)) + rate(i) * slope(xi(i));
+                (mesh.drift_of(&values, i) / factor(i) - exact).abs() / rate(i)
+            };
             (1..n).map(off).fold(0.0, f64::max)
         };
         let (coarse, fine) = (error(40), error(80));
         let order = (coarse / fine).log2();
         assert!(order > 3.7 && fine < 1e-5, "{region:?}: {coarse:e} {fine:e}, order {order}");
+    }
+}
+
+/// The depth of an image that jumps at the stick edge, (2/π) √φ, drifts by half of itself.
+#[test]
+fn the_drift_of_a_jump_is_exact() {
+    let mesh = UnitMesh::shared(Region::Annulus, 40);
+    let depth: Vec<f64> = mesh.share.iter().map(|share| FRAC_2_PI * share.sqrt()).collect();
+    for i in 1..40 {
+        let off = mesh.drift_of(&depth, i) / depth[i] - 0.5;
+        assert!(off.abs() < 1e-13, "node {i}: {off:e}");
     }
 }
 

@@ -82,7 +82,9 @@ impl Places {
     }
 
     /// φ d/dφ at node i inside: the first of five nodes, and their weights, of fourth order in ξ
-    /// where there are neighbours enough.
+    /// where there are neighbours enough. On an annulus a depth goes like √φ where the image jumps
+    /// at the stick edge; what is taken for smooth there is its share w/√φ, which is that of the
+    /// first node from there on inward.
     pub(super) fn drift(self, i: usize) -> (usize, [f64; 5]) {
         let n = self.cells;
         if i == 0 || i == n {
@@ -95,8 +97,18 @@ impl Places {
         } else {
             (i - 1, [-0.5, 0.0, 0.5, 0.0, 0.0])
         };
-        let ratio = self.rise(0.0, i as f64) / self.slope(i as f64);
-        (first, weights.map(|weight| weight * ratio))
+        let share = |node: usize| self.rise(0.0, node as f64);
+        let ratio = share(i) / self.slope(i as f64);
+        let mut weights = weights.map(|weight| weight * ratio);
+        if self.region == Region::Annulus {
+            if first == 0 {
+                (weights[0], weights[1]) = (0.0, weights[0] + weights[1]);
+            }
+            let nodes = first.max(1)..first + weights.len();
+            nodes.for_each(|node| weights[node - first] *= (share(i) / share(node)).sqrt());
+            weights[i - first] += 0.5;
+        }
+        (first, weights)
     }
 
     /// Columns of D̂ from the diagonal down: (1/π) ∫ z dX/√(Z − X) on an annulus,
