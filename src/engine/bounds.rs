@@ -79,6 +79,12 @@ impl FrettingContact {
         Err(Error::WearOutrun { displacement: self.state.displacement, from: start })
     }
 
+    /// Whether the wear of work (J) may be deferred as well.
+    pub(super) fn may_defer(&self, work: f64) -> bool {
+        let more = self.model.constants.wear_per_work * work;
+        self.deferred_volume() + more <= self.most_deferred(&self.state.contact)
+    }
+
     /// Volume whose wear is deferred to a later update, m³.
     fn deferred_volume(&self) -> f64 {
         let work = self.state.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
@@ -88,11 +94,16 @@ impl FrettingContact {
     /// Whether nearly all that has worn shows on the profile, or what does not is hardly more than
     /// before a step; the contact of then counts, too.
     fn is_placed(&self, (contact, before): (&Contact, f64)) -> bool {
-        let (now, size) = (self.deferred_volume(), disc(contact).max(disc(&self.state.contact)));
+        let (now, limit) = (self.deferred_volume(), self.most_deferred(contact));
+        now <= limit || now - before <= NOT_AT_FAULT * limit
+    }
+
+    /// The most that may be deferred, m³; a contact of before counts, too.
+    fn most_deferred(&self, contact: &Contact) -> f64 {
+        let size = disc(contact).max(disc(&self.state.contact));
         let cells = self.model.parameters.resolution as f64;
         let share = self.model.parameters.tolerance.max(DEFERRED).max(OF_CELLS / (cells * cells));
-        let limit = share * (self.wear_volume() + size);
-        now <= limit || now - before <= NOT_AT_FAULT * limit
+        share * (self.wear_volume() + size)
     }
 }
 

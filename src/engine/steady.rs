@@ -49,7 +49,7 @@ impl FrettingContact {
             }
             while updates < next_trial && left > 0.0 {
                 // held in depth, a body may wear until it is free
-                if self.state.contact.is_open() {
+                if self.state.contact.is_open() || self.defer_rest(sliding, left, ROUNDING) {
                     return Ok(());
                 }
                 if updates == MOST_PIECES {
@@ -62,6 +62,7 @@ impl FrettingContact {
                         pace.share = (2.0 * pace.share).min(1.0);
                     }
                     Err(Error::WearOutrun { .. }) if pace.share > LEAST_SHARE => pace.share *= 0.25,
+                    Err(Error::WearOutrun { .. }) if self.defer_rest(sliding, left, 1.0) => return Ok(()),
                     Ok(_) | Err(Error::WearOutrun { .. }) => return Err(refused(left, updates + 1)),
                     Err(other) => return Err(other),
                 }
@@ -80,14 +81,7 @@ impl FrettingContact {
     /// end are at most twice as many as at the limit itself.
     fn wear_part(&mut self, sliding: Sliding, left: f64, pace: &mut Pace) -> Result<f64, Error> {
         let contact = self.state.contact;
-        let (unit_work, stick) = match sliding {
-            Sliding::Onward => (self.model.constants.friction_coefficient * self.normal_reaction(), 0.0),
-            Sliding::Cycles(amplitude) => {
-                let (springs, quarter_work) = self.quarter(&contact, amplitude);
-                let stick = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
-                (4.0 * quarter_work, stick)
-            }
-        };
+        let (unit_work, stick) = self.unit_work(sliding);
         // a slip zone that has worn free
         if unit_work <= ROUNDING * pace.work {
             return Ok(left);
@@ -118,6 +112,32 @@ impl FrettingContact {
         }
         self.add_work(work);
         Ok(part)
+    }
+
+    /// Defers the wear of what is left of a steady motion where it is less than a share of what
+    /// need not show on the profile: a slip zone that is free but for a wall at its front, which no
+    /// update follows.
+    fn defer_rest(&mut self, sliding: Sliding, left: f64, share: f64) -> bool {
+        let work = self.unit_work(sliding).0 * left;
+        let is_little = self.may_defer(work / share);
+        if is_little {
+            self.defer(work);
+            self.add_work(work);
+        }
+        is_little
+    }
+
+    /// Work (J) of a cycle or metre on the present profile, and the radius that sticks, m.
+    fn unit_work(&mut self, sliding: Sliding) -> (f64, f64) {
+        let contact = self.state.contact;
+        match sliding {
+            Sliding::Onward => (self.model.constants.friction_coefficient * self.normal_reaction(), 0.0),
+            Sliding::Cycles(amplitude) => {
+                let (springs, quarter_work) = self.quarter(&contact, amplitude);
+                let stick = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
+                (4.0 * quarter_work, stick)
+            }
+        }
     }
 
     /// Puts the slipping springs where a steady cycle has them at its end, on a surface that has
