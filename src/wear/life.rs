@@ -23,6 +23,9 @@ const MOST_STEPS_OF_AN_UPDATE: f64 = 60.0;
 /// And at most as many times that, however tight the tolerance: no call may go on for ever.
 const MOST_TIGHTER: f64 = 100.0;
 
+/// Most rejected steps of a mesh over wear that other loads have left outside; most have five.
+const MOST_REJECTED: u32 = 15;
+
 /// Share of the tolerance that leaving out nodes may take of the largest image.
 pub(crate) const THINNING: f64 = 0.05;
 
@@ -130,12 +133,13 @@ pub(crate) fn integrate(
         let known = (worn_volume, amount.is_update || worn_volume.is_some());
         let found = mesh_slip_zone(body, &contact, motion, constants, settings, known)?;
         let Some((patch, mut state, mut rate)) = found else { break };
-        let mut volume = 0.0;
+        // by the work, and what the profile has lost in steps of which that tells nothing
+        let (mut volume, mut lost) = (0.0, 0.0);
         let mut step =
             if life.next_step > 0.0 { life.next_step } else { first_step(&patch, &rate, settings) };
         // a front that has just been looked for is off by the error of a new mesh: one step is
         // always made
-        let mut fresh = true;
+        let (mut fresh, mut rejected) = (true, 0);
         while left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
             if steps >= most {
                 let amplitude = motion.sliding.amplitude();
@@ -159,7 +163,10 @@ pub(crate) fn integrate(
                 Some(trial) if ratio <= 1.0 => {
                     previous = Some((length, ratio));
                     (state, rate) = (trial.state, trial.rate);
-                    volume += trial.volume;
+                    match trial.volume {
+                        Ok(worked) => volume += worked,
+                        Err(of_profile) => lost += of_profile,
+                    }
                     fresh = false;
                     if patch.recedes(&rate) {
                         return Err(edge_not_found(motion));
@@ -178,6 +185,11 @@ pub(crate) fn integrate(
                 }
                 _ => {
                     counters.rejected_steps += 1;
+                    rejected += 1;
+                    // the edge is held where the wear outside is steep: updates bring it across
+                    if patch.outside.is_some() && rejected > MOST_REJECTED {
+                        return Err(edge_not_found(motion));
+                    }
                     step = length * factor.min(0.8);
                 }
             }
@@ -187,7 +199,7 @@ pub(crate) fn integrate(
         }
         life.next_step = step;
         life.mesh = Some(patch.mesh.clone());
-        life.volume += volume;
+        life.volume += volume + lost.max(0.0);
         let on_mesh = patch.volume(&rate);
         let nodes = if left > 0.0 {
             exported_nodes(&patch, &state, &rate, settings)
@@ -210,7 +222,7 @@ pub(crate) fn integrate(
     // between two meshes nobody asks what lies beyond
     if let (Some(nodes), Some(outside), true) = (life.surface.worn(), outside, life.mesh.is_some()) {
         let mut nodes = nodes.clone();
-        nodes.append_worn(outside.nodes());
+        outside.append_to(&mut nodes);
         nodes.extend_beyond_mesh(life.surface.profile());
         life.surface.set_worn(Some(nodes));
     }
@@ -261,7 +273,7 @@ fn left_at_the_end(
 ) -> (Nodes, [f64; 2]) {
     let all_nodes = |state: &State, rate: &Rate| {
         let mut nodes = exported_nodes(patch, state, rate, settings);
-        nodes.append_worn(patch.outside.nodes());
+        patch.outside.append_to(&mut nodes);
         nodes
     };
     let mut nodes = all_nodes(&state, &rate);

@@ -608,8 +608,9 @@ fn a_call_of_far_more_cycles_than_a_life_wears_no_more_than_it() {
             contact.advance_cycles(FORCE, amplitude, cycles).expect("the cycles are followed");
             contact.wear_volume()
         };
-        let more = volume(1e12) / volume(1e9) - 1.0;
-        assert!(more.abs() < 1e-5, "{profile:?}: {more:e}");
+        for more in [1e8, 1e10, 1e12].map(|cycles| volume(cycles) / volume(1e9) - 1.0) {
+            assert!(more.abs() < 1e-6, "{profile:?}: {more:e}");
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use fretting_contact::reference::{NormalContact, Shape};
 use fretting_contact::{FrettingContact, NormalControl};
 
 use NormalControl::{Force, Indentation};
+use std::f64::consts::PI;
 
 /// Blocks of a fifth of N₀ cycles: load and amplitude of each, over those of the problem.
 fn after_blocks(problem: &Problem, blocks: &[(f64, f64)]) -> FrettingContact {
@@ -28,8 +29,8 @@ fn six_tenths((body, control): (Shape, NormalControl), resolution: usize, tolera
 }
 
 /// Blocks under falling and rising loads, against 256 cells, where V of the first of them agrees
-/// with that of 512 to 1e-4. V may be off by the tolerance, T by twice that: where a slip zone has
-/// all but worn free, T is that of the cells at its front.
+/// with that of 512 to 1e-4. V may be off by the tolerance, T by two and a half times that: where a
+/// slip zone has all but worn free, T is that of the cells at its front.
 #[test]
 fn blocks_of_other_loads_wear_as_on_fine_cells() {
     let alternating = &[(1.0, 1.0), (0.5, 0.5), (1.0, 1.0), (0.5, 0.5)][..];
@@ -46,7 +47,7 @@ fn blocks_of_other_loads_wear_as_on_fine_cells() {
                 let (of_volume, of_force) = (volume / exact - 1.0, force / exact_force - 1.0);
                 println!("{body:?}, {control:?}, {what}: V {of_volume:+.1e}, T {of_force:+.1e}; {counters}");
                 assert!(of_volume.abs() <= 1e-3, "{body:?}, {control:?}, {what}: V {of_volume:e}");
-                assert!(of_force.abs() <= 2e-3, "{body:?}, {control:?}, {what}: T {of_force:e}");
+                assert!(of_force.abs() <= 2.5e-3, "{body:?}, {control:?}, {what}: T {of_force:e}");
             }
         }
     }
@@ -70,15 +71,15 @@ fn cycles_under_a_smaller_load_take_the_steps_of_a_life() {
     }
 }
 
-/// Many calls at loads that differ by 0.4 % in turn wear as one call at their mean: each call makes
-/// a new mesh from the profile that the last one has left. Where they differ by 2 % the edge passes
-/// that of the last call in every other one; they wear as on fine cells. V may be off by five times
-/// the tolerance.
+/// Many calls at loads that differ by 0.4 or 2 % in turn wear as on fine cells: each call makes a
+/// new mesh from the profile that the last one has left, and in every other one the edge passes
+/// that of the last. V may be off by twice the tolerance. (It is up to 5e-3 above that of one call
+/// at the mean load.)
 #[test]
-fn calls_at_nearly_one_load_wear_as_one() {
+fn calls_at_nearly_one_load_wear_as_on_fine_cells() {
     for body in [PARABOLA, problems::CONE] {
         for control in [Force, Indentation] {
-            let after = |calls: u32, swing: f64, (resolution, tolerance): (usize, f64)| {
+            let after = |calls: u32, swing: f64, resolution, tolerance| {
                 let mut problem = Problem::partial_slip(body, control, 0.4);
                 (problem.parameters.resolution, problem.parameters.tolerance) = (resolution, tolerance);
                 let cycles = 0.5 * problem.seed_cycles() / f64::from(calls);
@@ -89,13 +90,69 @@ fn calls_at_nearly_one_load_wear_as_one() {
                 }
                 contact.wear_volume()
             };
-            const USUAL: (usize, f64) = (64, 1e-3);
-            let one = after(1, 0.0, USUAL);
-            let mut off: Vec<f64> =
-                [10, 40, 160].iter().map(|calls| after(*calls, 2e-3, USUAL) / one - 1.0).collect();
-            off.push(after(10, 1e-2, USUAL) / after(10, 1e-2, (192, 1e-4)) - 1.0);
+            let off = [(10, 2e-3), (40, 2e-3), (160, 2e-3), (10, 1e-2)]
+                .map(|(calls, swing)| after(calls, swing, 64, 1e-3) / after(calls, swing, 192, 1e-4) - 1.0);
             println!("{body:?}, {control:?}: V off by {off:?}");
-            assert!(off.iter().all(|off| off.abs() <= 5e-3), "{body:?}, {control:?}: {off:?}");
+            assert!(off.iter().all(|off| off.abs() <= 2e-3), "{body:?}, {control:?}: {off:?}");
+        }
+    }
+}
+
+/// Strokes after blocks of other loads wear as on fine cells. In the first scene nothing has worn
+/// between the two blocks, where the image bends as well; in the second the new front lies on wear
+/// of before, whose image jumps there.
+#[test]
+fn strokes_after_blocks_wear_as_on_fine_cells() {
+    let apart = (PARABOLA, Force, &[(1.1, 0.15), (0.35, 1.0)][..], 0.3);
+    let within = (problems::CONE, Indentation, &[(1.3, 0.3), (1.1, 1.5), (0.8, 0.8)][..], 0.4);
+    for (body, control, blocks, load) in [apart, within] {
+        let after = |resolution, tolerance| {
+            let mut problem = Problem::partial_slip(body, control, 0.4).with_seed_cycles(500.0);
+            (problem.parameters.resolution, problem.parameters.tolerance) = (resolution, tolerance);
+            let mut contact = begun(&problem);
+            for (load, amplitude) in blocks {
+                contact
+                    .advance_cycles(load * problem.normal, amplitude * problem.amplitude, 30.0)
+                    .expect("the cycles are followed");
+            }
+            for turn in 0..40 {
+                let place = problem.amplitude * if turn % 2 == 0 { 0.9 } else { -0.9 };
+                to(&mut contact, load * problem.normal, place);
+            }
+            contact.wear_volume()
+        };
+        let (volume, exact) = (after(64, 1e-3), after(160, 1e-4));
+        println!("{body:?}, {control:?}: V off by {:e}", volume / exact - 1.0);
+        close_to(volume, exact, 1e-3, "V");
+    }
+}
+
+/// A load that rises and falls by a tenth over many calls. Held in depth, the slip zone wears free
+/// as the depth falls, but for a wall at its front, which no update follows.
+#[test]
+fn a_load_that_changes_from_call_to_call_is_followed() {
+    for body in [PARABOLA, problems::CONE] {
+        for control in [Force, Indentation] {
+            let after = |resolution, tolerance| {
+                let mut problem = Problem::partial_slip(body, control, 0.4);
+                (problem.parameters.resolution, problem.parameters.tolerance) = (resolution, tolerance);
+                let mut contact = begun(&problem);
+                for call in 0..100 {
+                    let load = 1.0 + 0.1 * (f64::from(call) * 0.04 * PI).sin();
+                    contact
+                        .advance_cycles(
+                            load * problem.normal,
+                            problem.amplitude,
+                            0.01 * problem.seed_cycles(),
+                        )
+                        .unwrap_or_else(|error| panic!("{body:?}, {control:?}, {call}: {error}"));
+                }
+                close_to(contact.profile_volume(), contact.wear_volume(), 1e-3, "V on the profile");
+                contact.wear_volume()
+            };
+            let (volume, fine) = (after(64, 1e-3), after(96, 3e-4));
+            println!("{body:?}, {control:?}: V off by {:e}", volume / fine - 1.0);
+            close_to(volume, fine, 5e-3, "V");
         }
     }
 }

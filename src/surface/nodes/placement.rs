@@ -71,11 +71,22 @@ impl Nodes {
         nodes
     }
 
-    /// Appends those of some nodes, given by radius and depth (m), that lie beyond the last.
-    pub(crate) fn append_worn(&mut self, nodes: impl Iterator<Item = (f64, f64)>) {
+    /// Appends the wear of other nodes that lies beyond these, with nodes between where the next is
+    /// far: the image bends where nothing has worn, too.
+    pub(crate) fn append_worn(&mut self, outside: &Self) {
         let end = self.last();
         let first = 1.5 * self.x[end] - 0.5 * self.x[end - 1];
-        nodes.filter(|(x, _)| *x > first).for_each(|(x, depth)| self.append(x, depth));
+        let beyond = outside.x.partition_point(|x| *x <= first);
+        for (x, depth) in outside.x.iter().zip(&outside.depth).skip(beyond) {
+            loop {
+                let (end, width) = (self.x[self.last()], self.next_width(2.0));
+                if x - end <= 1.5 * width {
+                    break;
+                }
+                self.append(end + width, outside.smooth_depth((end + width).powi(2)).0);
+            }
+            self.append(*x, *depth);
+        }
     }
 
     /// Appends unworn nodes until enough lie beyond a moving mesh.
@@ -192,11 +203,15 @@ impl Nodes {
     /// up to 1/resolution of their radius.
     fn extend_beyond(&mut self, a: f64, outer: f64) {
         while self.served_radius() <= a && self.x[self.last()] < outer {
-            let end = self.x[self.last()];
-            let even = end / self.resolution as f64;
-            let width = (1.02 * (end - self.x[self.last() - 1])).min(even);
-            self.append((end + width).min(outer), 0.0);
+            let end = self.x[self.last()] + self.next_width(1.02);
+            self.append(end.min(outer), 0.0);
         }
+    }
+
+    /// Width of a cell beyond the last, m: by a factor wider, up to 1/resolution of its radius.
+    fn next_width(&self, factor: f64) -> f64 {
+        let (end, before) = (self.x[self.last()], self.x[self.last() - 1]);
+        (factor * (end - before)).min(end / self.resolution as f64)
     }
 
     /// Appends a node with a depth, m.

@@ -71,11 +71,11 @@ impl Outside {
         self.0.as_ref().is_some_and(|worn| square < worn.start * (1.0 - RECEDING))
     }
 
-    /// Radii and depths of its nodes, m.
-    pub(crate) fn nodes(&self) -> impl Iterator<Item = (f64, f64)> {
-        let nodes = self.0.as_ref().map(|worn| &worn.nodes);
-        let fields = nodes.map(|nodes| nodes.x().iter().copied().zip(nodes.depth().iter().copied()));
-        fields.into_iter().flatten()
+    /// Appends it to the nodes of the contact.
+    pub(crate) fn append_to(&self, nodes: &mut Nodes) {
+        if let Some(worn) = &self.0 {
+            nodes.append_worn(&worn.nodes);
+        }
     }
 }
 
