@@ -116,14 +116,21 @@ impl FrettingContact {
         self.view.forget();
         let law = backlog.law();
         let old = self.surface.clone();
-        let zone = self.state.springs.slip_zone(
+        let at_one_load = self.state.planar.is_none()
+            && !self.state.contact.is_open()
+            && backlog.is_at(self.state.contact.depth);
+        let mut zone = self.state.springs.slip_zone(
             &self.state.contact,
             self.model.bound_slope,
             self.state.displacement,
         );
-        let at_one_load = self.state.planar.is_none()
-            && !self.state.contact.is_open()
-            && backlog.is_at(self.state.contact.depth);
+        // a stroke about another place than that where the springs are relaxed may bring the core to
+        // its bound, too: it has not slipped
+        if let [law] = &law[..]
+            && at_one_load
+        {
+            zone.0 = zone.0.max(self.radius_of_front(law.front(), backlog.radius));
+        }
         let repeated = match &law[..] {
             [law] if at_one_load => law.repeated_motion(self.model.bound_slope, self.surface.tip()),
             _ => None,

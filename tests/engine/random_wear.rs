@@ -145,6 +145,18 @@ fn cycles_about_a_mean_keep_the_mean_force() {
     outcome.assert_within_a_percent();
 }
 
+/// The same about a place that was reached in gross slip: at one end of each cycle the core is at its
+/// bound as well, without slip.
+#[test]
+fn cycles_about_a_place_reached_in_gross_slip_keep_the_force_of_the_core() {
+    let mut history = vec![(1.0, 2.0)];
+    history.extend((0..200).map(|n| (1.0, if n % 2 == 0 { 1.3 } else { 2.0 })));
+    for tolerance in [1e-3, 2e-4] {
+        let outcome = compare(&Parameters { tolerance, ..usual() }, (240, 24), &history);
+        outcome.assert_within_a_percent();
+    }
+}
+
 /// A block of many strokes of one amplitude, then of another, and so on, as fatigue tests are made
 /// of.
 #[test]
