@@ -16,6 +16,7 @@
 //! have not slipped get Δh = 0 exactly, whatever happens outside.
 
 mod backlog;
+mod course;
 mod edge;
 mod fields;
 mod first_order;

@@ -124,8 +124,8 @@ impl FrettingContact {
             self.model.bound_slope,
             self.state.displacement,
         );
-        // a stroke about another place than that where the springs are relaxed may bring the core to
-        // its bound, too: it has not slipped
+        // a stroke about another place than that where the springs are relaxed may bring the core
+        // to its bound, too: it has not slipped
         if let [law] = &law[..]
             && at_one_load
         {

@@ -145,8 +145,8 @@ fn cycles_about_a_mean_keep_the_mean_force() {
     outcome.assert_within_a_percent();
 }
 
-/// The same about a place that was reached in gross slip: at one end of each cycle the core is at its
-/// bound as well, without slip.
+/// The same about a place that was reached in gross slip: at one end of each cycle the core is at
+/// its bound as well, without slip.
 #[test]
 fn cycles_about_a_place_reached_in_gross_slip_keep_the_force_of_the_core() {
     let mut history = vec![(1.0, 2.0)];
