@@ -104,6 +104,14 @@ impl Surface {
         Self { profile: self.profile.clone(), worn }
     }
 
+    /// The surface with nodes far beyond its wear.
+    pub(crate) fn reaching_far(mut self) -> Self {
+        if let Some(nodes) = &mut self.worn {
+            Arc::make_mut(nodes).extend_far(&self.profile);
+        }
+        self
+    }
+
     /// Whether another surface of this profile has worn as this one has.
     pub(crate) fn is_worn_as(&self, other: &Self) -> bool {
         match (&self.worn, &other.worn) {

@@ -297,6 +297,7 @@ impl FrettingContact {
         self.state.counters.transform_tables += u64::from(made);
         let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.model.constants)?;
         let Some(fields) = fields else {
+            self.surface = self.surface.clone().reaching_far();
             self.defer(work);
             return Ok(work);
         };
@@ -326,7 +327,7 @@ impl FrettingContact {
         let scale = scale_to(target);
         let residual = (target - scale * volume) / per_work;
         wear.deferred_work += residual;
-        self.surface = self.surface.worn_further(change, scale);
+        self.surface = self.surface.worn_further(change, scale).reaching_far();
         self.correct_work(work * (share - 1.0));
         self.state.counters.descent_transforms += 1;
         self.state.counters.profile_updates += 1;
@@ -361,11 +362,12 @@ impl FrettingContact {
             );
         };
         let mut left = nodes.clone();
-        if nodes.mesh().is_some() {
-            let (transforms, made) = self.memory.get().transforms.get(nodes);
+        left.leave_far();
+        if left.mesh().is_some() {
+            let (transforms, made) = self.memory.get().transforms.get(&left);
             self.state.counters.transform_tables += u64::from(made);
             self.state.counters.descent_transforms += 1;
-            left = nodes.without_mesh(transforms.inverse_abel(nodes.worn_image()));
+            left = left.without_mesh(transforms.inverse_abel(left.worn_image()));
         }
         let deepest = law.iter().map(|law| law.depth).fold(0.0, f64::max);
         if let Some(spread) = left.spread_at_rim(deepest, profile) {

@@ -125,6 +125,7 @@ impl FrettingContact {
             None => *nodes = Nodes::around(profile, self.model.parameters.resolution, span.1, span.0),
             Some(worn) => {
                 nodes.copy_from(worn);
+                nodes.leave_far();
                 nodes.cover(profile, span);
             }
         }

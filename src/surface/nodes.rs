@@ -144,14 +144,16 @@ impl Nodes {
         }
     }
 
-    /// ∫ 2πr w dr, m³: from the image where a mesh has left it, up to its edge; else from the
-    /// depths, since on nodes that reach far beyond the wear the image's integral is a difference
-    /// of large numbers.
+    /// ∫ 2πr w dr, m³: from the image where a mesh has left it, up to where the wear ends; else
+    /// from the depths, since on nodes that reach far beyond the wear the image's integral is a
+    /// difference of large numbers.
     pub(crate) fn worn_volume(&self) -> f64 {
         if self.mesh.is_none() {
             return self.volume(&self.depth);
         }
-        depth_volume(&self.x, &self.worn_image)
+        let worn = self.depth.iter().rposition(|w| *w > 0.0).map_or(0, |last| last + 1);
+        let end = (worn + 1).min(self.x.len());
+        depth_volume(&self.x[..end], &self.worn_image[..end])
     }
 
     /// ∫ 2πr w dr of a field given at the nodes, linear in r² between them (m³ for a depth in m):

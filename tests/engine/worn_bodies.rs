@@ -6,7 +6,7 @@ use fretting_contact::reference::{NormalContact, Shape};
 use fretting_contact::{FrettingContact, NormalControl};
 
 use NormalControl::{Force, Indentation};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Blocks of a fifth of N₀ cycles: load and amplitude of each, over those of the problem.
 fn after_blocks(problem: &Problem, blocks: &[(f64, f64)]) -> FrettingContact {
@@ -29,8 +29,8 @@ fn six_tenths((body, control): (Shape, NormalControl), resolution: usize, tolera
 }
 
 /// Blocks under falling and rising loads, against 256 cells, where V of the first of them agrees
-/// with that of 512 to 1e-4. V may be off by the tolerance, T by two and a half times that: where a
-/// slip zone has all but worn free, T is that of the cells at its front.
+/// with that of 512 to 1e-4. V may be off by the tolerance, T by three times that: where a slip
+/// zone has all but worn free, T is that of the cells at its front.
 #[test]
 fn blocks_of_other_loads_wear_as_on_fine_cells() {
     let alternating = &[(1.0, 1.0), (0.5, 0.5), (1.0, 1.0), (0.5, 0.5)][..];
@@ -47,7 +47,7 @@ fn blocks_of_other_loads_wear_as_on_fine_cells() {
                 let (of_volume, of_force) = (volume / exact - 1.0, force / exact_force - 1.0);
                 println!("{body:?}, {control:?}, {what}: V {of_volume:+.1e}, T {of_force:+.1e}; {counters}");
                 assert!(of_volume.abs() <= 1e-3, "{body:?}, {control:?}, {what}: V {of_volume:e}");
-                assert!(of_force.abs() <= 2.5e-3, "{body:?}, {control:?}, {what}: T {of_force:e}");
+                assert!(of_force.abs() <= 3e-3, "{body:?}, {control:?}, {what}: T {of_force:e}");
             }
         }
     }
@@ -94,6 +94,41 @@ fn calls_at_nearly_one_load_wear_as_on_fine_cells() {
                 .map(|(calls, swing)| after(calls, swing, 64, 1e-3) / after(calls, swing, 192, 1e-4) - 1.0);
             println!("{body:?}, {control:?}: V off by {off:?}");
             assert!(off.iter().all(|off| off.abs() <= 2e-3), "{body:?}, {control:?}: {off:?}");
+        }
+    }
+}
+
+/// A worn body under two and four times the load at which it has worn, in one step: the contact
+/// grows beyond the wear, where the image is that of its depth,
+/// h(x) = w(0) + x ∫ w' dr/√(x² − r²).
+#[test]
+fn a_worn_body_is_pressed_beyond_its_wear() {
+    const CELLS: u32 = 20_000;
+    for body in [PARABOLA, problems::CONE] {
+        for life in [0.1, 1.0, 4.0] {
+            let problem = Problem::partial_slip(body, Force, 0.4);
+            let mut worn = begun(&problem);
+            problem.advance(&mut worn, life).expect("the cycles are followed");
+            for load in [2.0, 4.0] {
+                let mut contact = worn.clone();
+                to(&mut contact, load * problem.normal, problem.amplitude);
+                let a = contact.contact_radius();
+                let depth = |share: f64| worn.worn_depth_at(share * a);
+                let image: f64 = (0..CELLS)
+                    .map(|k| {
+                        let [inner, middle, outer] =
+                            [0.0, 0.5, 1.0].map(|part| (f64::from(k) + part) / f64::from(CELLS));
+                        (depth(outer) - depth(inner)) / (1.0 - middle * middle).sqrt()
+                    })
+                    .sum();
+                let unworn = match body {
+                    PARABOLA => a * a / 0.01,
+                    _ => FRAC_PI_2 * 0.02_f64.tan() * a,
+                };
+                let off = (contact.image_at(a) - unworn - depth(0.0) - image) / contact.indentation_depth();
+                println!("{body:?}, {life} N0, {load} times the load: image off by {off:e} d");
+                assert!(off.abs() <= 5e-4, "{body:?}, {life} N0, {load} times the load: {off:e}");
+            }
         }
     }
 }
