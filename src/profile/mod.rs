@@ -335,11 +335,13 @@ impl Profile {
             Self::Parabola { radius } => 2.0 / radius * leg(a, r),
             Self::Cone { slope } => PI / 2.0 * slope.tan() * (leg(a, r) / r).asinh(),
             Self::PowerLaw { exponent: n, .. } => {
-                if r == 0.0 {
+                // x = r cosh u turns dx/√(x² − r²) into du
+                let end = (leg(a, r) / r).asinh();
+                // at the axis, and so near to it that the quotient is lost
+                if end.is_infinite() {
                     return if *n > 1.0 { n / (n - 1.0) * self.image(a) / a } else { f64::INFINITY };
                 }
-                // x = r cosh u turns dx/√(x² − r²) into du
-                quadrature::composite(0.0, (leg(a, r) / r).asinh(), |u| self.image_slope(r * u.cosh()))
+                quadrature::composite(0.0, end, |u| self.image_slope(r * u.cosh()))
             }
             Self::BluntedSphere { flat_radius: b, .. } | Self::RoundedPunch { flat_radius: b, .. } => {
                 let inner = r.max(*b);

@@ -470,3 +470,13 @@ fn a_flat_tip_of_a_table_has_an_image_of_exactly_nothing() {
         assert_eq!(table.height(33.3 * unit), 7.0 * unit);
     }
 }
+
+/// So near to the axis that a/r is no number: the value there.
+#[test]
+fn the_pressure_of_a_power_law_is_known_next_to_the_axis() {
+    for exponent in [1.0, 2.0, 3.5] {
+        let profile = Profile::PowerLaw { exponent, coefficient: 50.0 };
+        let at = |r: f64| profile.pressure_integral(r, 1e-4);
+        assert_eq!(at(1e-320), at(0.0), "{exponent}");
+    }
+}
