@@ -49,7 +49,7 @@ impl FrettingContact {
             }
             while updates < next_trial && left > 0.0 {
                 // held in depth, a body may wear until it is free
-                if self.state.contact.is_open() || self.defer_rest(sliding, left, ROUNDING) {
+                if self.state.contact.is_open() {
                     return Ok(());
                 }
                 if updates == MOST_PIECES {
@@ -62,8 +62,11 @@ impl FrettingContact {
                         pace.share = (2.0 * pace.share).min(1.0);
                     }
                     Err(Error::WearOutrun { .. }) if pace.share > LEAST_SHARE => pace.share *= 0.25,
-                    Err(Error::WearOutrun { .. }) if self.defer_rest(sliding, left, 1.0) => return Ok(()),
-                    Ok(_) | Err(Error::WearOutrun { .. }) => return Err(refused(left, updates + 1)),
+                    Ok(_) | Err(Error::WearOutrun { .. }) => {
+                        let work = self.unit_work(sliding).0 * left;
+                        let is_little = self.defer_little(work, 1.0);
+                        return if is_little { Ok(()) } else { Err(refused(left, updates + 1)) };
+                    }
                     Err(other) => return Err(other),
                 }
                 updates += 1;
@@ -83,7 +86,7 @@ impl FrettingContact {
         let contact = self.state.contact;
         let (unit_work, stick) = self.unit_work(sliding);
         // a slip zone that has worn free
-        if unit_work <= ROUNDING * pace.work {
+        if unit_work <= ROUNDING * pace.work || self.defer_little(unit_work * left, ROUNDING) {
             return Ok(left);
         }
         let (tuning, tolerance) = (self.model.tuning, self.model.parameters.tolerance);
@@ -114,11 +117,10 @@ impl FrettingContact {
         Ok(part)
     }
 
-    /// Defers the wear of what is left of a steady motion where it is less than a share of what
-    /// need not show on the profile: a slip zone that is free but for a wall at its front, which no
-    /// update follows.
-    fn defer_rest(&mut self, sliding: Sliding, left: f64, share: f64) -> bool {
-        let work = self.unit_work(sliding).0 * left;
+    /// Counts work (J) and defers its wear, where that is less than a share of what need not show
+    /// on the profile: of a slip zone that is free except for a wall at its front, which no update
+    /// follows.
+    fn defer_little(&mut self, work: f64, share: f64) -> bool {
         let is_little = self.may_defer(work / share);
         if is_little {
             self.defer(work);
