@@ -18,6 +18,7 @@
 mod backlog;
 mod course;
 mod edge;
+mod export;
 mod fields;
 mod first_order;
 mod krylov;
@@ -27,16 +28,18 @@ mod patch;
 mod relief;
 mod remesh;
 mod rosenbrock;
+mod settings;
 mod system;
 mod update;
 
 pub(crate) use backlog::{RepeatedMotion, SlipAtDepth, WearBacklog};
 pub(crate) use fields::SlipFields;
 pub(crate) use first_order::FirstOrderWear;
-pub(crate) use life::{Amount, IntegrationSettings, THINNING, integrate};
+pub(crate) use life::integrate;
 pub(crate) use mesh::UnitMesh;
 pub(crate) use patch::{Motion, Rig, Sliding};
 pub(crate) use relief::mean_work_share;
+pub(crate) use settings::{Amount, IntegrationSettings, THINNING};
 pub(crate) use update::worn_depth;
 
 use crate::surface::{Contact, Surface};

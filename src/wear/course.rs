@@ -1,8 +1,9 @@
 //! Steps of a steady motion on a moving mesh, under error control.
 
-use super::life::{Amount, IntegrationSettings, exported_nodes};
+use super::export::exported_nodes;
 use super::patch::{Front, Linear, Motion, Patch, Rate, State, edge_not_found};
 use super::rosenbrock::{self, Trial};
+use super::settings::{Amount, IntegrationSettings};
 use crate::counters::Counters;
 use crate::error::Error;
 use crate::surface::Surface;
@@ -109,10 +110,7 @@ impl<'a> Course<'a> {
                 Some(trial) if ratio <= 1.0 => {
                     self.previous = Some((length, ratio));
                     (state, rate) = (trial.state, trial.rate);
-                    match trial.volume {
-                        Ok(worked) => volume += worked,
-                        Err(of_profile) => lost += of_profile,
-                    }
+                    *if trial.is_by_work { &mut volume } else { &mut lost } += trial.volume;
                     fresh = false;
                     if patch.recedes(&rate) {
                         return Err(edge_not_found(self.motion));

@@ -1,9 +1,9 @@
 //! A new mesh on the slipping region of a surface.
 
 use super::Constants;
-use super::life::{IntegrationSettings, THINNING};
 use super::mesh::UnitMesh;
 use super::patch::{FRONT_CELLS, Frozen, Motion, Outside, Patch, RIM, Rate, State, edge_not_found};
+use super::settings::{IntegrationSettings, THINNING};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
