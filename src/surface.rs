@@ -104,12 +104,11 @@ impl Surface {
         Self { profile: self.profile.clone(), worn }
     }
 
-    /// The surface with nodes far beyond its wear.
-    pub(crate) fn reaching_far(mut self) -> Self {
+    /// Appends nodes far beyond the wear.
+    pub(crate) fn extend_far(&mut self) {
         if let Some(nodes) = &mut self.worn {
             Arc::make_mut(nodes).extend_far(&self.profile);
         }
-        self
     }
 
     /// Whether another surface of this profile has worn as this one has.

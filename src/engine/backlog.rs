@@ -124,17 +124,13 @@ impl FrettingContact {
             self.model.bound_slope,
             self.state.displacement,
         );
+        let only = law.first().filter(|_| at_one_load && law.len() == 1);
         // a stroke about another place than that where the springs are relaxed may bring the core
         // to its bound, too: it has not slipped
-        if let [law] = &law[..]
-            && at_one_load
-        {
+        if let Some(law) = only {
             zone.0 = zone.0.max(self.radius_of_front(law.front(), backlog.radius));
         }
-        let repeated = match &law[..] {
-            [law] if at_one_load => law.repeated_motion(self.model.bound_slope, self.surface.tip()),
-            _ => None,
-        };
+        let repeated = only.and_then(|law| law.repeated_motion(self.model.bound_slope, self.surface.tip()));
         if let Some(motion) = repeated.filter(|motion| self.is_followed(motion))
             && let drive = self.drive_of(&motion)
             && self.absorb_motion(&motion, drive, backlog.work)?
@@ -297,7 +293,7 @@ impl FrettingContact {
         self.state.counters.transform_tables += u64::from(made);
         let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.model.constants)?;
         let Some(fields) = fields else {
-            self.surface = self.surface.clone().reaching_far();
+            self.surface.extend_far();
             self.defer(work);
             return Ok(work);
         };
@@ -327,7 +323,8 @@ impl FrettingContact {
         let scale = scale_to(target);
         let residual = (target - scale * volume) / per_work;
         wear.deferred_work += residual;
-        self.surface = self.surface.worn_further(change, scale).reaching_far();
+        self.surface = self.surface.worn_further(change, scale);
+        self.surface.extend_far();
         self.correct_work(work * (share - 1.0));
         self.state.counters.descent_transforms += 1;
         self.state.counters.profile_updates += 1;

@@ -151,9 +151,14 @@ impl Nodes {
         if self.mesh.is_none() {
             return self.volume(&self.depth);
         }
-        let worn = self.depth.iter().rposition(|w| *w > 0.0).map_or(0, |last| last + 1);
-        let end = (worn + 1).min(self.x.len());
-        depth_volume(&self.x[..end], &self.worn_image[..end])
+        let worn = self.worn_nodes();
+        depth_volume(&self.x[..worn], &self.worn_image[..worn])
+    }
+
+    /// Number of nodes up to the first one beyond all wear; 0 where nothing has worn.
+    fn worn_nodes(&self) -> usize {
+        let last = self.depth.iter().rposition(|w| *w > 0.0);
+        last.map_or(0, |last| (last + 2).min(self.x.len()))
     }
 
     /// ∫ 2πr w dr of a field given at the nodes, linear in r² between them (m³ for a depth in m):

@@ -88,8 +88,7 @@ impl Nodes {
         let end = self.last();
         let first = 1.5 * self.x[end] - 0.5 * self.x[end - 1];
         let beyond = outside.x.partition_point(|x| *x <= first);
-        let worn = outside.depth.iter().rposition(|w| *w > 0.0).map_or(0, |last| last + 2);
-        for (x, depth) in outside.x.iter().zip(&outside.depth).take(worn).skip(beyond) {
+        for (x, depth) in outside.x.iter().zip(&outside.depth).take(outside.worn_nodes()).skip(beyond) {
             loop {
                 let (end, width) = (self.x[self.last()], self.next_width(2.0));
                 if x - end <= 1.5 * width {
@@ -185,6 +184,7 @@ impl Nodes {
             self.depth[*end] == 0.0 && (x == next || x < next && *end == self.last())
         };
         let far = (2..self.x.len()).rev().take_while(is_far).count();
+        // a close cell at the end may be narrower than a wide one as well
         self.x.len() - if far > 1 { far } else { 0 }
     }
 
