@@ -23,7 +23,14 @@ fn after_blocks(problem: &Problem, blocks: &[(f64, f64)]) -> FrettingContact {
 /// A problem whose amplitude is six tenths of full slip, at other settings.
 fn six_tenths((body, control): (Shape, NormalControl), resolution: usize, tolerance: f64) -> Problem {
     let stick_ratio = if body == PARABOLA { 0.4_f64.sqrt() } else { 0.4 };
-    let mut problem = Problem::partial_slip(body, control, stick_ratio).with_seed_cycles(100.0);
+    at_settings(
+        Problem::partial_slip(body, control, stick_ratio).with_seed_cycles(100.0),
+        resolution,
+        tolerance,
+    )
+}
+
+fn at_settings(mut problem: Problem, resolution: usize, tolerance: f64) -> Problem {
     (problem.parameters.resolution, problem.parameters.tolerance) = (resolution, tolerance);
     problem
 }
@@ -80,8 +87,7 @@ fn calls_at_nearly_one_load_wear_as_on_fine_cells() {
     for body in [PARABOLA, problems::CONE] {
         for control in [Force, Indentation] {
             let after = |calls: u32, swing: f64, resolution, tolerance| {
-                let mut problem = Problem::partial_slip(body, control, 0.4);
-                (problem.parameters.resolution, problem.parameters.tolerance) = (resolution, tolerance);
+                let problem = at_settings(Problem::partial_slip(body, control, 0.4), resolution, tolerance);
                 let cycles = 0.5 * problem.seed_cycles() / f64::from(calls);
                 let mut contact = begun(&problem);
                 for k in 0..calls {
@@ -142,8 +148,8 @@ fn strokes_after_blocks_wear_as_on_fine_cells() {
     let within = (problems::CONE, Indentation, &[(1.3, 0.3), (1.1, 1.5), (0.8, 0.8)][..], 0.4);
     for (body, control, blocks, load) in [apart, within] {
         let after = |resolution, tolerance| {
-            let mut problem = Problem::partial_slip(body, control, 0.4).with_seed_cycles(500.0);
-            (problem.parameters.resolution, problem.parameters.tolerance) = (resolution, tolerance);
+            let problem = Problem::partial_slip(body, control, 0.4).with_seed_cycles(500.0);
+            let problem = at_settings(problem, resolution, tolerance);
             let mut contact = begun(&problem);
             for (load, amplitude) in blocks {
                 contact
@@ -163,14 +169,13 @@ fn strokes_after_blocks_wear_as_on_fine_cells() {
 }
 
 /// A load that rises and falls by a tenth over many calls. Held in depth, the slip zone wears free
-/// as the depth falls, but for a wall at its front, which no update follows.
+/// as the depth falls, except for a wall at its front, which no update follows.
 #[test]
 fn a_load_that_changes_from_call_to_call_is_followed() {
     for body in [PARABOLA, problems::CONE] {
         for control in [Force, Indentation] {
             let after = |resolution, tolerance| {
-                let mut problem = Problem::partial_slip(body, control, 0.4);
-                (problem.parameters.resolution, problem.parameters.tolerance) = (resolution, tolerance);
+                let problem = at_settings(Problem::partial_slip(body, control, 0.4), resolution, tolerance);
                 let mut contact = begun(&problem);
                 for call in 0..100 {
                     let load = 1.0 + 0.1 * (f64::from(call) * 0.04 * PI).sin();

@@ -90,15 +90,12 @@ fn the_drift_is_of_fourth_order() {
             let xi = |i: usize| i as f64 / n as f64;
             let smooth = |x: f64| (2.0 * x).sin() - 2.0 * x + 4.0 / 3.0 * x.powi(3);
             let slope = |x: f64| 2.0 * (2.0 * x).cos() - 2.0 + 4.0 * x * x;
-            let (root, half) = match region {
-                Region::Annulus => (0.5, 0.5),
-                Region::Disc => (0.0, 0.0),
-            };
-            let factor = |i: usize| mesh.share[i].powf(root);
+            let power = if region == Region::Annulus { 0.5 } else { 0.0 };
+            let factor = |i: usize| mesh.share[i].powf(power);
             let values: Vec<f64> = (0..=n).map(|i| factor(i) * smooth(xi(i))).collect();
             let rate = |i: usize| mesh.share[i] / (places.slope(i as f64) * n as f64);
             let off = |i: usize| {
-                let exact = half * smooth(xi(i)) + rate(i) * slope(xi(i));
+                let exact = power * smooth(xi(i)) + rate(i) * slope(xi(i));
                 (mesh.drift_of(&values, i) / factor(i) - exact).abs() / rate(i)
             };
             (1..n).map(off).fold(0.0, f64::max)
