@@ -57,10 +57,6 @@ pub(crate) struct Springs {
 }
 
 impl Springs {
-    pub(crate) fn from_knots(knots: &[Knot]) -> Self {
-        Self { knots: knots.to_vec() }
-    }
-
     pub(crate) fn knots(&self) -> &[Knot] {
         &self.knots
     }

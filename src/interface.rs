@@ -51,7 +51,7 @@ use crate::engine::FrettingContact;
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
 use approach::Approach;
-use members::Members;
+use members::{Marks, Members};
 use serde::{Deserialize, Serialize};
 
 /// Where the body stands, and how many cycles it has done.
@@ -97,9 +97,12 @@ pub struct Interface {
     block: f64,
     /// The approach under a force (N) that a step is about to ask for, on the profiles as they are.
     ahead: Option<(f64, Approach)>,
-    /// Pose, control and block before the present call, where the contacts have their save points.
-    before: (Pose, f64, f64),
+    /// What the present call began with.
+    before: Option<Before>,
 }
+
+/// A state to return to: marks of the contacts, pose, control and block.
+type Before = (Marks, Pose, f64, f64);
 
 impl Interface {
     /// An interface whose bodies are apart.
@@ -127,8 +130,7 @@ impl Interface {
             NormalControl::Indentation => approach,
         };
         let pose = Pose { approach, displacement: [0.0; 2], rotation: 0.0, cycles: 0.0 };
-        let before = (pose, control, 0.0);
-        Ok(Self { parameters, members, pose, control, block: 0.0, ahead: None, before })
+        Ok(Self { parameters, members, pose, control, block: 0.0, ahead: None, before: None })
     }
 
     /// What the interface was built from: the parameters of every contact.
@@ -194,20 +196,21 @@ impl Interface {
 
     /// Returns to the state before the present call.
     fn roll_back(&mut self) {
-        self.members.roll_back();
-        (self.pose, self.control, self.block) = self.before;
+        if let Some((marks, pose, control, block)) = &self.before {
+            self.members.return_to(marks);
+            (self.pose, self.control, self.block) = (*pose, *control, *block);
+        }
     }
 
     /// Runs a change of all contacts; where it fails, the state is as before.
     fn transaction(&mut self, change: impl FnOnce(&mut Self) -> Result<(), Error>) -> Result<(), Error> {
         self.ahead = None;
-        self.members.begin_change();
-        self.before = (self.pose, self.control, self.block);
+        self.before = Some((self.members.marks(), self.pose, self.control, self.block));
         let result = change(self);
         if result.is_err() {
             self.roll_back();
         }
-        self.members.end_change();
+        self.before = None;
         result
     }
 }

@@ -93,22 +93,22 @@ impl State {
         }
     }
 
-    /// Takes over another state, in memory that is there already, and its backlog by a given copy.
-    fn copy_from(&mut self, other: &Self, copy_backlog: impl Fn(&mut WearBacklog, &WearBacklog)) {
+    /// Takes over another state, in memory that is there already.
+    fn copy_from(&mut self, other: &Self) {
         let (mut springs, mut stroke) = (take(&mut self.springs), take(&mut self.stroke));
         springs.copy_from(&other.springs);
         stroke.copy_from(&other.stroke);
         let planar = copied(self.planar.take(), &other.planar, Planar::copy_from);
-        let wear = copied(self.wear.take(), &other.wear, |to, from| to.copy_from(from, &copy_backlog));
+        let wear = copied(self.wear.take(), &other.wear, WearState::copy_from);
         *self = Self { springs, stroke, planar, wear, ..*other };
     }
 }
 
 impl WearState {
-    /// Takes over another one, and its backlog by a given copy.
-    pub(super) fn copy_from(&mut self, other: &Self, copy_backlog: impl Fn(&mut WearBacklog, &WearBacklog)) {
+    /// Takes over another one, in memory that is there already.
+    fn copy_from(&mut self, other: &Self) {
         let mut backlog = take(&mut self.backlog);
-        copy_backlog(&mut backlog, &other.backlog);
+        backlog.copy_from(&other.backlog);
         *self = Self { backlog, ..*other };
     }
 
@@ -152,7 +152,7 @@ impl FrettingContact {
 
     /// Takes over a state. The memory stays: tables know the nodes that they were made for.
     pub(super) fn take_state(&mut self, state: &State) {
-        self.state.copy_from(state, WearBacklog::copy_from);
+        self.state.copy_from(state);
         self.view.forget();
     }
 
@@ -164,7 +164,7 @@ impl FrettingContact {
         let before = match self.memory.get().before.take() {
             Some(mut mark) => {
                 (mark.model, mark.surface) = (self.model.clone(), self.surface.clone());
-                mark.state.copy_from(&self.state, WearBacklog::copy_from);
+                mark.state.copy_from(&self.state);
                 mark
             }
             None => Box::new(self.mark()),

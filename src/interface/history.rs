@@ -153,7 +153,7 @@ impl Interface {
         }
         let mut length = 1.0;
         if first {
-            // the save points of the step serve
+            // the marks of the step serve
             let updates = self.members.updates();
             if let Outcome::Done { .. } = self.try_part(force, end, &updates)? {
                 return Ok(());

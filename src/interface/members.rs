@@ -5,7 +5,7 @@
 
 use super::Pose;
 use super::summit::Summit;
-use crate::engine::{FrettingContact, Mark, Memory, Model, Models, ROUNDING, SavePoints, unworn_load};
+use crate::engine::{FrettingContact, Mark, Memory, Model, Models, ROUNDING, unworn_load};
 use crate::error::Error;
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
@@ -32,8 +32,6 @@ pub(super) struct Members {
     order: Arc<[u32]>,
     profiles: Arc<[Arc<Profile>]>,
     slots: Vec<Slot>,
-    /// States before a change under way that may fail.
-    save_points: SavePoints,
     /// Whether several threads advance the contacts.
     #[cfg(feature = "threads")]
     pub(super) in_threads: bool,
@@ -107,7 +105,6 @@ impl Members {
             order: order.into(),
             profiles: profiles.into(),
             slots: vec![None; summits.len()],
-            save_points: SavePoints::default(),
             summits: summits.into(),
             #[cfg(feature = "threads")]
             in_threads: true,
@@ -184,27 +181,6 @@ impl Members {
         };
         loads.clear();
         order.iter().try_for_each(|index| load(index).map(|load| loads.push(load)))
-    }
-
-    /// Begins a change that may fail.
-    pub(super) fn begin_change(&mut self) {
-        self.save_points = SavePoints::default();
-        for (index, slot) in self.slots.iter_mut().enumerate() {
-            if let Some(contact) = slot {
-                self.save_points.save(index, contact);
-            }
-        }
-    }
-
-    /// Takes the change under way back.
-    pub(super) fn roll_back(&mut self) {
-        self.save_points.return_to(self.slots.iter_mut());
-    }
-
-    /// Ends the change under way, and keeps nothing of the states before.
-    pub(super) fn end_change(&mut self) {
-        self.save_points = SavePoints::default();
-        self.slots.iter_mut().flatten().for_each(|contact| contact.forget_save_point());
     }
 
     /// Marks of the present state of every contact.

@@ -85,18 +85,6 @@ pub(crate) struct WearBacklog {
     pub(crate) work: f64,
     /// Largest contact radius, m.
     pub(crate) radius: f64,
-    /// What returns the levels to the last [`Self::save_point`].
-    #[serde(skip)]
-    former: Option<Former>,
-}
-
-/// Levels as they were at a save point.
-#[derive(Debug, Clone, PartialEq)]
-struct Former {
-    /// Those that have changed since; one that did not exist has no slip.
-    levels: Levels,
-    /// Whether these are all: the backlog has been worn off since.
-    all: bool,
 }
 
 /// A motion that repeats at constant load, and how much of it.
@@ -118,49 +106,16 @@ impl WearBacklog {
         self.levels.is_empty()
     }
 
-    /// Becomes a copy of another backlog in its own memory. Its save point stays.
+    /// Becomes a copy of another backlog in its own memory.
     pub(crate) fn copy_from(&mut self, other: &Self) {
-        let (mut levels, former) = (take(&mut self.levels), self.former.take());
-        levels.copy_from(&other.levels);
-        *self = Self { levels, former, ..*other };
-    }
-
-    /// The backlog without its levels. From now on it keeps what returns them to what they are.
-    pub(crate) fn save_point(&mut self) -> Self {
-        self.former = Some(Former { levels: Levels::default(), all: false });
-        Self { levels: Levels::default(), former: None, ..*self }
-    }
-
-    /// Returns to the last save point, which stays. `saved` is what that gave.
-    pub(crate) fn return_to_save_point(&mut self, saved: &Self) {
         let mut levels = take(&mut self.levels);
-        match self.former.take() {
-            Some(Former { levels: former, all: false }) => levels.restore(&former),
-            Some(Former { levels: former, all: true }) => levels = former,
-            None => {}
-        }
-        let former = Some(Former { levels: Levels::default(), all: false });
-        *self = Self { levels, former, ..*saved };
-    }
-
-    /// Forgets the last save point.
-    pub(crate) fn forget_save_point(&mut self) {
-        self.former = None;
+        levels.copy_from(&other.levels);
+        *self = Self { levels, ..*other };
     }
 
     /// Takes everything out, to be worn off.
     pub(crate) fn take(&mut self) -> Self {
-        let former = self.former.take();
-        let taken = take(self);
-        self.former = former.map(|former| {
-            if former.all {
-                return former;
-            }
-            let mut levels = taken.levels.clone();
-            levels.restore(&former.levels);
-            Former { levels, all: true }
-        });
-        taken
+        take(self)
     }
 
     /// Whether all slip was under one depth (m).
@@ -230,9 +185,6 @@ impl WearBacklog {
             self.levels.insert(place, Level::new(index), &[]);
             place
         });
-        if let Some(Former { levels: former, all: false }) = &mut self.former {
-            former.keep(&self.levels, at);
-        }
         let mut at_depth = self.levels.level(at);
         at_depth.level.slip += slip;
         at_depth.level.moment += slip * depth;

@@ -117,38 +117,10 @@ impl Levels {
         self.hinges.splice(first..first, hinges.iter().copied());
     }
 
-    fn remove(&mut self, place: usize) {
-        self.hinges.drain(self.hinges_of(place));
-        self.levels.remove(place);
-    }
-
     /// Becomes a copy of other levels in its own memory.
     pub(super) fn copy_from(&mut self, other: &Self) {
         self.levels.clone_from(&other.levels);
         self.hinges.clone_from(&other.hinges);
-    }
-
-    /// Adds a copy of another's level in a place, unless there is one of its bin.
-    pub(super) fn keep(&mut self, other: &Self, place: usize) {
-        let level = other.levels[place];
-        if let Err(free) = self.find(level.bin) {
-            self.insert(free, level, &other.hinges[other.hinges_of(place)]);
-        }
-    }
-
-    /// Puts former levels in the place of those that they have become; one without slip did not
-    /// exist.
-    pub(super) fn restore(&mut self, former: &Self) {
-        for (level, hinges) in former.iter() {
-            let found = self.find(level.bin);
-            if let Ok(place) = found {
-                self.remove(place);
-            }
-            if level.slip > 0.0 {
-                let place = found.unwrap_or_else(|place| place);
-                self.insert(place, *level, hinges);
-            }
-        }
     }
 }
 

@@ -101,43 +101,6 @@ fn a_copy_in_other_memory_is_the_same() {
     }
 }
 
-/// Slip under one depth or another, and wearing the backlog off, can be taken back: more than once,
-/// and in a copy, too.
-#[test]
-fn a_save_point_returns_the_levels() {
-    let contact = Contact { control: 0.5 * DEPTH, depth: 0.5 * DEPTH, radius: 1e-4, load: 1e-10 };
-    let full = Contact { control: DEPTH, depth: DEPTH, ..contact };
-    let slip =
-        SlipPiece { image: (0.2 * DEPTH, 0.5 * DEPTH), slip: (0.0, 1e-7), integral: 1e-12, moment: 1e-18 };
-    let slips = |backlog: &mut WearBacklog, contact: &Contact| {
-        assert!(backlog.record(&[slip], (1e-6, 1e-18), (contact, contact), (0.0, false)));
-    };
-    for before in [strokes(&[0.4 * M * DEPTH, 0.0], 3), WearBacklog::default()] {
-        let mut backlog = before.clone();
-        let saved = backlog.save_point();
-        for worn_off in [false, true, false] {
-            slips(&mut backlog, &contact);
-            slips(&mut backlog, &full);
-            slips(&mut backlog, &full);
-            if worn_off {
-                let (all, taken) = (backlog.levels.clone(), backlog.take());
-                assert!(backlog.is_empty() && backlog.work == 0.0);
-                assert_eq!((taken.levels, taken.former), (all, None));
-                slips(&mut backlog, &contact);
-                assert!(backlog.take().former.is_none());
-                slips(&mut backlog, &full);
-            }
-            let mut copy = backlog.clone();
-            for backlog in [&mut copy, &mut backlog] {
-                backlog.return_to_save_point(&saved);
-                assert!(backlog.levels == before.levels && backlog.work == before.work);
-            }
-        }
-        backlog.forget_save_point();
-        assert_eq!(backlog, before);
-    }
-}
-
 /// Knots of the springs bend the slip of a stroke and unbend it on the way back: what cancels there
 /// is not kept, and the law is as without it.
 #[test]
