@@ -233,8 +233,14 @@ impl Surface {
         if let Some(place) = self.worn().and_then(Nodes::mesh)
             && place.contact.value_of(control) == value
         {
-            self.check_one_disc(place.contact.radius)?;
-            return Ok(Contact { control: value, ..place.contact });
+            let radius = place.contact.radius;
+            self.check_one_disc(radius)?;
+            let depth = match (place.region, control) {
+                // where lines between the nodes carry the force
+                (Region::Disc, NormalControl::Force) => self.depth_at_edge(radius, value),
+                _ => place.contact.depth,
+            };
+            return Ok(Contact { control: value, depth, ..place.contact });
         }
         let touch = self.tip();
         let apart = if control == NormalControl::Force { touch } else { value };
@@ -242,11 +248,7 @@ impl Surface {
         let contact = match control {
             NormalControl::Force if value > 0.0 => {
                 let radius = self.radius_at_load(value, force_scale)?;
-                // F_N/(2E*) = φ(a) + a (d − g(a)): the difference is what a body that ends at a
-                // carries beyond its image, elsewhere it makes good the rounding of a, which next
-                // to the rim of a flat would lose all digits of g
-                let depth = self.image(radius) + (value - self.load(radius)) / radius;
-                Contact { control: value, depth, radius, load: value }
+                Contact { control: value, depth: self.depth_at_edge(radius, value), radius, load: value }
             }
             NormalControl::Indentation if value > touch => {
                 let radius = self.radius_at_depth(value)?;
@@ -265,6 +267,14 @@ impl Surface {
         let Contact { depth, radius, load, .. } = contact;
         range::contact(radius, depth, load, load * force_scale)?;
         Ok(contact)
+    }
+
+    /// Depth (m) at which a contact of some radius (m) carries a load, m²:
+    /// F_N/(2E*) = φ(a) + a (d − g(a)). The difference is what a body that ends at a carries beyond
+    /// its image; elsewhere it makes good the rounding of a, which next to the rim of a flat would
+    /// lose all digits of g.
+    fn depth_at_edge(&self, radius: f64, load: f64) -> f64 {
+        self.image(radius) + (load - self.load(radius)) / radius
     }
 
     /// Load (m²) and contact radius (m) of a worn body at a depth, m, where a cell between its

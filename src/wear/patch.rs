@@ -15,6 +15,7 @@ mod edge;
 mod front;
 mod frozen;
 mod linear;
+mod load;
 mod motion;
 mod outside;
 mod rate;

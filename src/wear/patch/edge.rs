@@ -2,6 +2,7 @@
 //! and how that changes.
 
 use super::Patch;
+use super::load::Excess;
 use crate::roots;
 use crate::surface::Region;
 use crate::transform::dot;
@@ -24,11 +25,11 @@ impl Patch {
 
     /// Residual of the condition for the edge, g(a) − d or what the load lacks, and its slope in A,
     /// from Σ edge·depth and Σ mean·depth over the nodes before the last.
-    fn edge_residual(&self, radius_squared: f64, sums: (f64, f64)) -> (f64, f64) {
+    fn edge_residual(&self, radius_squared: f64, sums: (f64, f64), excess: Option<&Excess>) -> (f64, f64) {
         let end = self.cells();
         let (depth, slope) = self.edge_depth(radius_squared);
         let sums = (sums.0 + self.mesh.edge_image[end] * depth, sums.1 + self.mesh.mean_image[end] * depth);
-        self.edge_residual_of(radius_squared, sums, slope)
+        self.edge_residual_of(radius_squared, sums, slope, excess)
     }
 
     /// The same from z at the edge that belongs to the depths, its mean Σ width·z, and the slope of
@@ -38,6 +39,7 @@ impl Patch {
         radius_squared: f64,
         (edge_image, mean): (f64, f64),
         depth_slope: f64,
+        excess: Option<&Excess>,
     ) -> (f64, f64) {
         let (a, span, end) = (radius_squared.sqrt(), self.span(radius_squared), self.cells());
         let (outside, outside_slope) = self.outside.depth_and_slope(radius_squared);
@@ -62,7 +64,11 @@ impl Patch {
         let worn = a * h - self.inside_width - root * mean;
         let mean_slope = root * change(mesh.mean_image[end], mesh.mean_of_share) + 0.5 * mean / root;
         let worn_slope = 0.5 * h / a + a * h_slope - mean_slope;
-        (self.body.load(a) + worn - self.motion.value, 0.5 * body_slope + worn_slope)
+        let load = self.body_load(radius_squared, excess);
+        (
+            load + worn - self.motion.value,
+            0.5 * body_slope - excess.map_or(0.0, |excess| excess.slope) + worn_slope,
+        )
     }
 
     fn edge_sums(&self, depth: &[f64]) -> (f64, f64) {
@@ -76,14 +82,14 @@ impl Patch {
 
     /// A that satisfies the condition for the edge, by Newton's method from a guess, else by
     /// bisection.
-    pub(super) fn solve_area(&self, depth: &[f64], guess: f64) -> Option<f64> {
+    pub(super) fn solve_area(&self, depth: &[f64], guess: f64, excess: Option<&Excess>) -> Option<f64> {
         if self.rim {
             return Some(guess);
         }
         let sums = self.edge_sums(depth);
         let mut radius_squared = guess;
         for _ in 0..8 {
-            let (residual, slope) = self.edge_residual(radius_squared, sums);
+            let (residual, slope) = self.edge_residual(radius_squared, sums, excess);
             let change = -residual / slope;
             if !(change.is_finite() && change.abs() <= 0.5 * self.span(radius_squared)) {
                 break;
@@ -94,15 +100,15 @@ impl Patch {
                 return Some(radius_squared);
             }
         }
-        self.bisect_area(guess, sums)
+        self.bisect_area(guess, sums, excess)
     }
 
     /// The residual rises with A: a bracket around a guess, then the root in it.
-    fn bisect_area(&self, guess: f64, sums: (f64, f64)) -> Option<f64> {
+    fn bisect_area(&self, guess: f64, sums: (f64, f64), excess: Option<&Excess>) -> Option<f64> {
         let inner = self.inner_radius * self.inner_radius;
         let span = self.span(guess);
         let (mut low, mut high) = (inner + 0.99 * span, inner + 1.01 * span);
-        let residual = |radius_squared: f64| self.edge_residual(radius_squared, sums).0;
+        let residual = |radius_squared: f64| self.edge_residual(radius_squared, sums, excess).0;
         for _ in 0..60 {
             let ends = (residual(low), residual(high));
             if ends.0 <= 0.0 && ends.1 >= 0.0 {
@@ -118,7 +124,7 @@ impl Patch {
         if !(residual(low) <= 0.0 && residual(high) >= 0.0) {
             return None;
         }
-        Some(roots::of_rising(low, high, |radius_squared| self.edge_residual(radius_squared, sums)))
+        Some(roots::of_rising(low, high, |radius_squared| self.edge_residual(radius_squared, sums, excess)))
     }
 
     /// The condition at given depths, of which that at the edge has the given slope in A, and at z
@@ -127,7 +133,7 @@ impl Patch {
         &self,
         (depth, edge_image): (&[f64], f64),
         radius_squared: f64,
-        depth_slope: f64,
+        (depth_slope, excess): (f64, Option<&Excess>),
     ) -> EdgeCondition {
         let (mesh, n, a) = (&*self.mesh, self.cells(), radius_squared.sqrt());
         let (span, is_force) = (self.span(radius_squared), self.is_force());
@@ -140,7 +146,7 @@ impl Patch {
         };
         row[n] = 0.0;
         let mean = if is_force { dot(&mesh.mean_image, depth) } else { 0.0 };
-        let (_, slope) = self.edge_residual_of(radius_squared, (edge_image, mean), depth_slope);
+        let (_, slope) = self.edge_residual_of(radius_squared, (edge_image, mean), depth_slope, excess);
         EdgeCondition { depth: row, radius_squared: slope }
     }
 }

@@ -178,7 +178,8 @@ impl Patch {
         let total = condition.radius_squared + dot(&condition.depth, &rate.drift);
         let step = 1e-6 * self.span(rate.radius_squared);
         let step = if self.is_inside(rate.radius_squared + step) { step } else { -step };
-        let shifted = self.rate_at((depth.to_vec(), self.own_image(rate)), rate.radius_squared + step);
+        let shifted = (depth.to_vec(), self.own_image(rate));
+        let shifted = self.rate_at(shifted, rate.radius_squared + step, rate.excess);
         let growth = shifted.growth.iter().zip(&rate.growth).map(|(new, old)| (new - old) / step).collect();
         EdgeChange { condition, total, growth, volume: (shifted.volume_rate - rate.volume_rate) / step }
     }

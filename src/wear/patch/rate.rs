@@ -1,5 +1,6 @@
 //! How fast a state wears.
 
+use super::load::Excess;
 use super::{EdgeCondition, Patch};
 use crate::transform::{add, dot};
 use std::f64::consts::PI;
@@ -34,6 +35,8 @@ pub(crate) struct Rate {
     pub(super) area_rate: f64,
     /// What fixes the contact edge, where it moves.
     pub(super) edge: Option<EdgeCondition>,
+    /// Near the contact radius.
+    pub(super) excess: Option<Excess>,
     /// Worn volume per cycle by the work of the springs, m³.
     pub(crate) volume_rate: f64,
     /// Ratio by which the product of p and s is scaled to the work of the springs.
@@ -52,8 +55,14 @@ impl Patch {
     /// The same where z, too, is known. Both may have any value where they are given: z at the
     /// inner edge of an annulus, both at a moving outer one.
     pub(crate) fn rate_of(&self, (depth, image): (Vec<f64>, Vec<f64>), guess: f64) -> Option<Rate> {
-        let radius_squared = self.solve_area(&depth, guess)?;
-        let rate = self.rate_at((depth, image), radius_squared);
+        let mut excess = self.excess(guess);
+        let mut radius_squared = self.solve_area(&depth, guess, excess.as_ref())?;
+        if excess.is_some() {
+            // once more, so near that it is exact
+            excess = self.excess(radius_squared);
+            radius_squared = self.solve_area(&depth, radius_squared, excess.as_ref())?;
+        }
+        let rate = self.rate_at((depth, image), radius_squared, excess);
         rate.area_rate.is_finite().then_some(rate)
     }
 
@@ -66,7 +75,12 @@ impl Patch {
     }
 
     /// The same at a given contact edge.
-    pub(super) fn rate_at(&self, (mut depth, mut image): (Vec<f64>, Vec<f64>), radius_squared: f64) -> Rate {
+    pub(super) fn rate_at(
+        &self,
+        (mut depth, mut image): (Vec<f64>, Vec<f64>),
+        radius_squared: f64,
+        excess: Option<Excess>,
+    ) -> Rate {
         let (mesh, n) = (&*self.mesh, self.cells());
         let (a, span) = (radius_squared.sqrt(), self.span(radius_squared));
         let radius = self.radii(radius_squared);
@@ -88,7 +102,8 @@ impl Patch {
             self.motion.value
         } else if self.rim {
             let worn = self.inside_width + span.sqrt() * dot(&mesh.width, &image);
-            self.body.image(a) + (self.motion.value - self.body.load(a) + worn) / a
+            self.body.image(a)
+                + (self.motion.value - self.body_load(radius_squared, excess.as_ref()) + worn) / a
         } else {
             whole[n]
         };
@@ -124,7 +139,8 @@ impl Patch {
             drift_share = self.drift_share(&depth, span, &drift);
             drift.iter_mut().for_each(|drift| *drift *= drift_share);
             add(&mut drift[..n], outside / span - outside_slope, &mesh.share);
-            let condition = self.edge_condition((&depth, edge_image), radius_squared, edge_slope);
+            let condition =
+                self.edge_condition((&depth, edge_image), radius_squared, (edge_slope, excess.as_ref()));
             area_rate =
                 -dot(&condition.depth, &growth) / (condition.radius_squared + dot(&condition.depth, &drift));
             add(&mut growth, area_rate, &drift);
@@ -145,6 +161,7 @@ impl Patch {
             drift,
             area_rate,
             edge,
+            excess,
             volume_rate,
             share,
             drift_share,
