@@ -9,10 +9,12 @@ mod depth_volume;
 mod node_transforms;
 mod nodes;
 mod region;
+mod slopes;
 
 pub(crate) use node_transforms::{NodeTransforms, TransformCache};
 pub(crate) use nodes::{FrontMotion, MeshPlace, Nodes, kept_nodes, outer_weight};
 pub(crate) use region::Region;
+pub(crate) use slopes::Slopes;
 
 use crate::error::Error;
 use crate::parameters::NormalControl;

@@ -79,25 +79,6 @@ pub(crate) fn pressure_weight(x0: f64, x1: f64, r: f64) -> f64 {
     FRAC_2_PI / (leg(x1, r) + leg(x0, r))
 }
 
-/// Pressure transform at one radius: Σ K (qⱼ − qⱼ₊₁) over the cells beyond r, the cell that holds r
-/// cut there.
-pub(crate) fn pressure_at(x: &[f64], q: &[f64], r: f64) -> f64 {
-    let mut p = 0.0;
-    for j in (0..x.len() - 1).rev() {
-        if x[j + 1] <= r {
-            break;
-        }
-        let drop = q[j] - q[j + 1];
-        if x[j] >= r {
-            p += drop * pressure_weight(x[j], x[j + 1], r);
-        } else {
-            // ∫ from r only, with the slope of the whole cell
-            p += drop * FRAC_2_PI * leg(x[j + 1], r) / ((x[j + 1] - x[j]) * (x[j + 1] + x[j]));
-        }
-    }
-    p
-}
-
 /// Σ aᵢ bᵢ in four independent sums, which the compiler turns into vector instructions.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let (a4, a_rest) = a.as_chunks::<4>();

@@ -3,7 +3,7 @@
 
 use super::{FrettingContact, SlipState};
 use crate::range::LEAST_RISE;
-use crate::surface::{Contact, Nodes};
+use crate::surface::{Contact, Nodes, Slopes};
 use crate::transform;
 use std::f64::consts::PI;
 
@@ -203,24 +203,26 @@ impl FrettingContact {
     /// Normal pressure p at radius r, Pa (eq. (12)); infinite at the singular points of an unworn
     /// cone or flat.
     pub fn pressure_at(&self, r: f64) -> f64 {
-        self.model.axes.stress(self.pressure_in(&self.state.contact, self.model.axes.inner(r)))
+        let contact = &self.state.contact;
+        let slopes = self.slopes(contact.radius);
+        self.model.axes.stress(self.pressure_in((contact, &slopes), self.model.axes.inner(r)))
     }
 
-    fn pressure_in(&self, contact: &Contact, r: f64) -> f64 {
+    fn pressure_in(&self, (contact, slopes): (&Contact, &Slopes), r: f64) -> f64 {
         let a = contact.radius;
         if r >= a {
             return 0.0;
         }
         let jump = (contact.depth - self.surface.image(a)).max(0.0);
         let edge = if a >= self.surface.profile().outer_radius() { jump / transform::leg(a, r) } else { 0.0 };
-        self.model.constants.normal_modulus / PI * (self.slope_integral(r, a) + edge)
+        self.model.constants.normal_modulus / PI * (slopes.integral(r, a) + edge)
     }
 
     /// A radius (m) beside one at which the pressure is infinite, as at the apex of a cone, where
     /// the traction may be a difference of infinities.
-    pub(super) fn off_the_apex(&self, r: f64) -> f64 {
+    pub(super) fn off_the_apex(&self, slopes: &Slopes, r: f64) -> f64 {
         let a = self.state.contact.radius;
-        if self.slope_integral(r, a).is_finite() { r } else { r + ASIDE * a }
+        if slopes.integral(r, a).is_finite() { r } else { r + ASIDE * a }
     }
 
     /// Tangential traction τ at radius r, Pa, along x (eq. (17)).
@@ -232,7 +234,8 @@ impl FrettingContact {
         if r >= a {
             return 0.0;
         }
-        let r = self.off_the_apex(r);
+        let slopes = self.slopes(a);
+        let r = self.off_the_apex(&slopes, r);
         // u is linear in g between the knots: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²)
         let mut sum = 0.0;
         for pair in self.state.springs.knots().windows(2) {
@@ -242,7 +245,7 @@ impl FrettingContact {
                 continue;
             }
             let from = inner.place.x.max(r);
-            let integral = self.slope_integral(r, outer.place.x) - self.slope_integral(r, from);
+            let integral = slopes.integral(r, outer.place.x) - slopes.integral(r, from);
             sum += (outer.origin - inner.origin) / rise * integral;
         }
         if let Some(edge) = self.state.springs.knots().last()
@@ -251,21 +254,6 @@ impl FrettingContact {
             sum += (self.state.displacement - edge.origin) / transform::leg(a, r);
         }
         self.model.axes.stress(self.model.constants.tangential_modulus / PI * sum)
-    }
-
-    /// ∫ from r to a of g' dx/√(x² − r²) of the present image.
-    pub(super) fn slope_integral(&self, r: f64, a: f64) -> f64 {
-        if a <= r {
-            return 0.0;
-        }
-        let unworn = self.surface.profile().pressure_integral(r, a);
-        let Some(nodes) = self.surface.worn() else { return unworn };
-        let inside = nodes.x().partition_point(|&x| x < a);
-        let mut x = nodes.x()[..inside].to_vec();
-        let mut falling: Vec<f64> = nodes.worn_image()[..inside].iter().map(|h| -h).collect();
-        x.push(a);
-        falling.push(-nodes.worn_part(a).0);
-        unworn + PI * transform::pressure_at(&x, &falling, r)
     }
 
     /// Largest pressure, Pa, among the axis, the middles of even cells across the contact and the
@@ -284,7 +272,11 @@ impl FrettingContact {
         let even = (0..n).map(|i| a * (i as f64 + 0.5) / n as f64);
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
         let radii = std::iter::once(0.0).chain(even).chain(nodes.iter().copied());
-        let most = radii.map(|r| self.pressure_in(contact, r)).filter(|p| p.is_finite()).fold(0.0, f64::max);
+        let slopes = self.slopes(a);
+        let most = radii
+            .map(|r| self.pressure_in((contact, &slopes), r))
+            .filter(|p| p.is_finite())
+            .fold(0.0, f64::max);
         self.model.axes.stress(most)
     }
 }

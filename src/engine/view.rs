@@ -3,7 +3,7 @@
 
 use super::FrettingContact;
 use super::backlog::MOST_SCALE;
-use crate::surface::{Contact, NodeTransforms, Nodes, Surface};
+use crate::surface::{Contact, NodeTransforms, Nodes, Slopes, Surface};
 use crate::wear::FirstOrderWear;
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -11,7 +11,10 @@ use std::sync::Arc;
 /// What the last reading computed. All of it follows from the state of the contact, so a copy of a
 /// contact begins without it.
 #[derive(Debug, Default)]
-pub(super) struct View(RefCell<Option<Box<Reading>>>);
+pub(super) struct View {
+    reading: RefCell<Option<Box<Reading>>>,
+    slopes: RefCell<Option<Arc<Slopes>>>,
+}
 
 impl Clone for View {
     fn clone(&self) -> Self {
@@ -22,7 +25,7 @@ impl Clone for View {
 impl View {
     /// Drops the slip read so far. To be called where the backlog does not just grow.
     pub(super) fn forget(&mut self) {
-        if let Some(reading) = self.0.get_mut() {
+        if let Some(reading) = self.reading.get_mut() {
             reading.forget();
         }
     }
@@ -61,7 +64,7 @@ impl FrettingContact {
         if wear.backlog.is_empty() {
             return self.surface.worn().map(|nodes| read(nodes, &[]));
         }
-        let mut reading = self.view.0.borrow_mut();
+        let mut reading = self.view.reading.borrow_mut();
         let reading = reading.get_or_insert_default();
         let now = (wear.backlog.work, wear.deferred_work, self.state.contact);
         let same_base = reading.base.as_ref().is_some_and(|base| base.is_worn_as(&self.surface));
@@ -75,6 +78,15 @@ impl FrettingContact {
         }
         let nodes = reading.surface.as_ref()?.worn()?;
         Some(read(nodes, &reading.depth))
+    }
+
+    /// The slope of the image at the last update up to a radius, m: many fields ask for one.
+    pub(super) fn slopes(&self, end: f64) -> Arc<Slopes> {
+        let mut known = self.view.slopes.borrow_mut();
+        match &*known {
+            Some(slopes) if slopes.serve(&self.surface, end) => slopes.clone(),
+            _ => known.insert(Arc::new(Slopes::new(&self.surface, end))).clone(),
+        }
     }
 
     fn compute(&self, reading: &mut Reading) {

@@ -431,6 +431,33 @@ fn in_gross_slip_a_force_works_along_its_path_however_far_a_body_wears() {
     }
 }
 
+/// Slip that is the same everywhere wears where the pressure is high: far beyond its elastic depth
+/// any body carries an even pressure, from the axis to near the edge.
+#[test]
+fn a_body_that_has_worn_far_in_gross_slip_carries_an_even_pressure() {
+    for (profile, most) in [
+        (BALL, 0.02),
+        (Profile::Cone { slope: 0.02 }, 0.05),
+        (Profile::PowerLaw { exponent: 4.0, coefficient: 1e9 }, 0.02),
+        (Profile::RoundedPunch { radius: 0.01, flat_radius: 1e-4 }, 0.05),
+        (Profile::BluntedSphere { radius: 0.01, flat_radius: 1e-4 }, 0.1),
+    ] {
+        let mut contact = FrettingContact::new(Parameters { profile, ..Parameters::default() }).unwrap();
+        contact.advance_cycles(100.0, 2e-5, 1e6).unwrap();
+        let a = contact.contact_radius();
+        let mean = 100.0 / (PI * a * a);
+        let off = |pressure: f64| (pressure / mean - 1.0).abs();
+        // beside the nodes, too
+        let worst =
+            (0..500).map(|k| off(contact.pressure_at(0.9 * a * f64::from(k) / 500.0))).fold(0.0, f64::max);
+        let (largest, traction) = (off(contact.max_pressure()), contact.shear_traction_at(0.3 * a));
+        println!("{:?}: {worst:.4}, largest {largest:.4}", contact.parameters().profile);
+        assert!(worst < most && largest < most, "{worst} {largest}");
+        // springs take the image with what lines leave of the body between the nodes
+        close_to(traction, MU * contact.pressure_at(0.3 * a), 0.04, "traction");
+    }
+}
+
 #[test]
 fn a_contact_that_sticks_makes_no_nodes_and_no_transforms() {
     // a flat punch sticks as a whole

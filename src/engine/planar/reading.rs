@@ -83,13 +83,14 @@ impl FrettingContact {
         if r >= a {
             return Some(Vector2::zeros());
         }
-        let r = self.off_the_apex(r);
+        let slopes = self.slopes(a);
+        let r = self.off_the_apex(&slopes, r);
         let mut sum = Vector2::zeros();
         let first = knots.partition_point(|knot| knot.place.x <= r);
-        let mut inner_integral = self.slope_integral(r, knots.get(first.max(1) - 1)?.place.x.max(r));
+        let mut inner_integral = slopes.integral(r, knots.get(first.max(1) - 1)?.place.x.max(r));
         for pair in knots.get(first.max(1) - 1..).unwrap_or_default().windows(2) {
             let rise = pair[1].place.image - pair[0].place.image;
-            let integral = self.slope_integral(r, pair[1].place.x);
+            let integral = slopes.integral(r, pair[1].place.x);
             if rise > LEAST_RISE {
                 sum += (pair[1].origin - pair[0].origin) / rise * (integral - inner_integral);
             }

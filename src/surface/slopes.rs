@@ -1,0 +1,196 @@
+//! The slope of the image as pressure and traction take it: ∫ g' dx/√(x² − r²).
+//!
+//! Within a cell the wear is a line in x². Where little has worn, the exact slope of the body adds
+//! to that of the line. Where wear has levelled the body, so that the image bends less from cell to
+//! cell than the body alone, the whole image is taken for a line. Otherwise each cell would keep a
+//! small copy of the body, such as the apex of a cone, whose slope is more than that of a body worn
+//! flat.
+
+use super::{Nodes, Surface};
+use crate::transform::pressure_weight;
+use std::f64::consts::PI;
+
+/// Share of the bend of the body above which wear counts as levelling it.
+const LEVELLED: f64 = 0.5;
+
+/// Bend of the body, relative to its slope, that is rounding: in x² the image of a ball has none.
+const STRAIGHT: f64 = 1e-9;
+
+/// Radius over a larger one that has, for what lies beyond that, no other effect than 0.
+const AXIS: f64 = 1e-7;
+
+/// The slope of an image up to a radius.
+#[derive(Debug)]
+pub(crate) struct Slopes {
+    surface: Surface,
+    end: f64,
+    cells: Vec<Cell>,
+}
+
+/// A stretch of radii, m.
+#[derive(Debug)]
+struct Cell {
+    start: f64,
+    end: f64,
+    /// dh/dX, or of the whole image, 1/m.
+    slope: f64,
+    is_levelled: bool,
+}
+
+impl Slopes {
+    /// Those of a surface up to a radius, m.
+    pub(crate) fn new(surface: &Surface, end: f64) -> Self {
+        let cells = match surface.worn() {
+            Some(nodes) => cells_of(surface, nodes, end),
+            None => vec![Cell { start: 0.0, end, slope: 0.0, is_levelled: false }],
+        };
+        Self { surface: surface.clone(), end, cells }
+    }
+
+    /// Whether they are those of a surface of this profile up to a radius, m.
+    pub(crate) fn serve(&self, surface: &Surface, end: f64) -> bool {
+        self.end == end && self.surface.is_worn_as(surface)
+    }
+
+    /// ∫ g' dx/√(x² − r²) from r to a radius within them.
+    pub(crate) fn integral(&self, r: f64, end: f64) -> f64 {
+        if end <= r {
+            return 0.0;
+        }
+        let first = self.cells.partition_point(|cell| cell.end <= r);
+        let inside = self.cells[first..].iter().take_while(|cell| cell.start < end);
+        let mut sum = 0.0;
+        // of the body, where it counts by itself from a radius on
+        let mut exact_from = None;
+        for cell in inside {
+            let (start, end) = (cell.start.max(r), cell.end.min(end));
+            sum += PI * cell.slope * (end - start) * (end + start) * pressure_weight(start, end, r);
+            match (cell.is_levelled, exact_from) {
+                (false, None) => exact_from = Some(start),
+                (true, Some(from)) => {
+                    sum += self.of_body(r, from, start);
+                    exact_from = None;
+                }
+                _ => {}
+            }
+        }
+        sum + exact_from.map_or(0.0, |from| self.of_body(r, from, end))
+    }
+
+    /// The part of the unworn body between two radii.
+    fn of_body(&self, r: f64, from: f64, to: f64) -> f64 {
+        let profile = self.surface.profile();
+        if from <= r {
+            return profile.pressure_integral(r, to);
+        }
+        // at the axis both may be infinite; so near to it their difference is the same
+        let r = r.max(AXIS * from);
+        profile.pressure_integral(r, to) - profile.pressure_integral(r, from)
+    }
+}
+
+/// The cells of a worn surface up to a radius, m.
+fn cells_of(surface: &Surface, nodes: &Nodes, end: f64) -> Vec<Cell> {
+    let x = nodes.x();
+    let inside = x.partition_point(|x| *x < end).min(nodes.last());
+    let body = secants(x, &surface.profile().images(x));
+    let wear = secants(x, nodes.worn_image());
+    let cell = |j: usize| {
+        let is_worn = nodes.depth()[j] > 0.0 || nodes.depth()[j + 1] > 0.0;
+        let is_levelled = is_worn && is_levelled(&body, &wear, j);
+        let slope = if is_levelled { body[j] + wear[j] } else { wear[j] };
+        Cell { start: x[j], end: x[j + 1].min(end), slope, is_levelled }
+    };
+    let mut cells: Vec<Cell> = (0..inside).map(cell).collect();
+    let start = x[nodes.last()];
+    if start < end {
+        let fall = surface.worn_image(end) - nodes.worn_image()[nodes.last()];
+        let slope = fall / ((end - start) * (end + start));
+        cells.push(Cell { start, end, slope, is_levelled: false });
+    }
+    cells
+}
+
+/// Slopes in x² of values at radii over the cells between them.
+fn secants(x: &[f64], values: &[f64]) -> Vec<f64> {
+    let cells = x.windows(2).zip(values.windows(2));
+    cells.map(|(x, values)| (values[1] - values[0]) / ((x[1] - x[0]) * (x[1] + x[0]))).collect()
+}
+
+/// Whether wear has levelled the body in a cell: there and in those beside it, its image bends
+/// against that of the body. Given are the slopes of both over the cells.
+fn is_levelled(body: &[f64], wear: &[f64], cell: usize) -> bool {
+    let (mut against, mut own) = (0.0, 0.0);
+    for k in cell.saturating_sub(1).max(1)..(cell + 3).min(body.len()) {
+        let bend = body[k] - body[k - 1];
+        if bend.abs() > STRAIGHT * body[k].abs() {
+            against -= (wear[k] - wear[k - 1]) * bend;
+            own += bend * bend;
+        }
+    }
+    against > LEVELLED * own
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::profile::Profile;
+    use crate::transform::leg;
+
+    const EDGE: f64 = 2e-4;
+
+    /// A cone of which wear has taken a share of what it has beyond a ball of the same height.
+    fn worn(share: f64, cells: u32) -> (Surface, f64) {
+        let profile = Profile::Cone { slope: 0.02 };
+        let steepness = profile.image(EDGE) / EDGE.powi(2);
+        let x: Vec<f64> = (0..=cells).map(|k| 1.1 * EDGE * f64::from(k) / f64::from(cells)).collect();
+        let image = x.iter().map(|x| share * (steepness * x * x - profile.image(*x))).collect();
+        let depth = vec![1e-9; x.len()];
+        let mut nodes = Nodes::holding((x, image, depth), 64, None);
+        nodes.update_integrals(&profile);
+        let mut surface = Surface::new(profile);
+        surface.set_worn(Some(nodes));
+        (surface, steepness)
+    }
+
+    /// Worn to a ball, the cone has the slope of a ball: at the axis and between the nodes, too.
+    #[test]
+    fn a_body_that_is_levelled_keeps_none_of_its_shape() {
+        let (surface, steepness) = worn(1.0, 16);
+        for k in 0..100 {
+            let r = EDGE * f64::from(k) / 100.0;
+            let (found, ball) =
+                (Slopes::new(&surface, EDGE).integral(r, EDGE), 2.0 * steepness * leg(EDGE, r));
+            assert!((found / ball - 1.0).abs() < 1e-12, "{r:e}: {found:e} {ball:e}");
+        }
+    }
+
+    /// Where little has worn, the slope is that of the body and of lines, of second order in the
+    /// cells beside the apex.
+    #[test]
+    fn a_body_that_has_hardly_worn_keeps_its_shape() {
+        let r = 0.37 * EDGE;
+        let error = |cells: u32| {
+            let share = 1e-2;
+            let (surface, steepness) = worn(share, cells);
+            let cone = surface.profile().pressure_integral(r, EDGE);
+            let exact = (1.0 - share) * cone + share * 2.0 * steepness * leg(EDGE, r);
+            assert!(Slopes::new(&surface, EDGE).integral(0.0, EDGE).is_infinite(), "the apex is sharp");
+            (Slopes::new(&surface, EDGE).integral(r, EDGE) / exact - 1.0).abs()
+        };
+        let (coarse, fine) = (error(16), error(256));
+        assert!(coarse < 1e-3 && fine < coarse / 8.0, "{coarse:e} {fine:e}");
+    }
+
+    /// Up to a smaller radius it is that of a smaller contact, whichever cells are levelled.
+    #[test]
+    fn an_integral_does_not_depend_on_what_lies_beyond() {
+        for share in [0.0, 0.3, 0.49, 0.51, 1.0] {
+            let (surface, _) = worn(share, 20);
+            let slopes = Slopes::new(&surface, EDGE);
+            let (r, middle) = (0.2 * EDGE, 0.63 * EDGE);
+            let shorter = Slopes::new(&surface, middle).integral(r, middle);
+            assert!((slopes.integral(r, middle) / shorter - 1.0).abs() < 1e-13, "{share}");
+        }
+    }
+}
