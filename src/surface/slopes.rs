@@ -24,6 +24,7 @@ const AXIS: f64 = 1e-7;
 pub(crate) struct Slopes {
     surface: Surface,
     end: f64,
+    /// None where nothing has worn.
     cells: Vec<Cell>,
 }
 
@@ -40,22 +41,22 @@ struct Cell {
 impl Slopes {
     /// Those of a surface up to a radius, m.
     pub(crate) fn new(surface: &Surface, end: f64) -> Self {
-        let cells = match surface.worn() {
-            Some(nodes) => cells_of(surface, nodes, end),
-            None => vec![Cell { start: 0.0, end, slope: 0.0, is_levelled: false }],
-        };
+        let cells = surface.worn().map_or_else(Vec::new, |nodes| cells_of(surface, nodes, end));
         Self { surface: surface.clone(), end, cells }
     }
 
     /// Whether they are those of a surface of this profile up to a radius, m.
     pub(crate) fn serve(&self, surface: &Surface, end: f64) -> bool {
-        self.end == end && self.surface.is_worn_as(surface)
+        self.surface.is_worn_as(surface) && (self.cells.is_empty() || self.end == end)
     }
 
     /// ∫ g' dx/√(x² − r²) from r to a radius within them.
     pub(crate) fn integral(&self, r: f64, end: f64) -> f64 {
         if end <= r {
             return 0.0;
+        }
+        if self.cells.is_empty() {
+            return self.surface.profile().pressure_integral(r, end);
         }
         let first = self.cells.partition_point(|cell| cell.end <= r);
         let inside = self.cells[first..].iter().take_while(|cell| cell.start < end);
