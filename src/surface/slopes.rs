@@ -47,7 +47,7 @@ impl Slopes {
 
     /// Whether they are those of a surface of this profile up to a radius, m.
     pub(crate) fn serve(&self, surface: &Surface, end: f64) -> bool {
-        self.surface.is_worn_as(surface) && (self.cells.is_empty() || self.end == end)
+        self.surface.is_worn_as(surface) && (surface.worn().is_none() || self.end == end)
     }
 
     /// ∫ g' dx/√(x² − r²) from r to a radius within them.
@@ -55,7 +55,7 @@ impl Slopes {
         if end <= r {
             return 0.0;
         }
-        if self.cells.is_empty() {
+        if self.surface.worn().is_none() {
             return self.surface.profile().pressure_integral(r, end);
         }
         let first = self.cells.partition_point(|cell| cell.end <= r);
@@ -181,6 +181,20 @@ mod tests {
         };
         let (coarse, fine) = (error(16), error(256));
         assert!(coarse < 1e-3 && fine < coarse / 8.0, "{coarse:e} {fine:e}");
+    }
+
+    /// One of an unworn body serves any contact of it, one of a worn body the contact that it was
+    /// made for: also where that was open.
+    #[test]
+    fn a_slope_serves_no_other_contact_of_a_worn_body() {
+        let (surface, _) = worn(1.0, 16);
+        for end in [0.0, 0.5 * EDGE] {
+            let slopes = Slopes::new(&surface, end);
+            assert!(slopes.serve(&surface, end) && !slopes.serve(&surface, EDGE), "{end}");
+        }
+        let unworn = surface.unworn();
+        let slopes = Slopes::new(&unworn, 0.0);
+        assert!(slopes.serve(&unworn, EDGE) && !slopes.serve(&surface, 0.0));
     }
 
     /// Up to a smaller radius it is that of a smaller contact, whichever cells are levelled.
