@@ -111,7 +111,7 @@ impl FrettingContact {
         if wear.backlog.is_empty() {
             return Ok(());
         }
-        let backlog = wear.backlog.take();
+        let backlog = take(&mut wear.backlog);
         let begins_at_reversal = wear.begins_at_reversal;
         self.view.forget();
         let law = backlog.law();
@@ -211,7 +211,7 @@ impl FrettingContact {
             return updated;
         }
         self.view.forget();
-        let work = self.state.wear.as_mut().map_or(0.0, |wear| wear.backlog.take().work);
+        let work = self.state.wear.as_mut().map_or(0.0, |wear| take(&mut wear.backlog).work);
         self.defer(work);
         Ok(())
     }

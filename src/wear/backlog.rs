@@ -113,11 +113,6 @@ impl WearBacklog {
         *self = Self { levels, ..*other };
     }
 
-    /// Takes everything out, to be worn off.
-    pub(crate) fn take(&mut self) -> Self {
-        take(self)
-    }
-
     /// Whether all slip was under one depth (m).
     pub(crate) fn is_at(&self, depth: f64) -> bool {
         let is_at =

@@ -260,9 +260,14 @@ impl Nodes {
     }
 
     /// dh/dX in cell j.
-    pub(super) fn slope(&self, j: usize) -> f64 {
+    pub(in crate::surface) fn slope(&self, j: usize) -> f64 {
+        self.secant(&self.worn_image, j)
+    }
+
+    /// Slope in X of values at the nodes over cell j.
+    pub(in crate::surface) fn secant(&self, values: &[f64], j: usize) -> f64 {
         let (x0, x1) = (self.x[j], self.x[j + 1]);
-        (self.worn_image[j + 1] - self.worn_image[j]) / ((x1 - x0) * (x1 + x0))
+        (values[j + 1] - values[j]) / ((x1 - x0) * (x1 + x0))
     }
 
     /// Image g of the whole profile at a node, m.

@@ -25,7 +25,7 @@ impl Patch {
 
     /// Residual of the condition for the edge, g(a) − d or what the load lacks, and its slope in A,
     /// from Σ edge·depth and Σ mean·depth over the nodes before the last.
-    fn edge_residual(&self, radius_squared: f64, sums: (f64, f64), excess: Option<&Excess>) -> (f64, f64) {
+    fn edge_residual(&self, radius_squared: f64, sums: (f64, f64), excess: Option<Excess>) -> (f64, f64) {
         let end = self.cells();
         let (depth, slope) = self.edge_depth(radius_squared);
         let sums = (sums.0 + self.mesh.edge_image[end] * depth, sums.1 + self.mesh.mean_image[end] * depth);
@@ -39,7 +39,7 @@ impl Patch {
         radius_squared: f64,
         (edge_image, mean): (f64, f64),
         depth_slope: f64,
-        excess: Option<&Excess>,
+        excess: Option<Excess>,
     ) -> (f64, f64) {
         let (a, span, end) = (radius_squared.sqrt(), self.span(radius_squared), self.cells());
         let (outside, outside_slope) = self.outside.depth_and_slope(radius_squared);
@@ -56,19 +56,16 @@ impl Patch {
             Region::Disc => 0.0,
         };
         let h_slope = change(mesh.edge_image[end], mesh.image_of_share[end]) / scale + h * stretch;
-        let body_slope = self.body.image_slope(a);
         if !self.is_force() {
-            return (self.body.image(a) + h - self.motion.value, 0.5 * body_slope / a + h_slope);
+            let body_slope = 0.5 * self.body.image_slope(a) / a;
+            return (self.body.image(a) + h - self.motion.value, body_slope + h_slope);
         }
         let root = span.sqrt();
         let worn = a * h - self.inside_width - root * mean;
         let mean_slope = root * change(mesh.mean_image[end], mesh.mean_of_share) + 0.5 * mean / root;
         let worn_slope = 0.5 * h / a + a * h_slope - mean_slope;
-        let load = self.body_load(radius_squared, excess);
-        (
-            load + worn - self.motion.value,
-            0.5 * body_slope - excess.map_or(0.0, |excess| excess.slope) + worn_slope,
-        )
+        let (load, load_slope) = self.body_load(radius_squared, excess);
+        (load + worn - self.motion.value, load_slope + worn_slope)
     }
 
     fn edge_sums(&self, depth: &[f64]) -> (f64, f64) {
@@ -82,7 +79,7 @@ impl Patch {
 
     /// A that satisfies the condition for the edge, by Newton's method from a guess, else by
     /// bisection.
-    pub(super) fn solve_area(&self, depth: &[f64], guess: f64, excess: Option<&Excess>) -> Option<f64> {
+    pub(super) fn solve_area(&self, depth: &[f64], guess: f64, excess: Option<Excess>) -> Option<f64> {
         if self.rim {
             return Some(guess);
         }
@@ -104,7 +101,7 @@ impl Patch {
     }
 
     /// The residual rises with A: a bracket around a guess, then the root in it.
-    fn bisect_area(&self, guess: f64, sums: (f64, f64), excess: Option<&Excess>) -> Option<f64> {
+    fn bisect_area(&self, guess: f64, sums: (f64, f64), excess: Option<Excess>) -> Option<f64> {
         let inner = self.inner_radius * self.inner_radius;
         let span = self.span(guess);
         let (mut low, mut high) = (inner + 0.99 * span, inner + 1.01 * span);
@@ -133,7 +130,7 @@ impl Patch {
         &self,
         (depth, edge_image): (&[f64], f64),
         radius_squared: f64,
-        (depth_slope, excess): (f64, Option<&Excess>),
+        (depth_slope, excess): (f64, Option<Excess>),
     ) -> EdgeCondition {
         let (mesh, n, a) = (&*self.mesh, self.cells(), radius_squared.sqrt());
         let (span, is_force) = (self.span(radius_squared), self.is_force());

@@ -1,40 +1,39 @@
-//! The load integral of the body, by the weights that its wear has.
+//! The load integral of the body, from its image at the nodes of the mesh.
 //!
-//! On a disc the wear is given by lines between the nodes, and ∫ h dx has their error. An image
-//! g + h that has worn far is nearly flat. With the exact ∫ g dx the error of ∫ h dx would stay
-//! alone, and the overlap d − g − h would be off by that, since it has to carry the load.
-//! So g, too, is given by its values at the nodes: then the load is the sum of the overlap, and no
-//! cycle works more than the load along its path. For the parabolas of an annulus it makes no
-//! difference.
+//! On a disc the image h of the wear is linear in x² between the nodes, and ∫ h dx has the error of
+//! that. Where a body has worn far, its image g and that of its wear nearly cancel. With the exact
+//! ∫ g dx the error of ∫ h dx would not cancel, and the overlap d − g − h would be wrong by as
+//! much, since it has to carry the load. So ∫ g dx is taken from the nodes, too. Then the load is
+//! the integral of the overlap, and no cycle works more than friction along its path. On an
+//! annulus, where the image is a parabola in each cell, it makes no difference.
 
 use super::Patch;
 use crate::surface::Region;
 use crate::transform::dot;
 
-/// What the weights of the mesh give too much of ∫ g dx of the body, near one contact radius.
+/// By how much ∫ g dx of the body from the nodes exceeds the exact one, near one contact radius.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Excess {
+    /// Square of that radius, m².
     radius_squared: f64,
     /// m².
     value: f64,
-    /// In the square of the radius.
-    pub(super) slope: f64,
-}
-
-impl Excess {
-    /// At the square of a radius, m².
-    fn at(&self, radius_squared: f64) -> f64 {
-        self.value + self.slope * (radius_squared - self.radius_squared)
-    }
+    /// Slope in the square of the radius.
+    slope: f64,
 }
 
 impl Patch {
-    /// Load integral a g(a) − ∫ g dx of the body, m².
-    pub(super) fn body_load(&self, radius_squared: f64, excess: Option<&Excess>) -> f64 {
-        self.body.load(radius_squared.sqrt()) - excess.map_or(0.0, |excess| excess.at(radius_squared))
+    /// Load integral a g(a) − ∫ g dx of the body, m², and its slope in the square of the radius.
+    pub(super) fn body_load(&self, radius_squared: f64, excess: Option<Excess>) -> (f64, f64) {
+        let a = radius_squared.sqrt();
+        let (load, slope) = (self.body.load(a), 0.5 * self.body.image_slope(a));
+        excess.map_or((load, slope), |excess| {
+            let more = excess.value + excess.slope * (radius_squared - excess.radius_squared);
+            (load - more, slope - excess.slope)
+        })
     }
 
-    /// The excess near the square of a radius; none where it is not asked for.
+    /// The excess near the square of a radius, m²; `None` where the exact integral serves.
     pub(super) fn excess(&self, radius_squared: f64) -> Option<Excess> {
         if !self.is_force() || self.mesh.region == Region::Annulus {
             return None;

@@ -35,7 +35,7 @@ pub(crate) struct Rate {
     pub(super) area_rate: f64,
     /// What fixes the contact edge, where it moves.
     pub(super) edge: Option<EdgeCondition>,
-    /// Near the contact radius.
+    /// Of the body's load integral, near the contact radius.
     pub(super) excess: Option<Excess>,
     /// Worn volume per cycle by the work of the springs, m³.
     pub(crate) volume_rate: f64,
@@ -56,11 +56,11 @@ impl Patch {
     /// inner edge of an annulus, both at a moving outer one.
     pub(crate) fn rate_of(&self, (depth, image): (Vec<f64>, Vec<f64>), guess: f64) -> Option<Rate> {
         let mut excess = self.excess(guess);
-        let mut radius_squared = self.solve_area(&depth, guess, excess.as_ref())?;
-        if excess.is_some() {
-            // once more, so near that it is exact
+        let mut radius_squared = self.solve_area(&depth, guess, excess)?;
+        if excess.is_some() && !self.rim {
+            // known where the edge is, it is exact there
             excess = self.excess(radius_squared);
-            radius_squared = self.solve_area(&depth, radius_squared, excess.as_ref())?;
+            radius_squared = self.solve_area(&depth, radius_squared, excess)?;
         }
         let rate = self.rate_at((depth, image), radius_squared, excess);
         rate.area_rate.is_finite().then_some(rate)
@@ -102,8 +102,7 @@ impl Patch {
             self.motion.value
         } else if self.rim {
             let worn = self.inside_width + span.sqrt() * dot(&mesh.width, &image);
-            self.body.image(a)
-                + (self.motion.value - self.body_load(radius_squared, excess.as_ref()) + worn) / a
+            self.body.image(a) + (self.motion.value - self.body_load(radius_squared, excess).0 + worn) / a
         } else {
             whole[n]
         };
@@ -139,8 +138,7 @@ impl Patch {
             drift_share = self.drift_share(&depth, span, &drift);
             drift.iter_mut().for_each(|drift| *drift *= drift_share);
             add(&mut drift[..n], outside / span - outside_slope, &mesh.share);
-            let condition =
-                self.edge_condition((&depth, edge_image), radius_squared, (edge_slope, excess.as_ref()));
+            let condition = self.edge_condition((&depth, edge_image), radius_squared, (edge_slope, excess));
             area_rate =
                 -dot(&condition.depth, &growth) / (condition.radius_squared + dot(&condition.depth, &drift));
             add(&mut growth, area_rate, &drift);
