@@ -42,10 +42,8 @@ pub(crate) struct UnitMesh {
     drift_of_image: Vec<f64>,
     /// Last column of K̂ for a body that ends at the last node, where the line jumps to zero.
     pub(crate) rim: Vec<f64>,
-    /// ∫ h dx = √L Σ width·z.
+    /// ∫ q dx = √L Σ width·b q for the overlap q of the bodies, or its product with a slip.
     pub(crate) width: Vec<f64>,
-    /// ∫ q σ dx = √L Σ work·b q σ.
-    pub(crate) work: Vec<f64>,
     /// Rows that give zₙ, Σ width·z and the volume (over L) from the depths w.
     pub(crate) edge_image: Vec<f64>,
     pub(crate) mean_image: Vec<f64>,
@@ -109,7 +107,6 @@ impl UnitMesh {
             drift_of_image: Vec::new(),
             rim: Vec::new(),
             share,
-            work: places.work(&width),
             width,
             edge_image: Vec::new(),
             mean_image: Vec::new(),

@@ -217,9 +217,10 @@ impl Patch {
         } else {
             let span = self.span(rate.radius_squared);
             let worn = self.inside_width + span.sqrt() * dot(&self.mesh.width, &rate.image);
-            // F_N/(2E*) = a d − ∫ g dx, of which the body's part is a g(a) − φ(a)
-            let body = radius * self.body.image(radius) - self.body.load(radius);
-            (radius * rate.indentation - body - worn).max(0.0)
+            let excess = Some(self.excess(rate.radius_squared));
+            let body = self.body_load(rate.radius_squared, excess).0;
+            let overlap = rate.indentation - self.body.image(radius);
+            (self.length(rate.radius_squared, excess).0 * overlap + body - worn).max(0.0)
         };
         Contact { control: self.motion.value, depth: rate.indentation, radius, load }
     }

@@ -71,15 +71,15 @@ pub(crate) fn step(
         }
         (depth, image)
     };
-    let (mut volume, mut radius_squared) = (0.0, rate.radius_squared);
+    let (mut volume, mut edge) = (0.0, patch.edge(rate.radius_squared));
     for stage in 0..4 {
         let (mut right, volume_rate) = if stage == 0 {
             (rate.growth.clone(), rate.volume_rate)
         } else {
             counters.pressure_transforms += 1;
             counters.descent_transforms += 2;
-            let here = patch.rate_of(sum(&ALPHA[stage], &increments), radius_squared)?;
-            radius_squared = here.radius_squared;
+            let here = patch.rate_of(sum(&ALPHA[stage], &increments), edge)?;
+            edge.radius_squared = here.radius_squared;
             (here.growth, here.volume_rate)
         };
         for (coupling, increment) in COUPLING[stage].iter().zip(&increments) {
@@ -101,7 +101,7 @@ pub(crate) fn step(
         add(&mut error, cycles * (WEIGHTS[stage] - EMBEDDED[stage]), &increment.1);
     }
     let before = rate;
-    let mut rate = patch.rate_of((depth.clone(), image), radius_squared)?;
+    let mut rate = patch.rate_of((depth.clone(), image), edge)?;
     if patch.hold_front(&mut depth, before, &rate) {
         rate = patch.rate(&depth, rate.radius_squared)?;
     }

@@ -137,7 +137,9 @@ impl Places {
         (0..=n).flat_map(column).map(|place| table[place]).collect()
     }
 
-    /// Weights of ∫ h dx / √L and of the volume over L.
+    /// Weights of widths, ∫ b q dx/√L, and of the volume over L. On an annulus the overlap of the
+    /// bodies, and its product with a slip, vanish like powers of ξ and 1 − ξ at the edges, and the
+    /// trapezoidal rule is nearly exact.
     pub(super) fn integrals(self) -> (Vec<f64>, Vec<f64>) {
         let n = self.cells;
         let rule = gauss_legendre::<POINTS>();
@@ -152,17 +154,10 @@ impl Places {
                 self.add_value(&mut volume, j, s, 2.0 * part * room);
             }
         }
-        (width, volume)
-    }
-
-    /// Weights of the work ∫ q σ dx / √L of springs, times b. On an annulus the integrand vanishes
-    /// like powers of ξ and 1 − ξ at the edges, and the trapezoidal rule is nearly exact; on a disc
-    /// they are those of a width, so that the work of sliding is that of the force.
-    pub(super) fn work(self, width: &[f64]) -> Vec<f64> {
-        match self.region {
-            Region::Annulus => (0..=self.cells).map(|i| 0.5 * self.slope(i as f64)).collect(),
-            Region::Disc => width.to_vec(),
+        if self.region == Region::Annulus {
+            width = (0..=n).map(|i| 0.5 * self.slope(i as f64)).collect();
         }
+        (width, volume)
     }
 
     /// Columns of K̂ down to the diagonal, for a line that falls to zero at the end:

@@ -61,9 +61,10 @@ impl Patch {
             return (self.body.image(a) + h - self.motion.value, body_slope + h_slope);
         }
         let root = span.sqrt();
-        let worn = a * h - self.inside_width - root * mean;
+        let (length, length_slope) = self.length(radius_squared, excess);
+        let worn = length * h - self.inside_width - root * mean;
         let mean_slope = root * change(mesh.mean_image[end], mesh.mean_of_share) + 0.5 * mean / root;
-        let worn_slope = 0.5 * h / a + a * h_slope - mean_slope;
+        let worn_slope = length_slope * h + length * h_slope - mean_slope;
         let (load, load_slope) = self.body_load(radius_squared, excess);
         (load + worn - self.motion.value, load_slope + worn_slope)
     }
@@ -136,8 +137,9 @@ impl Patch {
         let (span, is_force) = (self.span(radius_squared), self.is_force());
         let scale = self.scale(span, a);
         let mut row: Vec<f64> = if is_force {
+            let length = self.length(radius_squared, excess).0;
             let edge = mesh.edge_image.iter().zip(&mesh.mean_image);
-            edge.map(|(edge, mean)| a * edge / scale - span.sqrt() * mean).collect()
+            edge.map(|(edge, mean)| length * edge / scale - span.sqrt() * mean).collect()
         } else {
             mesh.edge_image.iter().map(|edge| edge / scale).collect()
         };

@@ -89,7 +89,8 @@ impl Patch {
     fn matrix(&self, (depth, rate): (&[f64], &Rate), gamma_step: f64) -> (Vec<f64>, Vec<f64>) {
         let (mesh, n, first, end) = (&*self.mesh, self.cells(), self.mesh.first(), self.end());
         let size = n + 1 - first;
-        let (span, a) = (self.span(rate.radius_squared), rate.radius_squared.sqrt());
+        let (span, length) =
+            (self.span(rate.radius_squared), self.length(rate.radius_squared, rate.excess).0);
         let root = span.sqrt();
         // how −γτ times the rates at the nodes change with the pressure, times √L, and with the
         // slip of the springs, over m
@@ -127,7 +128,7 @@ impl Patch {
             if let Some((growth, volume)) = &approach
                 && (self.rim || j == n)
             {
-                let approach_of_image = if self.rim { root * mesh.width[j] / a } else { softness };
+                let approach_of_image = if self.rim { root * mesh.width[j] / length } else { softness };
                 add(column, approach_of_image, &growth[first..]);
                 volume_row[j] += approach_of_image * volume;
             }
@@ -164,14 +165,17 @@ impl Patch {
 
     /// Part of the volume rate over q s of a spring, and over its b.
     fn volume_weight(&self, j: usize, rate: &Rate) -> f64 {
-        2.0 * self.factor * self.span(rate.radius_squared).sqrt() * self.mesh.work[j]
+        2.0 * self.factor * self.span(rate.radius_squared).sqrt() * self.mesh.width[j]
     }
 
     /// How what fixes the contact edge changes with z at a node, with the opposite sign.
     fn area_change(&self, j: usize, rate: &Rate) -> f64 {
         let (n, root) = (self.cells(), self.span(rate.radius_squared).sqrt());
         let edge = if j == n { 1.0 / rate.scale[n] } else { 0.0 };
-        if self.is_force() { root * self.mesh.width[j] - rate.radius_squared.sqrt() * edge } else { -edge }
+        if !self.is_force() {
+            return -edge;
+        }
+        root * self.mesh.width[j] - self.length(rate.radius_squared, rate.excess).0 * edge
     }
 
     fn edge_change<'a>(&self, condition: &'a EdgeCondition, depth: &[f64], rate: &Rate) -> EdgeChange<'a> {

@@ -2,6 +2,7 @@
 
 use super::load::Excess;
 use super::{EdgeCondition, Patch};
+use crate::surface::Region;
 use crate::transform::{add, dot};
 use std::f64::consts::PI;
 
@@ -45,21 +46,35 @@ pub(crate) struct Rate {
     pub(super) drift_share: f64,
 }
 
+/// Where the contact edge may be, and what is known there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Edge {
+    /// Square of its radius, m².
+    pub(crate) radius_squared: f64,
+    /// Where the load is given.
+    excess: Option<Excess>,
+}
+
 impl Patch {
+    /// A contact edge near the square of a radius, m².
+    pub(crate) fn edge(&self, radius_squared: f64) -> Edge {
+        Edge { radius_squared, excess: self.is_force().then(|| self.excess(radius_squared)) }
+    }
+
     /// The rate of wear at given depths inside the region; `None` where no contact edge can be
     /// found.
     pub(crate) fn rate(&self, depth: &[f64], guess: f64) -> Option<Rate> {
-        self.rate_of((depth.to_vec(), self.mesh.abel(depth)), guess)
+        self.rate_of((depth.to_vec(), self.mesh.abel(depth)), self.edge(guess))
     }
 
     /// The same where z, too, is known. Both may have any value where they are given: z at the
     /// inner edge of an annulus, both at a moving outer one.
-    pub(crate) fn rate_of(&self, (depth, image): (Vec<f64>, Vec<f64>), guess: f64) -> Option<Rate> {
-        let mut excess = self.excess(guess);
-        let mut radius_squared = self.solve_area(&depth, guess, excess)?;
-        if excess.is_some() && !self.rim {
-            // known where the edge is, it is exact there
-            excess = self.excess(radius_squared);
+    pub(crate) fn rate_of(&self, (depth, image): (Vec<f64>, Vec<f64>), guess: Edge) -> Option<Rate> {
+        let Edge { mut radius_squared, mut excess } = guess;
+        radius_squared = self.solve_area(&depth, radius_squared, excess)?;
+        if self.mesh.region == Region::Disc && !self.rim {
+            // in gross slip it counts beside the overlap: with the edge it is known exactly
+            excess = self.edge(radius_squared).excess;
             radius_squared = self.solve_area(&depth, radius_squared, excess)?;
         }
         let rate = self.rate_at((depth, image), radius_squared, excess);
@@ -102,7 +117,8 @@ impl Patch {
             self.motion.value
         } else if self.rim {
             let worn = self.inside_width + span.sqrt() * dot(&mesh.width, &image);
-            self.body.image(a) + (self.motion.value - self.body_load(radius_squared, excess).0 + worn) / a
+            let load = self.motion.value - self.body_load(radius_squared, excess).0;
+            self.body.image(a) + (load + worn) / self.length(radius_squared, excess).0
         } else {
             whole[n]
         };
@@ -176,7 +192,7 @@ impl Patch {
 
     /// (k/σ₀) times the work of the springs in a cycle, m³: 2π ∫ p s r dr = 2 ∫ q σ dx.
     fn volume_rate(&self, (span, scale): (f64, &[f64]), overlap: &[f64], slip: &[f64]) -> f64 {
-        let weights = self.mesh.work.iter().zip(scale);
+        let weights = self.mesh.width.iter().zip(scale);
         let work: f64 = weights.zip(overlap).zip(slip).map(|(((w, b), q), s)| w * b * q * s).sum();
         2.0 * self.factor * span.sqrt() * work
     }
