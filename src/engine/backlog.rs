@@ -18,6 +18,11 @@ pub(super) const MOST_SCALE: f64 = 1.5;
 /// and twice change V by 2e-4 on the way and 2e-5 at the end; it then takes 4.0 and 2.5 s.
 const LEAST_THINNING: f64 = 0.01;
 
+/// Share of all that has worn up to which an update that is not solved waits for the next. Where
+/// cycles have worn all that they can, strokes work against rounding: a tenth of such cycles with
+/// strokes between them was refused.
+const FAINT: f64 = 1e-6;
+
 impl FrettingContact {
     /// Memory for the slip of a line, where it is wanted for wear.
     pub(super) fn take_slips(&mut self) -> Option<Vec<SlipPiece>> {
@@ -32,6 +37,13 @@ impl FrettingContact {
         if let Some(slips) = slips {
             self.memory.get().slips = slips;
         }
+    }
+
+    /// Leaves all wear of a work (J) to later updates, on nodes that serve it.
+    fn wait(&mut self, work: f64) -> f64 {
+        self.surface.extend_far();
+        self.defer(work);
+        work
     }
 
     /// Adds the slip of a line to another contact to the backlog. The body moves in a direction, 0
@@ -292,11 +304,7 @@ impl FrettingContact {
         let (transforms, made) = self.memory.get().transforms.get(nodes);
         self.state.counters.transform_tables += u64::from(made);
         let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.model.constants)?;
-        let Some(fields) = fields else {
-            self.surface.extend_far();
-            self.defer(work);
-            return Ok(work);
-        };
+        let Some(fields) = fields else { return Ok(self.wait(work)) };
         self.state.counters.pressure_transforms += fields.transforms;
         self.state.counters.descent_transforms += fields.transforms;
         wear.clipped += fields.clipped;
@@ -305,6 +313,9 @@ impl FrettingContact {
         let update = wear::worn_depth(&self.surface, &transforms, &fields, control, &self.model.constants)?;
         self.state.counters.descent_transforms += update.iterations;
         self.state.counters.pressure_transforms += update.iterations;
+        if !update.followed && per_work * work <= FAINT * nodes.worn_volume() {
+            return Ok(self.wait(work));
+        }
         if !update.followed {
             return Err(Error::WearOutrun {
                 from: self.state.displacement,

@@ -74,6 +74,12 @@ pub(crate) fn integrate(
         let on_mesh = end.patch.volume(&end.rate);
         let nodes = if course.left > 0.0 {
             exported_nodes(&end.patch, &end.state, &end.rate, settings)
+        } else if end.is_worn_free {
+            // the profile is the final one: what it lacks has worn
+            let mut nodes = exported_nodes(&end.patch, &end.state, &end.rate, settings);
+            end.patch.outside.append_to(&mut nodes);
+            life.volume = (nodes.worn_volume() - amount.worn).max(0.0);
+            nodes
         } else {
             let target = amount.worn + life.volume;
             let (nodes, [defect, missing]) =

@@ -6,6 +6,7 @@ mod common;
 mod derivatives;
 mod ellipse;
 mod end_of_the_table;
+mod ends;
 mod fields;
 mod interface_coating;
 mod interface_derivatives;

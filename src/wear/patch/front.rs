@@ -48,6 +48,18 @@ impl Patch {
         rate.indentation.abs().min(rate.free_slip / self.bound_slope)
     }
 
+    /// Whether the overlap of what slips is on average less than a share of that at the front: all
+    /// has worn off that the motion can wear.
+    pub(crate) fn is_worn_free(&self, rate: &Rate, share: f64) -> bool {
+        let (a, root) = (rate.radius_squared.sqrt(), self.span(rate.radius_squared).sqrt());
+        let carries = |i: usize| {
+            let bound = if rate.slip[i] > 0.0 { (rate.free_slip - rate.slip[i]).max(0.0) } else { 0.0 };
+            root * self.mesh.width[i] * rate.scale[i] * bound
+        };
+        let least = share * self.bound_slope * self.most_worn(rate) * (a - self.inner_radius);
+        (0..=self.cells()).map(carries).sum::<f64>() < least
+    }
+
     /// Whether the contact has become smaller, so that it leaves what it has worn. While a body
     /// sinks into what others have worn it grows: a mesh that has it shrink has lost its edge.
     pub(crate) fn recedes(&self, rate: &Rate) -> bool {

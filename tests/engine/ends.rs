@@ -1,0 +1,70 @@
+//! Cycles that go on where all has worn off that they can wear.
+
+use crate::common::*;
+use fretting_contact::{FrettingContact, Parameters, Profile};
+
+/// Bodies and amplitudes over full slip whose cycles come to an end at constant force. The last two
+/// begin in gross slip: the front comes from the axis once the body is flat.
+const ENDS: [(Profile, f64); 6] =
+    [(BALL, 0.4), (BALL, 0.95), (CONE, 0.8), (ROUNDED, 0.84), (BALL, 1.1), (BLUNTED, 1.1)];
+
+/// A contact at a resolution, and an amplitude, m.
+fn contact_with((profile, share): &(Profile, f64), resolution: usize) -> (FrettingContact, f64) {
+    let amplitude = share * exact(profile, FORCE).full_slip();
+    let parameters = Parameters { profile: profile.clone(), resolution, ..Parameters::default() };
+    (started(parameters), amplitude)
+}
+
+/// However many cycles there are beyond the end, in one call or several: they wear nothing, and
+/// take no step.
+#[test]
+fn cycles_beyond_the_end_wear_nothing() {
+    for end in &ENDS {
+        let one_call = |cycles: f64| {
+            let (mut contact, amplitude) = contact_with(end, 64);
+            contact.advance_cycles(FORCE, amplitude, cycles).expect("the cycles are followed");
+            (contact.wear_volume(), *contact.counters())
+        };
+        let (volume, counters) = one_call(1e9);
+        println!("{end:?}: {counters}");
+        for cycles in [1e10, 1e12] {
+            assert_eq!(one_call(cycles), (volume, counters), "{end:?}, {cycles:e}");
+        }
+        let (mut contact, amplitude) = contact_with(end, 64);
+        let mut before = 0.0;
+        let calls = [(); 7].map(|()| {
+            contact.advance_cycles(FORCE, amplitude, 1e8).expect("the cycles are followed");
+            assert!(contact.wear_volume() >= before, "{end:?}: wear never decreases");
+            before = contact.wear_volume();
+            close_to(contact.profile_volume(), contact.wear_volume(), 1e-3, "V of the profile");
+            (before, contact.counters().profile_updates)
+        });
+        assert!(calls[2..].iter().all(|call| *call == calls[1]), "{end:?}: {calls:?}");
+        close_to(before, volume, 1e-3, "V in seven calls");
+    }
+}
+
+/// Strokes between such cycles find next to nothing to wear, in the rounding of what is left: no
+/// update of that is refused.
+#[test]
+fn strokes_beyond_the_end_are_followed() {
+    for (profile, amplitude) in [(BALL, 1.5e-6), (BALL, 8e-7), (CONE, 1.2e-6), (CONE, 2.2e-6)] {
+        let volumes = [32, 64, 128].map(|resolution| {
+            let wear_coefficient = 3.2e-2;
+            let profile = profile.clone();
+            let mut contact =
+                started(Parameters { profile, resolution, wear_coefficient, ..Parameters::default() });
+            for cycles in [100.0, 900.0, 9e3, 9e4] {
+                contact.advance_cycles(FORCE, amplitude, cycles).expect("the cycles are followed");
+                for k in 0..100 {
+                    let place = amplitude * (0.0628 * f64::from(k)).sin();
+                    contact.advance_to(FORCE, place).expect("the stroke is followed");
+                }
+            }
+            contact.wear_volume()
+        });
+        println!("{profile:?}, {amplitude:e}: V {volumes:?}");
+        close_to(volumes[0], volumes[2], 1e-2, "V on coarse cells");
+        close_to(volumes[1], volumes[2], 3e-3, "V on usual cells");
+    }
+}
