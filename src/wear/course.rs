@@ -99,8 +99,7 @@ impl<'a> Course<'a> {
         (patch, mut state, mut rate): (Patch, State, Rate),
         counters: &mut Counters,
     ) -> Result<End, Error> {
-        // by the work, and what the profile has lost in steps of which that tells nothing
-        let (mut volume, mut lost) = (0.0, 0.0);
+        let mut volume = 0.0;
         if self.step == 0.0 {
             self.step = first_step(&patch, &rate, self.settings);
         }
@@ -122,7 +121,7 @@ impl<'a> Course<'a> {
                 Some(trial) if ratio <= 1.0 => {
                     self.previous = Some((length, ratio));
                     (state, rate) = (trial.state, trial.rate);
-                    *if trial.is_by_work { &mut volume } else { &mut lost } += trial.volume;
+                    volume += trial.volume;
                     fresh = false;
                     if patch.recedes(&rate) {
                         return Err(edge_not_found(self.motion));
@@ -152,7 +151,7 @@ impl<'a> Course<'a> {
                 }
             }
         }
-        Ok(End { patch, state, rate, volume: volume + lost.max(0.0), is_worn_free })
+        Ok(End { patch, state, rate, volume, is_worn_free })
     }
 
     /// One step of some length; `None` where it has no end.

@@ -45,8 +45,6 @@ pub(crate) struct Trial {
     pub(crate) rate: Rate,
     /// Worn volume, m³.
     pub(crate) volume: f64,
-    /// Whether that is by the work of the springs, else what the profile has lost.
-    pub(crate) is_by_work: bool,
     /// Largest error of the image, m.
     pub(crate) error: f64,
 }
@@ -112,16 +110,14 @@ pub(crate) fn step(
     if moved.abs() > MOST_MOVED * patch.span(before.radius_squared) {
         return None;
     }
-    let grown = patch.volume(&rate) - patch.volume(before);
-    // at steps far longer than the relaxation the quadrature of the work is all rounding
-    let is_by_work = volume > 0.0 && volume < 2.0 * grown;
     // where the edge passes a kink of what other loads have left, the images of the stages may not
     // tell how much a step has missed; what both volumes differ by does
-    let missed = if is_by_work && patch.outside.is_some() { (volume - grown).abs() } else { 0.0 };
+    let grown = || patch.volume(&rate) - patch.volume(before);
+    let missed = if patch.outside.is_some() { (volume - grown()).abs() } else { 0.0 };
     let mean_missed = missed / (PI * patch.span(rate.radius_squared));
     let error = patch.largest_image(patch.sticking(before) + 1, &error, &rate).max(mean_missed);
     let state = State { depth, radius_squared: rate.radius_squared };
-    Some(Trial { state, rate, volume: if is_by_work { volume } else { grown }, is_by_work, error })
+    Some(Trial { state, rate, volume, error })
 }
 
 #[cfg(test)]
