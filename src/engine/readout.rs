@@ -14,6 +14,10 @@ pub(super) const ASIDE: f64 = 1e-9;
 /// Number of probe radii.
 const PROBES: usize = 64;
 
+/// Rings across the contact of which one has to carry the largest pressure. At a distance δ from a
+/// place where the pressure is infinite it rises like 1/√δ.
+const RINGS: usize = 64;
+
 /// Forces, lengths, work and wear as they are now.
 impl FrettingContact {
     /// Tangential displacement U of the body in the contact, m; in cyclic loading its amplitude.
@@ -256,8 +260,9 @@ impl FrettingContact {
         self.model.axes.stress(self.model.constants.tangential_modulus / PI * sum)
     }
 
-    /// Largest pressure, Pa, among the axis, the middles of even cells across the contact and the
-    /// nodes of the wear; singular points are passed over, so that the value stays finite.
+    /// Largest pressure, Pa: on the axis, or that a ring of 1/64 of the contact radius carries all
+    /// over. At the rim of a punch, the apex of a cone and a stick front behind which all has worn
+    /// off the pressure itself is infinite.
     pub fn max_pressure(&self) -> f64 {
         self.max_pressure_in(&self.state.contact)
     }
@@ -268,15 +273,14 @@ impl FrettingContact {
         if a == 0.0 {
             return 0.0;
         }
-        let n = self.model.parameters.resolution;
-        let even = (0..n).map(|i| a * (i as f64 + 0.5) / n as f64);
-        let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
-        let radii = std::iter::once(0.0).chain(even).chain(nodes.iter().copied());
         let slopes = self.slopes(a);
-        let most = radii
-            .map(|r| self.pressure_in((contact, &slopes), r))
-            .filter(|p| p.is_finite())
-            .fold(0.0, f64::max);
+        let half_rings = 2 * RINGS;
+        let radius = |k: usize| a * k as f64 / half_rings as f64;
+        let pressures: Vec<f64> =
+            (0..=half_rings).map(|k| self.pressure_in((contact, &slopes), radius(k))).collect();
+        let on_ring = |ring: &[f64]| ring.iter().copied().fold(f64::INFINITY, f64::min);
+        let on_axis = Some(pressures[0]).filter(|pressure| pressure.is_finite());
+        let most = pressures.windows(3).map(on_ring).chain(on_axis).fold(0.0, f64::max);
         self.model.axes.stress(most)
     }
 }

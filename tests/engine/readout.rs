@@ -108,3 +108,29 @@ fn the_number_of_cells_has_its_range() {
     }
     assert!(with(8).is_ok() && with(512).is_ok());
 }
+
+/// In the end the pressure at the stick front of worn cycles is infinite, as at the rim of a punch.
+/// The largest pressure that is told stays of the size of the unworn body's, whatever the cells and
+/// the tolerance. (At the nodes next to the front it was 380 to 2,000 times as high.)
+#[test]
+fn the_largest_pressure_does_not_depend_on_the_nodes_at_a_stick_front() {
+    for profile in [BALL, CONE, ROUNDED] {
+        let amplitude = 0.4 * exact(&profile, FORCE).full_slip();
+        let largest = |cycles: f64, resolution: usize, tolerance: f64| {
+            let parameters =
+                Parameters { profile: profile.clone(), resolution, tolerance, ..Parameters::default() };
+            let mut contact = started(parameters);
+            let unworn = contact.max_pressure();
+            contact.advance_cycles(FORCE, amplitude, cycles).unwrap();
+            contact.max_pressure() / unworn
+        };
+        for cycles in [1e4, 1e5, 1e6] {
+            let usual = largest(cycles, 64, 1e-3);
+            println!("{profile:?}, {cycles:e} cycles: {usual:.4}");
+            assert!(usual > 0.9 && usual < 2.0, "{profile:?}, {cycles:e}: {usual}");
+            for (resolution, tolerance) in [(64, 1e-5), (128, 1e-3), (256, 1e-4)] {
+                close_to(largest(cycles, resolution, tolerance), usual, 5e-3, "largest pressure");
+            }
+        }
+    }
+}
