@@ -110,8 +110,8 @@ fn the_number_of_cells_has_its_range() {
 }
 
 /// In the end the pressure at the stick front of worn cycles is infinite, as at the rim of a punch.
-/// The largest pressure that is told stays of the size of the unworn body's, whatever the cells and
-/// the tolerance. (At the nodes next to the front it was 380 to 2,000 times as high.)
+/// The largest pressure that is reported stays of the size of the unworn body's, whatever the cells
+/// and the tolerance. (At the nodes next to the front it was 380 to 2,000 times as high.)
 #[test]
 fn the_largest_pressure_does_not_depend_on_the_nodes_at_a_stick_front() {
     for profile in [BALL, CONE, ROUNDED] {
