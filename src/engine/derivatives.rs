@@ -292,7 +292,8 @@ impl FrettingContact {
     /// that move with the edge.
     pub fn max_pressure_gradient(&self) -> Gradient {
         let Contact { radius, depth, load, .. } = self.state.contact;
-        if radius == 0.0 {
+        // held in depth, a body may wear until it carries nothing
+        if radius == 0.0 || load == 0.0 {
             return Gradient::default();
         }
         // mean approach of the contact: the depth may be small beside it where the profile is worn

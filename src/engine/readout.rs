@@ -270,7 +270,7 @@ impl FrettingContact {
     /// The same in a contact of this surface.
     pub(super) fn max_pressure_in(&self, contact: &Contact) -> f64 {
         let a = contact.radius;
-        if a == 0.0 {
+        if !(a > 0.0 && a.is_finite()) {
             return 0.0;
         }
         let slopes = self.slopes(a);

@@ -1,7 +1,7 @@
 //! Cycles up to where all has worn off that they can wear, and beyond.
 
 use crate::common::*;
-use fretting_contact::{FrettingContact, Parameters, Profile};
+use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
 
 /// Bodies and amplitudes over full slip whose cycles come to an end at constant force. The last two
 /// begin in gross slip: the front comes from the axis once the body is flat.
@@ -85,5 +85,33 @@ fn strokes_beyond_the_end_are_followed() {
         println!("{profile:?}, {amplitude:e}: V {volumes:?}");
         close_to(volumes[0], volumes[2], 1e-2, "V on coarse cells");
         close_to(volumes[1], volumes[2], 3e-3, "V on usual cells");
+    }
+}
+
+/// Held in depth, a body in gross slip wears until it carries nothing: all that can be asked of it
+/// is a number, and it can be moved on.
+#[test]
+fn a_body_that_carries_nothing_gives_numbers() {
+    for profile in [BALL, CONE, ROUNDED, PUNCH] {
+        let depth = exact(&profile, FORCE).normal.depth();
+        let normal_control = NormalControl::Indentation;
+        let mut contact = contact(Parameters { profile, normal_control, ..Parameters::default() });
+        contact.advance_cycles(depth, 1e-4, 1e9).expect("the cycles are followed");
+        let force = contact.normal_reaction();
+        println!("{:?}: {force:e} N of {FORCE} are left", contact.parameters().profile);
+        assert!((0.0..1e-3 * FORCE).contains(&force), "{force:e}");
+        for gradient in [
+            contact.max_pressure_gradient(),
+            contact.normal_reaction_gradient(),
+            contact.contact_radius_gradient(),
+            contact.tangential_force_gradient(),
+            contact.wear_depth_gradient(),
+        ] {
+            assert!(gradient.normal.is_finite() && gradient.displacement.is_finite(), "{gradient:?}");
+        }
+        assert!(contact.max_pressure().is_finite() && contact.tangential_stiffness().is_finite());
+        let worn = contact.wear_volume();
+        contact.advance_to(1.1 * depth, -1e-4).expect("the stroke is followed");
+        assert!(contact.wear_volume() > worn && contact.normal_reaction() > force);
     }
 }
