@@ -40,10 +40,9 @@ impl FrettingContact {
     }
 
     /// Leaves all wear of a work (J) to later updates, on nodes that serve it.
-    fn wait(&mut self, work: f64) -> f64 {
+    fn wait(&mut self, work: f64) {
         self.surface.extend_far();
         self.defer(work);
-        work
     }
 
     /// Adds the slip of a line to another contact to the backlog. The body moves in a direction, 0
@@ -280,8 +279,7 @@ impl FrettingContact {
     }
 
     /// Wears a slip law off on nodes at rest, which is that of friction work (J) of the springs.
-    /// `radius` is the largest of its contacts, m. Returns the work whose wear has found no place
-    /// there and is deferred, J.
+    /// `radius` is the largest of its contacts, m. Wear that finds no place there is deferred.
     ///
     /// # Errors
     /// [`Error::WearOutrun`] where one update cannot follow; those of the normal contact.
@@ -290,7 +288,7 @@ impl FrettingContact {
         (law, way): (&[SlipAtDepth], FrontMotion),
         work: f64,
         radius: f64,
-    ) -> Result<f64, Error> {
+    ) -> Result<(), Error> {
         let per_work = self.model.constants.wear_per_work;
         let before = self.surface.worn().map_or(0.0, Nodes::worn_volume);
         let nodes = self.nodes_at_rest(law, radius, way);
@@ -300,11 +298,14 @@ impl FrettingContact {
         }
         self.surface.set_worn(Some(nodes));
         let work = work + self.take_deferred(work);
-        let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(0.0) };
+        let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(()) };
         let (transforms, made) = self.memory.get().transforms.get(nodes);
         self.state.counters.transform_tables += u64::from(made);
         let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.model.constants)?;
-        let Some(fields) = fields else { return Ok(self.wait(work)) };
+        let Some(fields) = fields else {
+            self.wait(work);
+            return Ok(());
+        };
         self.state.counters.pressure_transforms += fields.transforms;
         self.state.counters.descent_transforms += fields.transforms;
         wear.clipped += fields.clipped;
@@ -314,7 +315,8 @@ impl FrettingContact {
         self.state.counters.descent_transforms += update.iterations;
         self.state.counters.pressure_transforms += update.iterations;
         if !update.followed && per_work * work <= FAINT * nodes.worn_volume() {
-            return Ok(self.wait(work));
+            self.wait(work);
+            return Ok(());
         }
         if !update.followed {
             return Err(Error::WearOutrun {
@@ -332,15 +334,14 @@ impl FrettingContact {
         let share = wear::mean_work_share(&self.surface, law, &grown, control);
         let target = per_work * work * share;
         let scale = scale_to(target);
-        let residual = (target - scale * volume) / per_work;
-        wear.deferred_work += residual;
+        wear.deferred_work += (target - scale * volume) / per_work;
         self.surface = self.surface.worn_further(change, scale);
         self.surface.extend_far();
         self.correct_work(work * (share - 1.0));
         self.state.counters.descent_transforms += 1;
         self.state.counters.profile_updates += 1;
         self.look_at_coating();
-        Ok(residual)
+        Ok(())
     }
 
     /// Radius up to which springs stuck (m) while others slipped in contacts up to a radius (m),

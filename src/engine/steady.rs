@@ -104,15 +104,7 @@ impl FrettingContact {
             return Ok(0.0);
         }
         let law = SlipAtDepth::of_motion(sliding, part, contact.depth, self.model.bound_slope);
-        let residual = self.absorb_law((&[law], FrontMotion::Creeps), work, contact.radius)?;
-        // where a slip zone has worn free, only springs in the cell at its front still work, and
-        // cannot wear: that work is not counted
-        let is_free = stick > 0.0 && unit_work < tuning.little_work * pace.work && residual > 0.5 * work;
-        if is_free {
-            self.defer(-residual);
-            self.add_work(work - residual);
-            return Ok(left);
-        }
+        self.absorb_law((&[law], FrontMotion::Creeps), work, contact.radius)?;
         self.add_work(work);
         Ok(part)
     }

@@ -12,9 +12,6 @@ pub(super) struct Tuning {
     pub(super) stroke: f64,
     /// Share of what the slip zone can lose that one update of a steady motion wears off at most.
     pub(super) steady_share: f64,
-    /// Work of a cycle, over the most so far, below which the slip zone of steady cycles may have
-    /// worn free.
-    pub(super) little_work: f64,
     /// An annulus that slips is taken to be at least this share of the contact radius wide: what
     /// little wears in a thinner one need not be followed at once.
     pub(super) least_width: f64,
@@ -42,7 +39,6 @@ pub(super) struct Tuning {
 pub(super) const USUAL: Tuning = Tuning {
     stroke: 20.0,
     steady_share: 5e-4,
-    little_work: 0.1,
     least_width: 0.1,
     placed_with: 0.25,
     load_share: 0.05,
