@@ -3,6 +3,7 @@
 use super::FrettingContact;
 use super::history::MOST_PIECES;
 use crate::error::Error;
+use crate::parameters::NormalControl;
 use crate::surface::{FrontMotion, ROUNDING};
 use crate::wear::{self, Sliding, SlipAtDepth};
 
@@ -85,6 +86,11 @@ impl FrettingContact {
     fn wear_part(&mut self, sliding: Sliding, left: f64, pace: &mut Pace) -> Result<f64, Error> {
         let contact = self.state.contact;
         let (unit_work, stick) = self.unit_work(sliding);
+        // where all slips under a force it cannot have worn free: the profile is lost
+        if unit_work == 0.0 && stick == 0.0 && self.model.parameters.normal_control == NormalControl::Force {
+            let amplitude = sliding.amplitude();
+            return Err(Error::TooMuchWear { cycles: left, left, amplitude, steps: 1 });
+        }
         // a slip zone that has worn free
         if unit_work <= ROUNDING * pace.work || self.defer_little(unit_work * left, ROUNDING) {
             return Ok(left);

@@ -107,7 +107,7 @@ impl<'a> Course<'a> {
         // always made
         let (mut fresh, mut rejected, mut is_worn_free) = (true, 0, false);
         while self.left > 0.0 && (fresh || patch.front(&rate) == Front::Kept) {
-            if patch.is_worn_free(&rate, WORN_FREE * self.settings.tolerance) {
+            if self.is_at_end(&patch, &rate) {
                 self.left = 0.0;
                 is_worn_free = true;
                 break;
@@ -152,6 +152,11 @@ impl<'a> Course<'a> {
             }
         }
         Ok(End { patch, state, rate, volume, is_worn_free })
+    }
+
+    /// Whether all has worn off that the motion can wear.
+    pub(super) fn is_at_end(&self, patch: &Patch, rate: &Rate) -> bool {
+        patch.is_worn_free(rate, WORN_FREE * self.settings.tolerance)
     }
 
     /// One step of some length; `None` where it has no end.

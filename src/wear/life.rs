@@ -64,6 +64,9 @@ pub(crate) fn integrate(
         let body = (&life.surface, outside);
         let known = (worn_volume, amount.is_update || worn_volume.is_some());
         let Some(start) = mesh_slip_zone(body, &contact, motion, constants, settings, known)? else { break };
+        if life.mesh.is_none() && course.is_at_end(&start.0, &start.2) {
+            break;
+        }
         let end = course.follow(&life.surface, start, counters)?;
         if end.patch.is_at_end_of_body(&end.rate) {
             check_end_of_body(&life.surface, motion, constants)?;

@@ -115,3 +115,28 @@ fn a_body_that_carries_nothing_gives_numbers() {
         assert!(contact.wear_volume() > worn && contact.normal_reaction() > force);
     }
 }
+
+/// Under a force gross slip has no end: what slips carries it, however little its overlap is beside
+/// the depth that has worn and the amplitude. Cycles wear as far as friction along their path asks
+/// for or, with an overlap of less than 1e-5 of the depth, are refused. (Some wore nothing at all.)
+#[test]
+fn under_a_force_gross_slip_has_no_end() {
+    for profile in [BALL, CONE, Profile::PowerLaw { exponent: 4.0, coefficient: 1e9 }] {
+        for (force, amplitude, least) in [(0.1, 1e-3, 1e6), (1.0, 1e-4, 1e7), (0.01, 1e-4, 1e6)] {
+            let parameters = Parameters { profile: profile.clone(), ..Parameters::default() };
+            let path = parameters.friction_coefficient * force * 4.0 * amplitude;
+            let volume = parameters.wear_per_work() * path;
+            let mut contact = contact(parameters);
+            for cycles in [1e5, 1e6, 1e7, 1e8, 1e9] {
+                let before = contact.wear_volume();
+                let followed = contact.advance_cycles(force, amplitude, cycles);
+                println!("{force} N, {cycles:e}: d {:.2e} m, {followed:?}", contact.indentation_depth());
+                if followed.is_err() {
+                    assert!(cycles > least, "{profile:?}, {force} N, {cycles:e}: {followed:?}");
+                    break;
+                }
+                close_to(contact.wear_volume() - before, volume * cycles, 1e-3, "V of a path");
+            }
+        }
+    }
+}

@@ -49,8 +49,11 @@ impl Patch {
     }
 
     /// Whether the overlap of what slips is on average less than a share of that at the front: all
-    /// has worn off that the motion can wear.
+    /// has worn off that the motion can wear. Where all slips under a force, that does not happen.
     pub(crate) fn is_worn_free(&self, rate: &Rate, share: f64) -> bool {
+        if self.is_force() && self.mesh.region == Region::Disc {
+            return false;
+        }
         let (a, root) = (rate.radius_squared.sqrt(), self.span(rate.radius_squared).sqrt());
         let carries = |i: usize| {
             let bound = if rate.slip[i] > 0.0 { (rate.free_slip - rate.slip[i]).max(0.0) } else { 0.0 };
