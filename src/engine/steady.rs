@@ -10,6 +10,9 @@ use crate::wear::{self, Sliding, SlipAtDepth};
 /// Least share of the limit that an update is made with.
 const LEAST_SHARE: f64 = 1.0 / 64.0;
 
+/// Least work of a cycle in which all slips under a force, over that of friction along its path.
+const LEAST_WORK: f64 = 1e-6;
+
 /// How the updates of a motion have gone so far.
 struct Pace {
     /// The most that one cycle or metre has worked, J.
@@ -86,8 +89,7 @@ impl FrettingContact {
     fn wear_part(&mut self, sliding: Sliding, left: f64, pace: &mut Pace) -> Result<f64, Error> {
         let contact = self.state.contact;
         let (unit_work, stick) = self.unit_work(sliding);
-        // where all slips under a force it cannot have worn free: the profile is lost
-        if unit_work == 0.0 && stick == 0.0 && self.model.parameters.normal_control == NormalControl::Force {
+        if stick == 0.0 && self.has_lost_its_load(sliding, unit_work) {
             let amplitude = sliding.amplitude();
             return Err(Error::TooMuchWear { cycles: left, left, amplitude, steps: 1 });
         }
@@ -113,6 +115,14 @@ impl FrettingContact {
         self.absorb_law((&[law], FrontMotion::Creeps), work, contact.radius)?;
         self.add_work(work);
         Ok(part)
+    }
+
+    /// Whether all springs slip under a force and, by the work (J) of a cycle, carry next to none
+    /// of it: what wear has left of the profile is rounding.
+    fn has_lost_its_load(&self, sliding: Sliding, unit_work: f64) -> bool {
+        let Sliding::Cycles(amplitude) = sliding else { return false };
+        let most = 4.0 * self.model.constants.friction_coefficient * self.normal_reaction() * amplitude;
+        self.model.parameters.normal_control == NormalControl::Force && unit_work < LEAST_WORK * most
     }
 
     /// Counts work (J) and defers its wear, where that is less than a share of what need not show
