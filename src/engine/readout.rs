@@ -14,8 +14,9 @@ pub(super) const ASIDE: f64 = 1e-9;
 /// Number of probe radii.
 const PROBES: usize = 64;
 
-/// Rings across the contact of which one has to carry the largest pressure. At a distance δ from a
-/// place where the pressure is infinite it rises like 1/√δ.
+/// Rings across the contact. The largest pressure is reached throughout one of them: at a distance
+/// δ from a place where it is infinite it rises like 1/√δ, so that twice as many rings show √2
+/// times as much.
 const RINGS: usize = 64;
 
 /// Forces, lengths, work and wear as they are now.
@@ -35,8 +36,13 @@ impl FrettingContact {
         let force = 2.0
             * self.model.constants.tangential_modulus
             * self.state.springs.deflection_integral(self.state.displacement);
-        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
+        let limit = self.friction_limit();
         force.clamp(-limit, limit)
+    }
+
+    /// Most that friction can carry, μF_N, N.
+    pub(super) fn friction_limit(&self) -> f64 {
+        self.model.constants.friction_coefficient * self.normal_reaction()
     }
 
     /// Normal force F_N, N; 0 where the bodies are apart.
@@ -260,9 +266,10 @@ impl FrettingContact {
         self.model.axes.stress(self.model.constants.tangential_modulus / PI * sum)
     }
 
-    /// Largest pressure, Pa: on the axis, or that a ring of 1/64 of the contact radius carries all
-    /// over. At the rim of a punch, the apex of a cone and a stick front behind which all has worn
-    /// off the pressure itself is infinite.
+    /// Largest pressure, Pa: that on the axis, or the largest that is reached throughout a ring of
+    /// a width of 1/64 of the contact radius. Higher peaks are narrower: at the rim of a punch, at
+    /// the apex of a cone and, where all that slips has worn off, at the stick front the pressure
+    /// is infinite.
     pub fn max_pressure(&self) -> f64 {
         self.max_pressure_in(&self.state.contact)
     }
@@ -270,6 +277,7 @@ impl FrettingContact {
     /// The same in a contact of this surface.
     pub(super) fn max_pressure_in(&self, contact: &Contact) -> f64 {
         let a = contact.radius;
+        // one moved for a derivative may have any radius
         if !(a > 0.0 && a.is_finite()) {
             return 0.0;
         }

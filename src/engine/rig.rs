@@ -115,7 +115,7 @@ impl FrettingContact {
 
     /// How far the drive is ahead of equilibrium, D − U − T/k_rig, m; 0 where that is rounding.
     fn pull(&self, drive: f64) -> f64 {
-        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
+        let limit = self.friction_limit();
         self.pull_on((drive, self.state.displacement), self.tangential_force(), limit)
     }
 
@@ -135,7 +135,7 @@ impl FrettingContact {
         }
         let row_modulus = 2.0 * self.model.constants.tangential_modulus;
         let newton = pull / (1.0 + self.model.compliance * row_modulus * self.sticking(side));
-        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
+        let limit = self.friction_limit();
         let gross_slip = side * (drive - self.state.displacement) - self.model.compliance * limit;
         let target = self.state.displacement + side * newton.max(gross_slip);
         (target != self.state.displacement).then_some(target)
@@ -193,7 +193,7 @@ impl FrettingContact {
         }
         let contact = self.state.contact;
         let row_modulus = 2.0 * self.model.constants.tangential_modulus;
-        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
+        let limit = self.friction_limit();
         roots::from_below((drive - self.model.compliance * limit).max(0.0), |amplitude| {
             let (mut force, mut stick) = (0.0, contact.radius);
             if amplitude > 0.0 {

@@ -11,6 +11,7 @@ use crate::wear::{self, Sliding, SlipAtDepth};
 const LEAST_SHARE: f64 = 1.0 / 64.0;
 
 /// Least work of a cycle in which all slips under a force, over that of friction along its path.
+/// Profiles that had lost their load had 1e-12 of it, or none (0.1 N, 1 mm, 1e7 cycles).
 const LEAST_WORK: f64 = 1e-6;
 
 /// How the updates of a motion have gone so far.
@@ -71,6 +72,8 @@ impl FrettingContact {
                         let is_little = self.defer_little(work, 1.0);
                         return if is_little { Ok(()) } else { Err(refused(left, updates + 1)) };
                     }
+                    // of the call, not of the part
+                    Err(Error::TooMuchWear { .. }) => return Err(refused(left, updates + 1)),
                     Err(other) => return Err(other),
                 }
                 updates += 1;
@@ -89,9 +92,8 @@ impl FrettingContact {
     fn wear_part(&mut self, sliding: Sliding, left: f64, pace: &mut Pace) -> Result<f64, Error> {
         let contact = self.state.contact;
         let (unit_work, stick) = self.unit_work(sliding);
-        if stick == 0.0 && self.has_lost_its_load(sliding, unit_work) {
-            let amplitude = sliding.amplitude();
-            return Err(Error::TooMuchWear { cycles: left, left, amplitude, steps: 1 });
+        if self.has_lost_its_load(sliding, (unit_work, stick)) {
+            return Err(Error::TooMuchWear { cycles: left, left, amplitude: sliding.amplitude(), steps: 1 });
         }
         // a slip zone that has worn free
         if unit_work <= ROUNDING * pace.work || self.defer_little(unit_work * left, ROUNDING) {
@@ -117,12 +119,13 @@ impl FrettingContact {
         Ok(part)
     }
 
-    /// Whether all springs slip under a force and, by the work (J) of a cycle, carry next to none
-    /// of it: what wear has left of the profile is rounding.
-    fn has_lost_its_load(&self, sliding: Sliding, unit_work: f64) -> bool {
+    /// Whether a profile has worn so far that the load is lost in its rounding, by the work (J) of
+    /// a cycle and the radius that sticks (m): all springs slip under a force, and carry hardly
+    /// any of it.
+    fn has_lost_its_load(&self, sliding: Sliding, (unit_work, stick): (f64, f64)) -> bool {
         let Sliding::Cycles(amplitude) = sliding else { return false };
-        let most = 4.0 * self.model.constants.friction_coefficient * self.normal_reaction() * amplitude;
-        self.model.parameters.normal_control == NormalControl::Force && unit_work < LEAST_WORK * most
+        let is_gross = self.model.parameters.normal_control == NormalControl::Force && stick == 0.0;
+        is_gross && unit_work < LEAST_WORK * 4.0 * self.friction_limit() * amplitude
     }
 
     /// Counts work (J) and defers its wear, where that is less than a share of what need not show
@@ -141,7 +144,7 @@ impl FrettingContact {
     fn unit_work(&mut self, sliding: Sliding) -> (f64, f64) {
         let contact = self.state.contact;
         match sliding {
-            Sliding::Onward => (self.model.constants.friction_coefficient * self.normal_reaction(), 0.0),
+            Sliding::Onward => (self.friction_limit(), 0.0),
             Sliding::Cycles(amplitude) => {
                 let (springs, quarter_work) = self.quarter(&contact, amplitude);
                 let stick = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
@@ -175,8 +178,7 @@ impl FrettingContact {
         if slack <= 0.0 || move_on.abs() <= 2.0 * slack {
             return None;
         }
-        let friction = self.model.constants.friction_coefficient * self.normal_reaction();
-        let volume = self.model.constants.wear_per_work * friction * (move_on.abs() - slack);
+        let volume = self.model.constants.wear_per_work * self.friction_limit() * (move_on.abs() - slack);
         self.exceeds_limit(volume, &self.state.contact, 0.0)?;
         Some(self.state.displacement + slack * move_on.signum())
     }

@@ -22,12 +22,7 @@ pub(super) fn left_at_the_end(
     settings: &IntegrationSettings,
     target: f64,
 ) -> (Nodes, [f64; 2]) {
-    let all_nodes = |state: &State, rate: &Rate| {
-        let mut nodes = exported_nodes(patch, state, rate, settings);
-        patch.outside.append_to(&mut nodes);
-        nodes
-    };
-    let mut nodes = all_nodes(&state, &rate);
+    let mut nodes = all_nodes(patch, (&state, &rate), settings);
     let mut missing = target - nodes.worn_volume();
     let defect = missing.abs();
     for _ in 0..CORRECTIONS {
@@ -36,10 +31,21 @@ pub(super) fn left_at_the_end(
         }
         let Some(grown) = patch.with_volume(&state, &rate, missing) else { break };
         (state, rate) = grown;
-        nodes = all_nodes(&state, &rate);
+        nodes = all_nodes(patch, (&state, &rate), settings);
         missing = target - nodes.worn_volume();
     }
     (nodes, [defect, missing.abs()])
+}
+
+/// Nodes of the surface that a patch leaves, with the wear outside the contact.
+pub(super) fn all_nodes(
+    patch: &Patch,
+    (state, rate): (&State, &Rate),
+    settings: &IntegrationSettings,
+) -> Nodes {
+    let mut nodes = exported_nodes(patch, state, rate, settings);
+    patch.outside.append_to(&mut nodes);
+    nodes
 }
 
 /// Nodes of the surface that a patch leaves: those of the mesh, on an annulus with one between any

@@ -3,7 +3,7 @@
 
 use super::Constants;
 use super::course::Course;
-use super::export::{exported_nodes, left_at_the_end};
+use super::export::{all_nodes, exported_nodes, left_at_the_end};
 use super::mesh::UnitMesh;
 use super::patch::{Motion, Outside, edge_not_found};
 use super::remesh::{check_end_of_body, mesh_slip_zone};
@@ -79,8 +79,7 @@ pub(crate) fn integrate(
             exported_nodes(&end.patch, &end.state, &end.rate, settings)
         } else if end.is_worn_free {
             // the profile is the final one: what it lacks has worn
-            let mut nodes = exported_nodes(&end.patch, &end.state, &end.rate, settings);
-            end.patch.outside.append_to(&mut nodes);
+            let nodes = all_nodes(&end.patch, (&end.state, &end.rate), settings);
             life.volume = (nodes.worn_volume() - amount.worn).max(0.0);
             nodes
         } else {

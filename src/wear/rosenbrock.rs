@@ -112,8 +112,11 @@ pub(crate) fn step(
     }
     // where the edge passes a kink of what other loads have left, the images of the stages may not
     // tell how much a step has missed; what both volumes differ by does
-    let grown = || patch.volume(&rate) - patch.volume(before);
-    let missed = if patch.outside.is_some() { (volume - grown()).abs() } else { 0.0 };
+    let missed = if patch.outside.is_some() {
+        (volume - (patch.volume(&rate) - patch.volume(before))).abs()
+    } else {
+        0.0
+    };
     let mean_missed = missed / (PI * patch.span(rate.radius_squared));
     let error = patch.largest_image(patch.sticking(before) + 1, &error, &rate).max(mean_missed);
     let state = State { depth, radius_squared: rate.radius_squared };

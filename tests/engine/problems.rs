@@ -208,7 +208,7 @@ fn the_delivered_error_follows_the_tolerance() {
 /// the smaller that is, the more V depends on the load. (With the load from the wear in parabolas
 /// beside an exact body V was twice as far off.)
 #[test]
-fn a_front_near_the_axis_stands_where_the_load_has_it() {
+fn slip_near_the_axis_of_a_cone_wears_as_on_fine_cells() {
     for (stick_ratio, most) in [(0.1, 1.5e-3), (0.02, 2e-3)] {
         let problem = Problem::partial_slip(CONE, NormalControl::Force, stick_ratio);
         let errors = [0.3, 1.0, 2.0, 4.0].map(|life| {

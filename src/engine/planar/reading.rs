@@ -35,7 +35,7 @@ impl FrettingContact {
     fn force_of(&self, row: &PlanarRow) -> Vector2<f64> {
         let integral = row.deflection_integral(self.model.axes.for_springs(self.place()));
         let force = 2.0 * self.model.constants.tangential_modulus * integral;
-        let limit = self.model.constants.friction_coefficient * self.normal_reaction();
+        let limit = self.friction_limit();
         let size = force.x.hypot(force.y);
         // of a size that is rounding, too
         if size > limit { force / size * limit } else { force }

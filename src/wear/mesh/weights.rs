@@ -143,19 +143,22 @@ impl Places {
     pub(super) fn integrals(self) -> (Vec<f64>, Vec<f64>) {
         let n = self.cells;
         let rule = gauss_legendre::<POINTS>();
-        let (mut width, mut volume) = (vec![0.0; n + 1], vec![0.0; n + 1]);
+        let mut width = match self.region {
+            Region::Annulus => (0..=n).map(|i| 0.5 * self.slope(i as f64)).collect(),
+            Region::Disc => vec![0.0; n + 1],
+        };
+        let mut volume = vec![0.0; n + 1];
         for j in 0..n {
             for (node, weight) in rule {
                 let s = 0.5 * (1.0 + node);
                 let xi = j as f64 + s;
                 let part = 0.5 * weight * self.measure(xi);
                 let room = self.rise(xi, n as f64 - xi).sqrt();
-                self.add_value(&mut width, j, s, 0.5 * part);
+                if self.region == Region::Disc {
+                    self.add_value(&mut width, j, s, 0.5 * part);
+                }
                 self.add_value(&mut volume, j, s, 2.0 * part * room);
             }
-        }
-        if self.region == Region::Annulus {
-            width = (0..=n).map(|i| 0.5 * self.slope(i as f64)).collect();
         }
         (width, volume)
     }

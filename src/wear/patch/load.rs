@@ -5,7 +5,8 @@
 //! cancel. With the exact ∫ g dx the error of ∫ h dx would not cancel, and the overlap d − g − h
 //! would be wrong by as much, since it has to carry the load. So all three parts of it are summed
 //! over the nodes, with the weights of the work. In gross slip no cycle then works more than
-//! friction along its path, and a front next to the axis stands where the load has it.
+//! friction along its path; where only a small core next to the axis sticks, it carries the right
+//! load.
 
 use super::Patch;
 

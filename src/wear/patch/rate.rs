@@ -73,7 +73,7 @@ impl Patch {
         let Edge { mut radius_squared, mut excess } = guess;
         radius_squared = self.solve_area(&depth, radius_squared, excess)?;
         if self.mesh.region == Region::Disc && !self.rim {
-            // in gross slip it counts beside the overlap: with the edge it is known exactly
+            // in gross slip the overlap is small beside it, so that it has to be that of this edge
             excess = self.edge(radius_squared).excess;
             radius_squared = self.solve_area(&depth, radius_squared, excess)?;
         }
