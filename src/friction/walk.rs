@@ -83,6 +83,15 @@ fn depth_in_contact(contact: &Contact) -> f64 {
     if contact.is_open() { f64::NEG_INFINITY } else { contact.depth }
 }
 
+/// Whether a spring is out of contact. That is asked of its radius, where that is known: at the
+/// contact edge its image and the depth differ by rounding, and so does the load at which it leaves
+/// contact. Under a load that changes by no more it would leave anywhere on the way.
+#[inline(always)]
+fn is_outside(contact: &Contact, place: &Place) -> bool {
+    let is_unknown = place.x.is_nan();
+    contact.is_open() || place.x > contact.radius || (is_unknown && place.image > contact.depth)
+}
+
 /// Share of a path after which a spring slips that has `margin` to its bound at the start and is
 /// `excess` beyond it at the end: the root of (margin + excess) t − `bulge` t (1 − t) = margin.
 #[inline]
@@ -212,7 +221,7 @@ impl Springs {
                     if let Some(inner) = inner_knots.last()
                         && moved
                         && new - inner.place.x <= path.sampling * new
-                        && is_smooth(edge.origin - inner.origin, path.end - edge.origin) =>
+                        && is_smooth(inner, edge, &path.touching(new)) =>
                 {
                     take(inner_knots);
                 }
@@ -238,9 +247,11 @@ impl Springs {
     }
 }
 
-/// Whether the origin goes on in the same direction, so that the old edge is no kink worth keeping.
-fn is_smooth(last_rise: f64, next_rise: f64) -> bool {
-    last_rise * next_rise >= 0.0 && last_rise != 0.0
+/// Whether the origin goes on with much the same slope in g, so that the old edge is no kink worth
+/// keeping.
+fn is_smooth(inner: &Knot, edge: &Knot, new: &Knot) -> bool {
+    let slope = |p: &Knot, q: &Knot| (q.origin - p.origin) / (q.place.image - p.place.image);
+    (0.5..=2.0).contains(&(slope(edge, new) / slope(inner, edge)))
 }
 
 /// A walk under way, knot by knot from the axis outward.
@@ -262,7 +273,7 @@ impl Walk<'_> {
     #[inline(always)]
     fn trial(&self, knot: Knot) -> Trial {
         let (path, (_, depth)) = (self.path, self.depths);
-        let leaves = knot.place.image > depth;
+        let leaves = is_outside(&path.to, &knot.place);
         let end = if leaves { path.displacement_at_touch(&knot.place) } else { path.end };
         let bound = bound(path.bound_slope, depth, knot.place.image);
         let mut trial = Trial::new(knot, end, bound, self.rounding);
@@ -278,7 +289,7 @@ impl Walk<'_> {
     fn mean_bound(&self, trial: &Trial, leaves: bool) -> f64 {
         let (path, (depth, _)) = (self.path, self.depths);
         let (place, side) = (&trial.knot.place, trial.side());
-        let touches = place.image > depth;
+        let touches = is_outside(&path.from, place);
         let bound = bound(path.start_slope, depth, place.image);
         let share = |place| share_at_touch(path.control, (&path.from, &path.to), place);
         // the part of the path on which it is in contact

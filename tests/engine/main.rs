@@ -14,6 +14,7 @@ mod interface_elastic;
 mod interface_running_in;
 mod interface_wear;
 mod invariants;
+mod jitter;
 mod loops;
 mod normal_contact;
 mod own_states;
