@@ -5,6 +5,7 @@
 //! solution is found by iteration on copies of the contact. A call that fails has changed nothing.
 //!
 //! Many cycles in one call are divided in the same way, each part at the coefficient of its middle.
+//! With wear, a part is as long as its halves agree with it.
 //! What the constants were measured by is in docs/decisions/running_in.md.
 
 use super::planar::BALANCED;
@@ -203,16 +204,28 @@ impl FrettingContact {
         now.advance_equal_cycles(normal, amplitude, if cycles > 0.0 { 0.0 } else { cycles })?;
         // with wear each part takes an integration of the profile
         let accuracy = if now.state.wear.is_some() { self.model.parameters.tolerance } else { ACCURACY };
-        let mut left = cycles;
+        let (mut left, mut longest) = (cycles, f64::INFINITY);
         while left > 0.0 {
             let mut one = now.without_wear();
             one.advance_equal_cycles(normal, amplitude, 1.0)?;
             let work = one.state.work - now.state.work;
             let most = now.energy_of_part(accuracy);
-            let part = if left * work > most { (most / work).min(left) } else { left };
-            now =
-                now.run_in_cycles(part, |this, cycles| this.advance_equal_cycles(normal, amplitude, cycles))?;
-            left -= part;
+            let part = (most / work).min(longest).min(left);
+            let run = |from: &Self, cycles: f64| {
+                from.run_in_cycles(cycles, |this, cycles| this.advance_equal_cycles(normal, amplitude, cycles))
+            };
+            if now.state.wear.is_none() {
+                (now, left) = (run(&now, part)?, left - part);
+                continue;
+            }
+            // wear changes the work of a cycle, and a change of friction what can wear
+            let halves = run(&now, 0.5 * part).and_then(|half| run(&half, 0.5 * part))?;
+            let missed = run(&now, part).map_or(f64::INFINITY, |whole| whole.state.work - halves.state.work);
+            let error = missed.abs() / (accuracy * halves.state.work);
+            if error <= 1.0 || part <= LEAST_PART * LEAST_PART * cycles {
+                (now, left) = (halves, left - part);
+            }
+            longest = part * (0.8 / error.cbrt()).clamp(0.1, 4.0);
         }
         // the body stands at its amplitude with the friction of the end
         now.follow_running_in();

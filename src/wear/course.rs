@@ -115,7 +115,7 @@ impl<'a> Course<'a> {
             let length = self.step.min(self.left);
             let trial = self.trial(&patch, (&state, &rate), length, counters)?;
             let error = trial.as_ref().map_or(f64::INFINITY, |trial| trial.error);
-            let ratio = error / (self.settings.tolerance * patch.most_worn(&rate));
+            let ratio = error / (self.settings.tolerance * patch.scale_of_error(&rate));
             let factor = step_factor((length, ratio), self.previous);
             match trial {
                 Some(trial) if ratio <= 1.0 => {

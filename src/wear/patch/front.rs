@@ -9,6 +9,9 @@ use crate::surface::Region;
 /// and on fine meshes their uneven steps took ten times the work.
 pub(crate) const FRONT_CELLS: usize = 2;
 
+/// Largest error of the image in gross slip under a force, over the mean overlap and the tolerance.
+const MOST_OVERLAPS: f64 = 30.0;
+
 /// Where the springs first slip at the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Front {
@@ -46,6 +49,17 @@ impl Patch {
     /// Largest image that may wear, m: the overlap at the front, at most the indentation depth.
     pub(crate) fn most_worn(&self, rate: &Rate) -> f64 {
         rate.indentation.abs().min(rate.free_slip / self.bound_slope)
+    }
+
+    /// Image, m, of which the error of a step may be a share of the tolerance: what may wear. Where
+    /// all slips under a force, the overlap may be far less than that, and has to carry the force.
+    pub(crate) fn scale_of_error(&self, rate: &Rate) -> f64 {
+        let worn = self.most_worn(rate);
+        if self.is_force() && self.mesh.region == Region::Disc {
+            worn.min(MOST_OVERLAPS * self.motion.value / rate.radius_squared.sqrt())
+        } else {
+            worn
+        }
     }
 
     /// Whether the overlap of what slips is on average less than a share of that at the front: all
