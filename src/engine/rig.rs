@@ -108,7 +108,12 @@ impl FrettingContact {
         }
         for _ in 0..MOST_WALKS {
             let Some(target) = self.next_place(drive, side) else { return Ok(()) };
-            self.walk(value, target, 1)?;
+            // with the wear of an update the body goes on, maybe beyond that place
+            if self.update_is_due(side) {
+                self.bounded(|this| this.update_before(value))?;
+            } else {
+                self.walk(value, target, 1)?;
+            }
         }
         Ok(())
     }

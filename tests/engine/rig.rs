@@ -527,3 +527,69 @@ fn stiffness_is_checked_and_saved() {
     text.as_object_mut().unwrap().remove("rig_stiffness");
     assert_eq!(serde_json::from_value::<Parameters>(text).unwrap(), Parameters::default());
 }
+
+/// Updates within a stroke in gross slip turn no spring back: the slip of each stroke is read whole,
+/// on a line and in the plane.
+#[test]
+fn strokes_in_gross_slip_are_read_whole() {
+    for (profile, normal_control, in_plane) in [
+        (CONE, NormalControl::Indentation, false),
+        (BLUNTED, NormalControl::Indentation, false),
+        (CONE, NormalControl::Force, true),
+        (BLUNTED, NormalControl::Force, true),
+    ] {
+        let parameters = Parameters {
+            profile: profile.clone(),
+            normal_control,
+            wear_coefficient: 8e-3,
+            rig_stiffness: 3e7,
+            ..Parameters::default()
+        };
+        let exact = exact(&profile, FORCE);
+        let radius = 0.95 * exact.normal.radius();
+        let drive = 1.5 * (exact.full_slip() + MU * FORCE / parameters.rig_stiffness);
+        let value = if normal_control == NormalControl::Force { FORCE } else { exact.normal.depth() };
+        let mut contact = contact(parameters);
+        contact.start_at(value, 0.0).expect("the load is carried");
+        let slips = (0..60).map(|k| {
+            let to = if k % 2 == 0 { drive } else { -drive };
+            let place = if in_plane { [0.6 * to, 0.8 * to] } else { [to, 0.0] };
+            contact.advance_to_planar(value, place).expect("the stroke is followed");
+            contact.slip_amplitude_at(radius)
+        });
+        let slips: Vec<f64> = slips.skip(1).collect();
+        let least = slips.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(least > 0.8 * slips[0], "{profile:?}, {normal_control:?}: {least:e} of {:e} m", slips[0]);
+    }
+}
+
+/// Held in depth the amplitude of the contact grows as it wears, and its front goes on into what has
+/// not worn: V does not depend on the calls.
+#[test]
+fn cycles_at_constant_depth_wear_alike_in_one_call_and_many() {
+    for (profile, ratio, share) in [(BALL, 41.0, 0.8), (ROUNDED, 41.0, 0.95), (CONE, 10.0, 0.7)] {
+        let exact = exact(&profile, FORCE);
+        let own = share * exact.full_slip();
+        let rig_stiffness = ratio * MU * FORCE / exact.full_slip();
+        let volume = |calls: u32, tolerance: f64| {
+            let mut contact = contact(Parameters {
+                profile: profile.clone(),
+                normal_control: NormalControl::Indentation,
+                wear_coefficient: 2e-3,
+                rig_stiffness,
+                tolerance,
+                ..Parameters::default()
+            });
+            let depth = exact.normal.depth();
+            contact.start_at(depth, 0.0).expect("the load is carried");
+            for _ in 0..calls {
+                let drive = own + exact.loading(own) / rig_stiffness;
+                contact.advance_cycles(depth, drive, 1e5 / f64::from(calls)).expect("cycles");
+            }
+            contact.wear_volume()
+        };
+        let error = volume(1, 1e-3) / volume(30, 1e-4) - 1.0;
+        println!("{profile:?}: V {error:+e}");
+        assert!(error.abs() < 6e-3, "{profile:?}: V {error:+e}");
+    }
+}

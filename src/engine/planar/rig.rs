@@ -119,9 +119,11 @@ impl FrettingContact {
         {
             return Ok(());
         }
-        // the wear has changed the force
+        // the wear has changed the force; the body does not go back for that, within the accuracy
+        // of an equilibrium, since a reversal would let all springs stick
         let found = self.balance(value, drive, Equilibrium::near(self.place()))?;
-        self.walk_in_plane(value, found.place)
+        let goes_on = (found.place - self.place()).dot(&self.direction_in_plane()) > 0.0;
+        if goes_on { self.walk_in_plane(value, found.place) } else { Ok(()) }
     }
 
     /// Size of the lengths that are compared in an equilibrium, m.
