@@ -311,7 +311,8 @@ impl FrettingContact {
         wear.clipped += fields.clipped;
         wear.defect += fields.defect;
         let control = self.model.parameters.normal_control;
-        let update = wear::worn_depth(&self.surface, &transforms, &fields, control, &self.model.constants)?;
+        let mut update =
+            wear::worn_depth(&self.surface, &transforms, &fields, control, &self.model.constants)?;
         self.state.counters.descent_transforms += update.iterations;
         self.state.counters.pressure_transforms += update.iterations;
         if !update.followed {
@@ -323,6 +324,11 @@ impl FrettingContact {
                 from: self.state.displacement,
                 displacement: self.state.displacement,
             });
+        }
+        // an update relieves a sharp rim under the present depth alone
+        if law.len() > 1 && nodes.depth().last() == Some(&0.0) {
+            let deepest = law.iter().map(|law| law.depth).fold(0.0, f64::max);
+            nodes.relieve_rim(&mut update.depth, deepest, self.surface.profile());
         }
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape
         // and takes that volume

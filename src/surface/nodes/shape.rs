@@ -63,10 +63,14 @@ impl Cubic {
 impl Nodes {
     /// Worn depth at a radius, m.
     pub(crate) fn depth_at(&self, r: f64) -> f64 {
-        if r >= self.x[self.last()] {
-            0.0
-        } else {
+        let last = self.last();
+        if r < self.x[last] {
             transform::inverse_at(&self.x, &self.worn_image, r).max(0.0)
+        } else if r == self.x[last] {
+            // a punch has its rim there
+            self.depth[last]
+        } else {
+            0.0
         }
     }
 
