@@ -39,12 +39,21 @@ impl FrettingContact {
     /// # Errors
     /// As [`Self::advance_to`].
     pub fn start_at(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
+        self.start_at_planar(normal, [displacement, self.state.displacement_y])
+    }
+
+    /// [`Self::start_at`] with a place along x and y, m.
+    ///
+    /// # Errors
+    /// As [`Self::advance_to_planar`].
+    pub fn start_at_planar(&mut self, normal: f64, [displacement, y]: [f64; 2]) -> Result<(), Error> {
+        range::input(Y, y)?;
         let (value, _) = self.checked(normal, displacement)?;
         let contact =
             self.surface.contact(self.model.parameters.normal_control, value, self.force_scale())?;
         self.transaction(|this| {
             this.absorb_backlog()?;
-            this.state.displacement = displacement;
+            (this.state.displacement, this.state.displacement_y) = (displacement, y);
             this.state.direction = 0.0;
             if this.state.work == 0.0 {
                 this.state.reach = 0.0;
@@ -55,16 +64,5 @@ impl FrettingContact {
                 Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
             this.walk(contact.control, displacement, 1)
         })
-    }
-
-    /// [`Self::start_at`] with a place along x and y, m.
-    ///
-    /// # Errors
-    /// As [`Self::advance_to_planar`].
-    pub fn start_at_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
-        range::input(Y, displacement[1])?;
-        self.start_at(normal, displacement[0])?;
-        self.state.displacement_y = displacement[1];
-        Ok(())
     }
 }

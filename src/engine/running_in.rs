@@ -212,7 +212,9 @@ impl FrettingContact {
             let most = now.energy_of_part(accuracy);
             let part = (most / work).min(longest).min(left);
             let run = |from: &Self, cycles: f64| {
-                from.run_in_cycles(cycles, |this, cycles| this.advance_equal_cycles(normal, amplitude, cycles))
+                from.run_in_cycles(cycles, |this, cycles| {
+                    this.advance_equal_cycles(normal, amplitude, cycles)
+                })
             };
             if now.state.wear.is_none() {
                 (now, left) = (run(&now, part)?, left - part);

@@ -337,3 +337,12 @@ fn extremes_are_refused_or_computed() {
         }
     }
 }
+
+/// A contact that starts aside has not slipped on the way there.
+#[test]
+fn a_start_aside_is_no_slip() {
+    let mut contact = contact(without_wear(BALL));
+    contact.start_at_planar(FORCE, [1e-6, 5e-6]).expect("the load is carried");
+    assert_eq!((contact.slip_amplitude_at(1e-4), contact.slip_amplitude_at(1.8e-4)), (0.0, 0.0));
+    assert_eq!(contact.displacement_y(), 5e-6);
+}
