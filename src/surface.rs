@@ -145,16 +145,18 @@ impl Surface {
 
     /// Image g(x), m.
     pub(crate) fn image(&self, x: f64) -> f64 {
-        self.profile.image(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).0)
+        match &self.worn {
+            Some(nodes) => nodes.image_at(&self.profile, x),
+            None => self.profile.image(x),
+        }
     }
 
     /// Images at several radii, m.
     pub(crate) fn images(&self, radii: &[f64]) -> Vec<f64> {
-        let mut images = self.profile.images(radii);
-        if let Some(nodes) = &self.worn {
-            images.iter_mut().zip(radii).for_each(|(image, x)| *image += nodes.worn_part(*x).0);
+        match &self.worn {
+            Some(nodes) => radii.iter().map(|x| nodes.image_at(&self.profile, *x)).collect(),
+            None => self.profile.images(radii),
         }
-        images
     }
 
     /// Image at the axis, m.
@@ -163,14 +165,17 @@ impl Surface {
         self.profile.image(0.0) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_image()[0])
     }
 
-    /// Image of the wear alone at x, m.
+    /// What wear has changed in the image at x, m.
     pub(crate) fn worn_image(&self, x: f64) -> f64 {
-        self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).0)
+        self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_image_at(&self.profile, x))
     }
 
     /// Slope g'(x) of the image.
     pub(crate) fn image_slope(&self, x: f64) -> f64 {
-        self.profile.image_slope(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_slope(x))
+        match &self.worn {
+            Some(nodes) => nodes.slope_at(&self.profile, x),
+            None => self.profile.image_slope(x),
+        }
     }
 
     /// The same body without its wear.
@@ -180,13 +185,18 @@ impl Surface {
 
     /// Image g(x), m, and load integral φ(x), m².
     fn image_and_load(&self, x: f64) -> (f64, f64) {
-        let (image, load) = self.worn.as_ref().map_or((0.0, 0.0), |nodes| nodes.worn_part(x));
-        (self.profile.image(x) + image, self.profile.load_integral(x) + load)
+        match &self.worn {
+            Some(nodes) => nodes.image_and_load_in(&self.profile, nodes.cell(x), x),
+            None => (self.profile.image(x), self.profile.load_integral(x)),
+        }
     }
 
     /// Load integral φ(x), m².
     pub(crate) fn load(&self, x: f64) -> f64 {
-        self.profile.load_integral(x) + self.worn.as_ref().map_or(0.0, |nodes| nodes.worn_part(x).1)
+        match &self.worn {
+            Some(nodes) => nodes.load_at(&self.profile, x),
+            None => self.profile.load_integral(x),
+        }
     }
 
     /// Radius in [low, high] where the image takes the value `image`; the image rises there.
@@ -288,9 +298,8 @@ impl Surface {
             return None;
         }
         let (radius, cell) = nodes.outermost_radius_of_image(&self.profile, depth)?;
-        let (image, load) = nodes.worn_part_in(Some(cell), radius);
-        let overlap = depth - self.profile.image(radius) - image;
-        let load = self.profile.load_integral(radius) + load + radius * overlap;
+        let (image, load) = nodes.image_and_load_in(&self.profile, Some(cell), radius);
+        let load = load + radius * (depth - image);
         (load > 0.0 && radius >= range::LEAST_RADIUS).then_some((load, radius))
     }
 

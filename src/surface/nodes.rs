@@ -1,5 +1,6 @@
 //! Nodes that carry the image of the wear.
 
+mod levelled;
 mod placement;
 mod rim;
 mod shape;
@@ -8,6 +9,7 @@ mod thinning;
 use super::depth_volume::depth_volume;
 use super::{Contact, Region};
 use crate::profile::Profile;
+use levelled::load_of_line;
 pub(crate) use placement::FrontMotion;
 use serde::{Deserialize, Serialize};
 pub(crate) use thinning::kept_nodes;
@@ -33,18 +35,20 @@ pub(crate) struct Nodes {
     remains: Option<(f64, f64)>,
 }
 
-/// Integrals up to a node.
+/// Integrals up to a node, and the image behind it.
 #[derive(Debug, Clone, Copy, Default)]
 struct Integrals {
-    /// ∫₀ ξ h' dξ, m².
+    /// ∫₀ ξ g' dξ of the whole profile less that of the body, m².
     worn_load: f64,
     /// ∫₀ g² dξ, m³.
     square: f64,
+    /// Whether the image of both is a line up to the next node.
+    is_levelled: bool,
 }
 
 impl Integrals {
     /// Those of nodes that are being made.
-    const UNKNOWN: Self = Self { worn_load: f64::NAN, square: f64::NAN };
+    const UNKNOWN: Self = Self { worn_load: f64::NAN, square: f64::NAN, is_levelled: false };
 }
 
 /// A mesh of the slipping region whose nodes are among those of a surface, from index `first` on.
@@ -126,12 +130,18 @@ impl Nodes {
     pub(crate) fn update_integrals(&mut self, profile: &Profile) {
         self.integrals.clear();
         self.integrals.reserve_exact(self.x.len());
+        let levelled = self.levelled_from_axis(profile);
         let mut load = 0.0;
         for j in 0..self.x.len() {
-            self.integrals.push(Integrals { worn_load: load, square: 0.0 });
+            let is_levelled = levelled.get(j).is_some_and(|levelled| *levelled);
+            self.integrals.push(Integrals { worn_load: load, square: 0.0, is_levelled });
             if j < self.last() {
                 let (x0, x1) = (self.x[j], self.x[j + 1]);
                 load += 2.0 / 3.0 * self.slope(j) * (x1 - x0) * (x1 * x1 + x1 * x0 + x0 * x0);
+                if is_levelled {
+                    load += load_of_line(profile, (x0, x1))
+                        - (profile.load_integral(x1) - profile.load_integral(x0));
+                }
             }
         }
         // after the loads, of which the parts at a radius are made

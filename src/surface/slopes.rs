@@ -1,22 +1,11 @@
 //! The slope of the image as pressure and traction take it: ∫ g' dx/√(x² − r²).
 //!
-//! The image of the wear is linear in x² within a cell, that of the body is exact. Where little has
-//! worn, both slopes add up. Where wear has levelled the body, so that its image cancels more than
-//! half of the change of slope of the body from cell to cell, the sum of both is taken to be linear
-//! within the cell. Otherwise each cell would keep a small copy of the body, such as the apex of a
-//! cone, whose slope is larger than that of a body worn flat.
+//! Where wear has levelled the body the image of both is one line in each cell, elsewhere that of the
+//! body is exact and that of the wear a line.
 
 use super::{Nodes, Surface};
 use crate::transform::pressure_weight;
 use std::f64::consts::PI;
-
-/// Share of the change of slope of the body that wear has to cancel to have levelled it. With a
-/// quarter and three quarters the pressures of bodies worn flat are the same to 2e-3 of their mean.
-const LEVELLED: f64 = 0.5;
-
-/// Change of slope of the body, relative to the slope, that is rounding: in x² the image of a ball
-/// has none.
-const STRAIGHT: f64 = 1e-9;
 
 /// Radius over that of a place so far out that it counts as 0 there.
 const AXIS: f64 = 1e-7;
@@ -97,12 +86,11 @@ fn cells_of(surface: &Surface, nodes: &Nodes, end: f64) -> Vec<Cell> {
     let x = nodes.x();
     let inside = x.partition_point(|x| *x < end).min(nodes.last());
     let unworn = surface.profile().images(x);
-    let (body, wear): (Vec<f64>, Vec<f64>) =
-        (0..nodes.last()).map(|j| (nodes.secant(&unworn, j), nodes.slope(j))).unzip();
+    let levelled = nodes.levelled(surface.profile());
     let cell = |j: usize| {
-        let is_worn = nodes.depth()[j] > 0.0 || nodes.depth()[j + 1] > 0.0;
-        let is_levelled = is_worn && is_levelled(&body, &wear, j);
-        let slope = if is_levelled { body[j] + wear[j] } else { wear[j] };
+        let is_levelled = levelled.get(j) == Some(&Some(true));
+        let body = if is_levelled { nodes.secant(&unworn, j) } else { 0.0 };
+        let slope = body + nodes.slope(j);
         Cell { start: x[j], end: x[j + 1].min(end), slope, is_levelled }
     };
     let mut cells: Vec<Cell> = (0..inside).map(cell).collect();
@@ -113,20 +101,6 @@ fn cells_of(surface: &Surface, nodes: &Nodes, end: f64) -> Vec<Cell> {
         cells.push(Cell { start, end, slope, is_levelled: false });
     }
     cells
-}
-
-/// Whether wear has levelled the body in a cell, as judged from there and those beside it. Given
-/// are the slopes of both in x² over the cells.
-fn is_levelled(body: &[f64], wear: &[f64], cell: usize) -> bool {
-    let (mut against, mut own) = (0.0, 0.0);
-    for k in cell.saturating_sub(1).max(1)..(cell + 3).min(body.len()) {
-        let bend = body[k] - body[k - 1];
-        if bend.abs() > STRAIGHT * body[k].abs() {
-            against -= (wear[k] - wear[k - 1]) * bend;
-            own += bend * bend;
-        }
-    }
-    against > LEVELLED * own
 }
 
 #[cfg(test)]

@@ -138,7 +138,41 @@ fn under_a_force_gross_slip_has_no_end() {
                     break;
                 }
                 close_to(contact.wear_volume() - before, volume * cycles, 1e-3, "V of a path");
+                close_to(contact.tangential_force(), MU * force, 1e-9, "T of gross slip");
             }
+        }
+    }
+}
+
+/// However far a body has worn beyond its elastic depth, its springs carry friction all over, and
+/// strokes after the cycles work by it. (T was down to 0 where the overlap was a few ten-thousandths
+/// of the depth: steps could be wrong by more than that, and the bodies kept their bend between two
+/// nodes.)
+#[test]
+fn far_beyond_the_elastic_depth_gross_slip_carries_friction() {
+    let powers =
+        [(3.0, 2e5), (4.0, 1e9)].map(|(exponent, coefficient)| Profile::PowerLaw { exponent, coefficient });
+    for profile in [BALL, CONE, ROUNDED].into_iter().chain(powers) {
+        for (force, amplitude, cycles) in [(1.0, 2e-5, 1e7), (10.0, 1e-4, 1e6), (100.0, 1e-4, 3e6)] {
+            let mut contact = contact(Parameters { profile: profile.clone(), ..Parameters::default() });
+            contact.start_at(force, 0.0).expect("the load is carried");
+            contact.advance_cycles(force, amplitude, cycles).expect("the cycles are followed");
+            let mean = force / (std::f64::consts::PI * contact.contact_radius().powi(2));
+            let pressures = [contact.pressure_at(0.0) / mean, contact.max_pressure() / mean];
+            println!(
+                "{profile:?}, {force} N: {:e}, p {pressures:?}",
+                contact.tangential_force() / (MU * force) - 1.0
+            );
+            close_to(contact.tangential_force(), MU * force, 1e-9, "T of gross slip");
+            assert!(pressures[0] > 0.3 && pressures[1] < 2.0, "{profile:?}, {force} N: {pressures:?}");
+            let work = contact.dissipated_energy();
+            for place in [-amplitude, amplitude] {
+                contact.advance_to(force, place).expect("the stroke is followed");
+            }
+            // but for the way back from one bound to the other
+            let elastic = MU * force / (2.0 * G_STAR * contact.contact_radius()) / amplitude;
+            let friction = 4.0 * MU * force * amplitude;
+            close_to(contact.dissipated_energy() - work, friction, 2.0 * elastic + 1e-3, "W of strokes");
         }
     }
 }

@@ -68,15 +68,15 @@ impl Nodes {
         let flat = profile.flat_radius();
         let start = if front < a { front } else { 0.0 };
         for k in 0..resolution {
-            nodes.insert(start + (a - start) * k as f64 / resolution as f64);
+            nodes.insert(start + (a - start) * k as f64 / resolution as f64, profile);
         }
-        nodes.insert(flat);
-        nodes.refine_at(front, 8);
+        nodes.insert(flat, profile);
+        nodes.refine_at(front, 8, profile);
         // where the contact ends just beyond the rim of a flat tip, the pressure there is all but
         // singular until the rim has worn
         let width = (a - start) / resolution as f64;
         let gaps = (1..=8).map(|level| width * 0.25f64.powi(level));
-        gaps.take_while(|gap| *gap > a - flat).for_each(|gap| nodes.insert(flat - gap));
+        gaps.take_while(|gap| *gap > a - flat).for_each(|gap| nodes.insert(flat - gap, profile));
         nodes.extend_beyond(a, profile.outer_radius());
         nodes.update_integrals(profile);
         nodes
@@ -130,17 +130,17 @@ impl Nodes {
 
     /// Adapts the nodes to a contact of radius `a` whose slip has reached inward to `front`:
     /// extends them beyond a, halves cells of the slipping annulus that are too wide, puts nodes at
-    /// the front. h does not change by that.
+    /// the front. The image does not change by that.
     pub(crate) fn adapt(&mut self, profile: &Profile, a: f64, (front, way): (f64, FrontMotion)) {
         let before = self.x.len();
         self.extend_beyond(a, profile.outer_radius());
         let node = self.x.iter().copied().find(|x| (x - front).abs() <= 1e-9 * a);
         let front = node.unwrap_or(front);
         if self.is_coarse_at(front, way, a) && (node.is_none() || way.levels() > 0) {
-            self.refine_at(front, way.levels());
+            self.refine_at(front, way.levels(), profile);
         }
         let start = if front < a { front } else { 0.0 };
-        self.refine_between(start, a, 1.5 * a / self.resolution as f64);
+        self.refine_between(start, a, 1.5 * a / self.resolution as f64, profile);
         if self.x.len() != before {
             self.update_integrals(profile);
         }
@@ -196,13 +196,13 @@ impl Nodes {
     }
 
     /// Extends the nodes to an outer radius and halves cells between an inner one and that which
-    /// are too wide. h does not change by that.
+    /// are too wide. The image does not change by that.
     pub(crate) fn cover(&mut self, profile: &Profile, (inner, outer): (f64, f64)) {
         let before = self.x.len();
         if outer > self.x[self.last()] {
             self.extend_beyond(outer, profile.outer_radius());
         }
-        self.refine_between(inner, outer, 1.5 * outer / self.resolution as f64);
+        self.refine_between(inner, outer, 1.5 * outer / self.resolution as f64, profile);
         if self.x.len() != before {
             self.update_integrals(profile);
         }
@@ -282,11 +282,11 @@ impl Nodes {
     }
 
     /// Halves the cells between two radii until none is wider than `widest`.
-    fn refine_between(&mut self, start: f64, end: f64, widest: f64) {
+    fn refine_between(&mut self, start: f64, end: f64, widest: f64, profile: &Profile) {
         let mut j = self.cell(start).unwrap_or(self.last());
         while j < self.last() && self.x[j] < end {
             if self.x[j + 1] - self.x[j] > widest {
-                self.insert(0.5 * (self.x[j] + self.x[j + 1]));
+                self.insert(0.5 * (self.x[j] + self.x[j + 1]), profile);
             } else {
                 j += 1;
             }
@@ -301,31 +301,32 @@ impl Nodes {
 
     /// Puts a node at `front` and a fan of nodes outside it whose distances fall by four at each
     /// level from a cell's.
-    fn refine_at(&mut self, front: f64, levels: i32) {
+    fn refine_at(&mut self, front: f64, levels: i32, profile: &Profile) {
         let Some(j) = self.cell(front) else { return };
         let width = self.x[j + 1] - front;
         if front <= 0.0 || width <= 0.0 {
             return;
         }
-        self.insert(front);
+        self.insert(front, profile);
         for level in 1..=levels {
-            self.insert(front + width * 0.25f64.powi(level));
+            self.insert(front + width * 0.25f64.powi(level), profile);
         }
     }
 
-    /// Inserts a node where the image keeps its value.
-    fn insert(&mut self, x: f64) {
+    /// Inserts a node where the image of the whole profile keeps its value.
+    fn insert(&mut self, x: f64, profile: &Profile) {
         let Some(j) = self.cell(x) else { return };
         if x <= self.x[j] {
             return;
         }
         self.leave_mesh();
-        let h = self.worn_part(x).0;
+        let is_levelled = self.integrals[j].is_levelled;
+        let h = self.worn_image_at(profile, x);
         let depth = if self.depth.iter().all(|w| *w == 0.0) { 0.0 } else { self.depth_at(x) };
         self.x.insert(j + 1, x);
         self.worn_image.insert(j + 1, h);
         self.depth.insert(j + 1, depth);
-        // keeps worn_part usable for the next insertion; update_integrals follows
-        self.integrals.insert(j + 1, Integrals::UNKNOWN);
+        // keeps the image usable for the next insertion; update_integrals follows
+        self.integrals.insert(j + 1, Integrals { is_levelled, ..Integrals::UNKNOWN });
     }
 }

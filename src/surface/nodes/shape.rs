@@ -15,29 +15,44 @@ fn steffen_slope((h0, before): (f64, f64), (h1, after): (f64, f64)) -> f64 {
     (before.signum() + after.signum()) * before.abs().min(after.abs()).min(0.5 * mean.abs())
 }
 
-/// The worn image between two nodes, for many radii of one cell.
+/// A line in X over a cell: the image of the wear, or that of the whole profile where the wear has
+/// levelled it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct CellLine {
+struct CellLine {
     /// Radii of the nodes, m.
-    pub(crate) ends: (f64, f64),
-    /// Of the inner node: h, m, and ∫₀ ξ h' dξ, m².
+    ends: (f64, f64),
+    /// Of the inner node: the image, m, and the load integral, m².
     image: f64,
     load: f64,
-    /// dh/dX.
+    /// Change of the image with X.
     slope: f64,
+    is_levelled: bool,
 }
 
 impl CellLine {
-    /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
-    pub(crate) fn parts(&self, x: f64) -> (f64, f64) {
-        let (x0, slope) = (self.ends.0, self.slope);
-        let image = self.image + slope * (x - x0) * (x + x0);
-        (image, self.load + 2.0 / 3.0 * slope * (x - x0) * (x * x + x * x0 + x0 * x0))
+    fn image_at(&self, x: f64) -> f64 {
+        self.image + self.slope * (x - self.ends.0) * (x + self.ends.0)
     }
 
-    /// Slope h'(x).
-    pub(crate) fn slope_at(&self, x: f64) -> f64 {
-        2.0 * x * self.slope
+    fn load_at(&self, x: f64) -> f64 {
+        let x0 = self.ends.0;
+        self.load + 2.0 / 3.0 * self.slope * (x - x0) * (x * x + x * x0 + x0 * x0)
+    }
+
+    /// Image of the whole profile, m.
+    fn whole_image(&self, profile: &Profile, x: f64) -> f64 {
+        if self.is_levelled { self.image_at(x) } else { profile.image(x) + self.image_at(x) }
+    }
+
+    /// Its load integral, m².
+    fn whole_load(&self, profile: &Profile, x: f64) -> f64 {
+        if self.is_levelled { self.load_at(x) } else { profile.load_integral(x) + self.load_at(x) }
+    }
+
+    /// Its slope.
+    fn whole_slope(&self, profile: &Profile, x: f64) -> f64 {
+        let slope = 2.0 * x * self.slope;
+        if self.is_levelled { slope } else { profile.image_slope(x) + slope }
     }
 }
 
@@ -134,8 +149,8 @@ impl Nodes {
     /// Radius in a cell, of whose ends the whole images are given, at which the whole image takes a
     /// value; `None` where it does not rise through that.
     fn radius_in_cell(&self, profile: &Profile, image: f64, j: usize, ends: (f64, f64)) -> Option<f64> {
-        self.root_in_cell(j, ends, image, |x, line| {
-            (profile.image(x) + line.parts(x).0, profile.image_slope(x) + line.slope_at(x))
+        self.root_in_cell(profile, j, ends, image, |x, line| {
+            (line.whole_image(profile, x), line.whole_slope(profile, x))
         })
     }
 
@@ -145,9 +160,8 @@ impl Nodes {
         let up_to = |j: usize| profile.load_integral(self.x[j]) + self.integrals[j].worn_load;
         // beyond a last node of less load the integral falls at first, and rises to it further out
         let j = (0..=self.last()).rev().find(|j| up_to(*j) <= load).filter(|j| *j < self.last())?;
-        self.root_in_cell(j, (up_to(j), up_to(j + 1)), load, |x, line| {
-            let slope = profile.image_slope(x) + line.slope_at(x);
-            (profile.load_integral(x) + line.parts(x).1, x * slope)
+        self.root_in_cell(profile, j, (up_to(j), up_to(j + 1)), load, |x, line| {
+            (line.whole_load(profile, x), x * line.whole_slope(profile, x))
         })
     }
 
@@ -157,6 +171,7 @@ impl Nodes {
     #[inline]
     fn root_in_cell(
         &self,
+        profile: &Profile,
         j: usize,
         (q0, q1): (f64, f64),
         value: f64,
@@ -166,7 +181,7 @@ impl Nodes {
         if !(q0 <= value && value <= q1 && q0 < q1) {
             return None;
         }
-        let line = self.cell_line(j);
+        let line = self.cell_line(profile, j);
         let (mut least, mut most) = line.ends;
         let share = (value - q0) / (q1 - q0);
         let mut x = (least * least + share * (most - least) * (most + least)).sqrt().clamp(least, most);
@@ -193,36 +208,85 @@ impl Nodes {
         Some(x)
     }
 
-    /// The worn image along a cell.
+    /// The line of a cell.
     #[inline(always)]
-    pub(crate) fn cell_line(&self, j: usize) -> CellLine {
-        let ends = (self.x[j], self.x[j + 1]);
-        CellLine { ends, image: self.worn_image[j], slope: self.slope(j), load: self.integrals[j].worn_load }
+    fn cell_line(&self, profile: &Profile, j: usize) -> CellLine {
+        let (ends, is_levelled) = ((self.x[j], self.x[j + 1]), self.integrals[j].is_levelled);
+        let (image, load) = (self.worn_image[j], self.integrals[j].worn_load);
+        if !is_levelled {
+            return CellLine { ends, image, load, slope: self.slope(j), is_levelled };
+        }
+        let image = self.whole(profile, j);
+        let slope = (self.whole(profile, j + 1) - image) / ((ends.1 - ends.0) * (ends.1 + ends.0));
+        CellLine { ends, image, load: profile.load_integral(ends.0) + load, slope, is_levelled }
     }
 
-    /// Worn parts (h, ∫₀ˣ ξ h' dξ) at radius x.
-    pub(crate) fn worn_part(&self, x: f64) -> (f64, f64) {
-        self.worn_part_in(self.cell(x), x)
+    /// What wear has changed in the image at a radius, m.
+    pub(crate) fn worn_image_at(&self, profile: &Profile, x: f64) -> f64 {
+        let Some(j) = self.cell(x) else { return self.far_part(x).0 };
+        let line = self.cell_line(profile, j);
+        if line.is_levelled { line.image_at(x) - profile.image(x) } else { line.image_at(x) }
+    }
+
+    /// Image h (m) and load integral (m²) of the wear behind the last node.
+    fn far_part(&self, x: f64) -> (f64, f64) {
+        let (end, ratio) = (self.last(), self.x[self.last()] / x);
+        let h = self.worn_image[end];
+        (h * ratio * ratio, self.integrals[end].worn_load - 2.0 * h * self.x[end] * (1.0 - ratio))
     }
 
     /// All image values at a radius in a given cell, or behind the last node.
     pub(crate) fn place_in(&self, profile: &Profile, cell: Option<usize>, x: f64) -> Place {
-        let (image, load) = self.worn_part_in(cell, x);
-        let (image, start) = (profile.image(x) + image, cell.unwrap_or(self.last()));
+        let (image, load) = self.image_and_load_in(profile, cell, x);
+        let start = cell.unwrap_or(self.last());
         let inner = self.whole(profile, start);
         let square = self.integrals[start].square + self.square_in_cell(profile, cell, (x, image), inner);
-        Place { x, image, load: profile.load_integral(x) + load, square }
+        Place { x, image, load, square }
     }
 
-    /// Worn parts at a radius in a given cell, or behind the last node.
+    /// Image (m) and load integral (m²) of the whole profile at a radius in a given cell, or behind
+    /// the last node.
     #[inline(always)]
-    pub(crate) fn worn_part_in(&self, cell: Option<usize>, x: f64) -> (f64, f64) {
+    pub(crate) fn image_and_load_in(&self, profile: &Profile, cell: Option<usize>, x: f64) -> (f64, f64) {
         match cell {
-            Some(j) => self.cell_line(j).parts(x),
+            Some(j) => {
+                let line = self.cell_line(profile, j);
+                (line.whole_image(profile, x), line.whole_load(profile, x))
+            }
             None => {
-                let (end, ratio) = (self.last(), self.x[self.last()] / x);
-                let h = self.worn_image[end];
-                (h * ratio * ratio, self.integrals[end].worn_load - 2.0 * h * self.x[end] * (1.0 - ratio))
+                let (image, load) = self.far_part(x);
+                (profile.image(x) + image, profile.load_integral(x) + load)
+            }
+        }
+    }
+
+    /// Image of the whole profile at a radius, m.
+    pub(crate) fn image_at(&self, profile: &Profile, x: f64) -> f64 {
+        self.image_in(profile, self.cell(x), x)
+    }
+
+    fn image_in(&self, profile: &Profile, cell: Option<usize>, x: f64) -> f64 {
+        match cell {
+            Some(j) => self.cell_line(profile, j).whole_image(profile, x),
+            None => profile.image(x) + self.far_part(x).0,
+        }
+    }
+
+    /// Its load integral, m².
+    pub(crate) fn load_at(&self, profile: &Profile, x: f64) -> f64 {
+        match self.cell(x) {
+            Some(j) => self.cell_line(profile, j).whole_load(profile, x),
+            None => profile.load_integral(x) + self.far_part(x).1,
+        }
+    }
+
+    /// Its slope.
+    pub(crate) fn slope_at(&self, profile: &Profile, x: f64) -> f64 {
+        match self.cell(x) {
+            Some(j) => self.cell_line(profile, j).whole_slope(profile, x),
+            None => {
+                let last = self.x[self.last()];
+                profile.image_slope(x) - 2.0 * self.worn_image[self.last()] * (last / x).powi(2) / x
             }
         }
     }
@@ -232,7 +296,7 @@ impl Nodes {
     pub(crate) fn smooth_image(&self, x: f64) -> f64 {
         match self.cell(x) {
             Some(j) => self.cubic(&self.worn_image, j).value_and_slope(x * x).0,
-            None => self.worn_part(x).0,
+            None => self.far_part(x).0,
         }
     }
 
@@ -253,14 +317,6 @@ impl Nodes {
         let (width, secant) = cell(j);
         let bends = (width * (at(j) - secant), width * (secant - at(j + 1)));
         Cubic { start: self.x[j] * self.x[j], width, value: field[j], rise: width * secant, bends }
-    }
-
-    /// Slope h'(x).
-    pub(crate) fn worn_slope(&self, x: f64) -> f64 {
-        match self.cell(x) {
-            Some(j) => 2.0 * x * self.slope(j),
-            None => -2.0 * self.worn_image[self.last()] * (self.x[self.last()] / x).powi(2) / x,
-        }
     }
 
     /// dh/dX in cell j.
@@ -290,7 +346,7 @@ impl Nodes {
     ) -> f64 {
         let start = self.x[cell.unwrap_or(self.last())];
         let (middle, half) = (0.5 * (x + start), 0.5 * (x - start));
-        let g2 = |x: f64| (profile.image(x) + self.worn_part_in(cell, x).0).powi(2);
+        let g2 = |x: f64| self.image_in(profile, cell, x).powi(2);
         let node = half * 0.2f64.sqrt();
         let ends = inner_image.powi(2) + image.powi(2);
         half / 6.0 * (ends + 5.0 * (g2(middle - node) + g2(middle + node)))
