@@ -66,7 +66,7 @@ pub struct Parameters {
     /// a line forces are exact at any resolution. Steady cycles are integrated by parabolas on five
     /// eighths of them, at least 24.
     pub resolution: usize,
-    /// Relative tolerance of the wear integration, in [1e-12, 0.1].
+    /// Relative tolerance of the wear integration, in [1e-7, 0.1].
     pub tolerance: f64,
 }
 
@@ -152,7 +152,7 @@ impl Parameters {
             ),
             ("wear_coefficient", self.wear_coefficient, range::WEAR, "a wear coefficient lies in 0 to 1e30"),
             ("hardness", self.hardness, range::STRESS, "a hardness lies in 1e-30 to 1e30 Pa"),
-            ("tolerance", self.tolerance, range::TOLERANCE, "the relative tolerance lies in 1e-12 to 0.1"),
+            ("tolerance", self.tolerance, range::TOLERANCE, "the relative tolerance lies in 1e-7 to 0.1"),
         ] {
             range::parameter(name, value, &range, requirement)?;
         }

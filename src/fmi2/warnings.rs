@@ -36,7 +36,7 @@ struct Scene<'a> {
 /// A row: when it is looked at, and the message where its condition holds.
 type Row = (Moment, fn(&Scene) -> Option<String>);
 
-const TABLE: [Row; 9] = [
+const TABLE: [Row; 11] = [
     (Moment::Start, |scene| {
         let Settings { youngs_modulus_1, youngs_modulus_2, .. } = *scene.settings;
         let moduli = [("youngs_modulus_1", youngs_modulus_1), ("youngs_modulus_2", youngs_modulus_2)];
@@ -44,6 +44,19 @@ const TABLE: [Row; 9] = [
         Some(format!(
             "{name} = {value:e} Pa is below 1 MPa, softer than rubber: check the unit, which is Pa and not GPa"
         ))
+    }),
+    (Moment::Start, |scene| {
+        let Settings { ref profile_file, .. } = *scene.settings;
+        let is_table = matches!(scene.contact.parameters().profile, Profile::Table(_));
+        (!is_table && !profile_file.is_empty()).then(|| {
+            format!("profile_file = {profile_file:?} has no effect: set profile = table, or leave profile_file empty")
+        })
+    }),
+    (Moment::Start, |scene| {
+        let Settings { friction_coefficient_final: last, running_in_energy, .. } = *scene.settings;
+        (running_in_energy == 0.0 && last != Settings::default().friction_coefficient_final).then(|| {
+            format!("friction_coefficient_final = {last} has no effect: set running_in_energy, in J")
+        })
     }),
     (Moment::FirstContact, |scene| {
         let extents = scene.extents();

@@ -26,6 +26,9 @@ pub(crate) struct Nodes {
     /// What follows from the rest, at each node.
     #[serde(skip)]
     integrals: Vec<Integrals>,
+    /// And the number of cells from the axis on in which wear has levelled the body.
+    #[serde(skip)]
+    levelled: usize,
     /// Cells across the contact that the nodes are meant to give.
     resolution: usize,
     /// The moving mesh among the nodes, where one has left its state here.
@@ -35,20 +38,18 @@ pub(crate) struct Nodes {
     remains: Option<(f64, f64)>,
 }
 
-/// Integrals up to a node, and the image behind it.
+/// Integrals up to a node.
 #[derive(Debug, Clone, Copy, Default)]
 struct Integrals {
     /// ∫₀ ξ g' dξ of the whole profile less that of the body, m².
     worn_load: f64,
     /// ∫₀ g² dξ, m³.
     square: f64,
-    /// Whether the image of both is a line up to the next node.
-    is_levelled: bool,
 }
 
 impl Integrals {
     /// Those of nodes that are being made.
-    const UNKNOWN: Self = Self { worn_load: f64::NAN, square: f64::NAN, is_levelled: false };
+    const UNKNOWN: Self = Self { worn_load: f64::NAN, square: f64::NAN };
 }
 
 /// A mesh of the slipping region whose nodes are among those of a surface, from index `first` on.
@@ -101,6 +102,7 @@ impl Nodes {
         self.worn_image.clone_from(&other.worn_image);
         self.depth.clone_from(&other.depth);
         self.integrals.clone_from(&other.integrals);
+        self.levelled = other.levelled;
         self.mesh.clone_from(&other.mesh);
         (self.resolution, self.remains) = (other.resolution, other.remains);
     }
@@ -130,15 +132,14 @@ impl Nodes {
     pub(crate) fn update_integrals(&mut self, profile: &Profile) {
         self.integrals.clear();
         self.integrals.reserve_exact(self.x.len());
-        let levelled = self.levelled_from_axis(profile);
+        self.levelled = self.levelled_from_axis(profile);
         let mut load = 0.0;
         for j in 0..self.x.len() {
-            let is_levelled = levelled.get(j).is_some_and(|levelled| *levelled);
-            self.integrals.push(Integrals { worn_load: load, square: 0.0, is_levelled });
+            self.integrals.push(Integrals { worn_load: load, square: 0.0 });
             if j < self.last() {
                 let (x0, x1) = (self.x[j], self.x[j + 1]);
                 load += 2.0 / 3.0 * self.slope(j) * (x1 - x0) * (x1 * x1 + x1 * x0 + x0 * x0);
-                if is_levelled {
+                if j < self.levelled {
                     load += load_of_line(profile, (x0, x1))
                         - (profile.load_integral(x1) - profile.load_integral(x0));
                 }

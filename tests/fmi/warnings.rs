@@ -194,3 +194,11 @@ fn a_load_that_is_never_positive() {
     };
     warned(&run(cycles, &[&[]]), &["never touched"]);
 }
+
+#[test]
+fn settings_without_effect_are_named() {
+    let file = |fmu: &Fmu| assert_eq!(fmu.set_string("profile_file", c"scan.txt"), OK);
+    warned(&run(file, &STROKES), &["profile_file", "scan.txt", "profile = table"]);
+    let last = real("friction_coefficient_final", 0.8);
+    warned(&run(last, &STROKES), &["friction_coefficient_final = 0.8", "running_in_energy"]);
+}

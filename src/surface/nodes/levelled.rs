@@ -14,15 +14,15 @@ use crate::profile::Profile;
 /// quarter and three quarters the pressures of bodies worn flat are the same to 2e-3 of their mean.
 const LEVELLED: f64 = 0.5;
 
-/// Change of slope of the body, relative to the slope, that is rounding: in X the image of a ball
-/// has none.
+/// Change of slope of the body, relative to the slope, that is rounding: a table of a ball has none.
 const STRAIGHT: f64 = 1e-9;
 
 impl Nodes {
     /// Whether the body is levelled in each cell, `None` where that has no bend; empty where nothing
-    /// has worn.
+    /// has worn, and for a ball, which is linear in X.
     pub(in crate::surface) fn levelled(&self, profile: &Profile) -> Vec<Option<bool>> {
-        if self.depth.iter().all(|depth| *depth == 0.0) {
+        let is_ball = matches!(profile, Profile::Parabola { .. } | Profile::Ellipse { .. });
+        if is_ball || self.depth.iter().all(|depth| *depth == 0.0) {
             return Vec::new();
         }
         let unworn = profile.images(&self.x);
@@ -32,10 +32,11 @@ impl Nodes {
         (0..self.last()).map(|j| is_levelled(&body, &wear, j).map(|level| level && is_worn(j))).collect()
     }
 
-    /// The same for the image: levelled from the axis on.
-    pub(super) fn levelled_from_axis(&self, profile: &Profile) -> Vec<bool> {
-        let cells = self.levelled(profile).into_iter().take_while(|level| *level != Some(false));
-        cells.map(|level| level == Some(true)).collect()
+    /// Number of cells from the axis on in which it is, or has no bend; 0 where none is.
+    pub(super) fn levelled_from_axis(&self, profile: &Profile) -> usize {
+        let cells = self.levelled(profile);
+        let from_axis = cells.iter().take_while(|level| **level != Some(false)).count();
+        cells[..from_axis].iter().rposition(|level| *level == Some(true)).map_or(0, |last| last + 1)
     }
 }
 

@@ -61,6 +61,7 @@ impl Nodes {
             worn_image: vec![0.0; 2],
             depth: vec![0.0; 2],
             integrals: vec![Integrals::default(); 2],
+            levelled: 0,
             resolution,
             mesh: None,
             remains: None,
@@ -117,7 +118,7 @@ impl Nodes {
     ) -> Self {
         let integrals = vec![Integrals::UNKNOWN; x.len()];
         let mesh = mesh.map(Box::new);
-        Self { x, worn_image, depth, integrals, resolution, mesh, remains: None }
+        Self { x, worn_image, depth, integrals, levelled: 0, resolution, mesh, remains: None }
     }
 
     /// Some nodes of more: of their radii, images and depths, m, those that are kept.
@@ -320,13 +321,13 @@ impl Nodes {
             return;
         }
         self.leave_mesh();
-        let is_levelled = self.integrals[j].is_levelled;
         let h = self.worn_image_at(profile, x);
         let depth = if self.depth.iter().all(|w| *w == 0.0) { 0.0 } else { self.depth_at(x) };
         self.x.insert(j + 1, x);
         self.worn_image.insert(j + 1, h);
         self.depth.insert(j + 1, depth);
         // keeps the image usable for the next insertion; update_integrals follows
-        self.integrals.insert(j + 1, Integrals { is_levelled, ..Integrals::UNKNOWN });
+        self.integrals.insert(j + 1, Integrals::UNKNOWN);
+        self.levelled += usize::from(j < self.levelled);
     }
 }

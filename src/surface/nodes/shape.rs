@@ -211,7 +211,7 @@ impl Nodes {
     /// The line of a cell.
     #[inline(always)]
     fn cell_line(&self, profile: &Profile, j: usize) -> CellLine {
-        let (ends, is_levelled) = ((self.x[j], self.x[j + 1]), self.integrals[j].is_levelled);
+        let (ends, is_levelled) = ((self.x[j], self.x[j + 1]), j < self.levelled);
         let (image, load) = (self.worn_image[j], self.integrals[j].worn_load);
         if !is_levelled {
             return CellLine { ends, image, load, slope: self.slope(j), is_levelled };
