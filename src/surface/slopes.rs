@@ -1,7 +1,7 @@
 //! The slope of the image as pressure and traction take it: ∫ g' dx/√(x² − r²).
 //!
-//! Where wear has levelled the body the image of both is one line in each cell, elsewhere that of the
-//! body is exact and that of the wear a line.
+//! Where wear has levelled the body the image of both is one line in each cell, elsewhere that of
+//! the body is exact and that of the wear a line.
 
 use super::{Nodes, Surface};
 use crate::transform::pressure_weight;

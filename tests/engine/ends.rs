@@ -145,9 +145,9 @@ fn under_a_force_gross_slip_has_no_end() {
 }
 
 /// However far a body has worn beyond its elastic depth, its springs carry friction all over, and
-/// strokes after the cycles work by it. (T was down to 0 where the overlap was a few ten-thousandths
-/// of the depth: steps could be wrong by more than that, and the bodies kept their bend between two
-/// nodes.)
+/// strokes after the cycles work by it. (T was down to 0 where the overlap was a few
+/// ten-thousandths of the depth: steps could be wrong by more than that, and the bodies kept their
+/// bend between two nodes.)
 #[test]
 fn far_beyond_the_elastic_depth_gross_slip_carries_friction() {
     let powers =
@@ -169,7 +169,7 @@ fn far_beyond_the_elastic_depth_gross_slip_carries_friction() {
             for place in [-amplitude, amplitude] {
                 contact.advance_to(force, place).expect("the stroke is followed");
             }
-            // but for the way back from one bound to the other
+            // except for the way back from one bound to the other
             let elastic = MU * force / (2.0 * G_STAR * contact.contact_radius()) / amplitude;
             let friction = 4.0 * MU * force * amplitude;
             close_to(contact.dissipated_energy() - work, friction, 2.0 * elastic + 1e-3, "W of strokes");

@@ -528,8 +528,8 @@ fn stiffness_is_checked_and_saved() {
     assert_eq!(serde_json::from_value::<Parameters>(text).unwrap(), Parameters::default());
 }
 
-/// Updates within a stroke in gross slip turn no spring back: the slip of each stroke is read whole,
-/// on a line and in the plane.
+/// Updates within a stroke in gross slip turn no spring back: the slip of each stroke is read
+/// whole, on a line and in the plane.
 #[test]
 fn strokes_in_gross_slip_are_read_whole() {
     for (profile, normal_control, in_plane) in [
@@ -563,8 +563,8 @@ fn strokes_in_gross_slip_are_read_whole() {
     }
 }
 
-/// Held in depth the amplitude of the contact grows as it wears, and its front goes on into what has
-/// not worn: V does not depend on the calls.
+/// Held in depth the amplitude of the contact grows as it wears, and its front goes on into what
+/// has not worn: V does not depend on the calls.
 #[test]
 fn cycles_at_constant_depth_wear_alike_in_one_call_and_many() {
     for (profile, ratio, share) in [(BALL, 41.0, 0.8), (ROUNDED, 41.0, 0.95), (CONE, 10.0, 0.7)] {

@@ -147,8 +147,8 @@ fn a_reading_does_not_depend_on_those_before() {
 }
 
 /// The rim of a flat punch in gross slip under a varying load: where it first wears, the depth is
-/// that which relieves it under all loads, and it is read at the rim itself, too. (It was 5 to 11 µm
-/// after the first update, where 0.1 µm is right.)
+/// that which relieves it under all loads, and it is read at the rim itself, too. (It was 5 to 11
+/// µm after the first update, where 0.1 µm is right.)
 #[test]
 fn the_rim_of_a_punch_wears_under_varying_loads() {
     let exact = exact(&PUNCH, FORCE);

@@ -1,11 +1,11 @@
 //! Where wear has levelled the body.
 //!
-//! The image of the wear is linear in X between the nodes, that of the body is exact. Where wear has
-//! levelled the body both nearly cancel, and each cell would keep a small copy of the body: the apex
-//! of a cone, whose slope is larger than that of a body worn flat, or the bend of an r⁴, higher than
-//! the overlap that carries the load. So the slope that a pressure takes is that of lines there. The
-//! image itself is one of lines where that goes on from the axis, as after gross slip; where a core
-//! has stuck, springs and meshes need the exact shape beside it.
+//! The image of the wear is linear in X between the nodes, that of the body is exact. Where wear
+//! has levelled the body both nearly cancel, and each cell would keep a small copy of the body: the
+//! apex of a cone, whose slope is larger than that of a body worn flat, or the bend of an r⁴,
+//! higher than the overlap that carries the load. So the slope that a pressure takes is that of
+//! lines there. The image itself is one of lines where that goes on from the axis, as after gross
+//! slip; where a core has stuck, springs and meshes need the exact shape beside it.
 
 use super::Nodes;
 use crate::profile::Profile;
@@ -14,12 +14,13 @@ use crate::profile::Profile;
 /// quarter and three quarters the pressures of bodies worn flat are the same to 2e-3 of their mean.
 const LEVELLED: f64 = 0.5;
 
-/// Change of slope of the body, relative to the slope, that is rounding: a table of a ball has none.
+/// Change of slope of the body, relative to the slope, that is rounding: a table of a ball has
+/// none.
 const STRAIGHT: f64 = 1e-9;
 
 impl Nodes {
-    /// Whether the body is levelled in each cell, `None` where that has no bend; empty where nothing
-    /// has worn, and for a ball, which is linear in X.
+    /// Whether the body is levelled in each cell, `None` where that has no bend; empty where
+    /// nothing has worn, and for a ball, which is linear in X.
     pub(in crate::surface) fn levelled(&self, profile: &Profile) -> Vec<Option<bool>> {
         let is_ball = matches!(profile, Profile::Parabola { .. } | Profile::Ellipse { .. });
         if is_ball || self.depth.iter().all(|depth| *depth == 0.0) {
