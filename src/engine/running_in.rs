@@ -23,6 +23,12 @@ const ACCURACY: f64 = 1e-7;
 /// W_r is far less than the work of a line, and where a falling μ lets springs snap.
 const LEAST_PART: f64 = 1e-3;
 
+/// Least part of cycles with wear, of those before it.
+const LEAST_OF_CYCLES: f64 = 1e-2;
+
+/// And at first, of all.
+const FIRST_OF_CYCLES: f64 = 1e-6;
+
 /// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds
 /// are halved instead.
 const MOST_ITERATIONS: u32 = 8;
@@ -223,8 +229,10 @@ impl FrettingContact {
             // wear changes the work of a cycle, and a change of friction what can wear
             let halves = run(&now, 0.5 * part).and_then(|half| run(&half, 0.5 * part))?;
             let missed = run(&now, part).map_or(f64::INFINITY, |whole| whole.state.work - halves.state.work);
-            let error = missed.abs() / (accuracy * halves.state.work);
-            if error <= 1.0 || part <= LEAST_PART * LEAST_PART * cycles {
+            let error = if missed == 0.0 { 0.0 } else { missed.abs() / (accuracy * halves.state.work) };
+            // no call may go on for ever: parts are a share of what has passed, or of all at first
+            let least = (LEAST_OF_CYCLES * (cycles - left)).max(FIRST_OF_CYCLES * cycles);
+            if error <= 1.0 || part <= least {
                 (now, left) = (halves, left - part);
             }
             longest = part * (0.8 / error.cbrt()).clamp(0.1, 4.0);

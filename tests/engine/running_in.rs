@@ -320,6 +320,14 @@ fn cycles_that_wear_run_in_as_on_fine_settings() {
     }
 }
 
+/// Cycles that move nothing end, with wear, too.
+#[test]
+fn cycles_of_no_amplitude_run_nothing_in() {
+    let mut contact = started(Parameters { wear_coefficient: 1e-4, ..running_in(ENERGY) });
+    contact.advance_cycles(FORCE, 0.0, 1e6).expect("nothing moves");
+    assert_eq!((contact.friction_coefficient_now(), contact.wear_volume()), (START, 0.0));
+}
+
 #[test]
 fn a_saved_state_keeps_the_coefficient() {
     let energy = usual_energy();
