@@ -227,9 +227,10 @@ impl FrettingContact {
                 continue;
             }
             // wear changes the work of a cycle, and a change of friction what can wear
-            let halves = run(&now, 0.5 * part).and_then(|half| run(&half, 0.5 * part))?;
-            let missed = run(&now, part).map_or(f64::INFINITY, |whole| whole.state.work - halves.state.work);
-            let error = if missed == 0.0 { 0.0 } else { missed.abs() / (accuracy * halves.state.work) };
+            let whole = run(&now, part)?;
+            let halves = run(&run(&now, 0.5 * part)?, 0.5 * part)?;
+            let missed = (whole.state.work - halves.state.work).abs();
+            let error = if missed == 0.0 { 0.0 } else { missed / (accuracy * halves.state.work) };
             // no call may go on for ever: parts are a share of what has passed, or of all at first
             let least = (LEAST_OF_CYCLES * (cycles - left)).max(FIRST_OF_CYCLES * cycles);
             if error <= 1.0 || part <= least {
