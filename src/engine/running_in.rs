@@ -8,6 +8,7 @@
 //! With wear, a part is as long as its halves agree with it.
 //! What the constants were measured by is in docs/decisions/running_in.md.
 
+use super::history::MOST_PIECES;
 use super::planar::BALANCED;
 use super::{FrettingContact, Gradient};
 use crate::error::Error;
@@ -22,12 +23,6 @@ const ACCURACY: f64 = 1e-7;
 /// Least part of a line: within less of it μ may change as it likes. That bounds the parts where
 /// W_r is far less than the work of a line, and where a falling μ lets springs snap.
 const LEAST_PART: f64 = 1e-3;
-
-/// Least part of cycles with wear, of those before it.
-const LEAST_OF_CYCLES: f64 = 1e-2;
-
-/// And at first, of all.
-const FIRST_OF_CYCLES: f64 = 1e-6;
 
 /// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds
 /// are halved instead.
@@ -210,7 +205,7 @@ impl FrettingContact {
         now.advance_equal_cycles(normal, amplitude, if cycles > 0.0 { 0.0 } else { cycles })?;
         // with wear each part takes an integration of the profile
         let accuracy = if now.state.wear.is_some() { self.model.parameters.tolerance } else { ACCURACY };
-        let (mut left, mut longest) = (cycles, f64::INFINITY);
+        let (mut left, mut longest, mut trials) = (cycles, f64::INFINITY, 0);
         while left > 0.0 {
             let mut one = now.without_wear();
             one.advance_equal_cycles(normal, amplitude, 1.0)?;
@@ -226,14 +221,16 @@ impl FrettingContact {
                 (now, left) = (run(&now, part)?, left - part);
                 continue;
             }
+            if trials == MOST_PIECES {
+                return Err(Error::TooMuchWear { cycles, left, amplitude, steps: trials });
+            }
+            trials += 1;
             // wear changes the work of a cycle, and a change of friction what can wear
             let whole = run(&now, part)?;
             let halves = run(&run(&now, 0.5 * part)?, 0.5 * part)?;
             let missed = (whole.state.work - halves.state.work).abs();
             let error = if missed == 0.0 { 0.0 } else { missed / (accuracy * halves.state.work) };
-            // no call may go on for ever: parts are a share of what has passed, or of all at first
-            let least = (LEAST_OF_CYCLES * (cycles - left)).max(FIRST_OF_CYCLES * cycles);
-            if error <= 1.0 || part <= least {
+            if error <= 1.0 {
                 (now, left) = (halves, left - part);
             }
             longest = part * (0.8 / error.cbrt()).clamp(0.1, 4.0);

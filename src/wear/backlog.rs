@@ -98,6 +98,10 @@ pub(crate) struct RepeatedMotion {
 /// Relative difference of two places of hinges, or of two slips, that are taken for one.
 const SAME: f64 = 1e-6;
 
+/// Most by which the image at the contact edge may differ from the depth by rounding, where a worn
+/// body is steep.
+const ROUNDING_OF_EDGE: f64 = 1e-9;
+
 /// Share of the largest slope below which a sum of slopes is the rounding of those that cancel.
 const CANCELLED: f64 = 1e-10;
 
@@ -186,11 +190,12 @@ impl WearBacklog {
         let bins = Bins { edge: at_depth.level.edge(reference), bits };
         // the slope of E between knots, and the hinges where it changes
         let (mut slope, mut end) = (0.0, f64::NEG_INFINITY);
-        let flat = 1e-13 * (reference - tip).abs();
-        // under a load that all but stays, springs that touch or leave contact are a step at the
-        // edge, so steep that beside it the other hinges would pass for rounding
-        let stays = (to.depth - from.depth).abs() <= SAME * (reference - tip).abs();
-        let edge = if stays { to.depth.min(from.depth) - 1e4 * flat } else { f64::INFINITY };
+        let size = (reference - tip).abs();
+        let flat = 1e-13 * size;
+        // where the depth hardly changes, the slip of springs that touch or leave drops to zero in
+        // a band as narrow as that change: beside its slope other hinges would pass for rounding
+        let stays = (to.depth - from.depth).abs() <= SAME * size;
+        let edge = if stays { to.depth.min(from.depth) - ROUNDING_OF_EDGE * size } else { f64::INFINITY };
         for (k, piece) in pieces.iter().take_while(|piece| piece.image.0 < edge).enumerate() {
             let ((g0, g1), (e0, e1)) = (piece.image, piece.slip);
             let next = if g1 - g0 > flat { (e1 - e0) / (g1 - g0) } else { 0.0 };
