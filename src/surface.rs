@@ -193,10 +193,7 @@ impl Surface {
 
     /// Load integral φ(x), m².
     pub(crate) fn load(&self, x: f64) -> f64 {
-        match &self.worn {
-            Some(nodes) => nodes.load_at(&self.profile, x),
-            None => self.profile.load_integral(x),
-        }
+        self.image_and_load(x).1
     }
 
     /// Radius in [low, high] where the image takes the value `image`; the image rises there.

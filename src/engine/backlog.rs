@@ -23,6 +23,11 @@ const LEAST_THINNING: f64 = 0.01;
 /// scenes 11 were refused.
 const NEGLIGIBLE: f64 = 1e-6;
 
+/// Largest depth under which a law slips, m.
+fn deepest_of(law: &[SlipAtDepth]) -> f64 {
+    law.iter().map(|law| law.depth).fold(0.0, f64::max)
+}
+
 impl FrettingContact {
     /// Memory for the slip of a line, where it is wanted for wear.
     pub(super) fn take_slips(&mut self) -> Option<Vec<SlipPiece>> {
@@ -325,10 +330,10 @@ impl FrettingContact {
                 displacement: self.state.displacement,
             });
         }
-        // an update relieves a sharp rim under the present depth alone
+        // the pressure at a sharp rim is infinite under every depth of the law, and the update has
+        // relieved that under the present one alone
         if law.len() > 1 && nodes.depth().last() == Some(&0.0) {
-            let deepest = law.iter().map(|law| law.depth).fold(0.0, f64::max);
-            nodes.relieve_rim(&mut update.depth, deepest, self.surface.profile());
+            nodes.relieve_rim(&mut update.depth, deepest_of(law), self.surface.profile());
         }
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape
         // and takes that volume
@@ -384,7 +389,7 @@ impl FrettingContact {
             self.state.counters.descent_transforms += 1;
             left = left.without_mesh(transforms.inverse_abel(left.worn_image()));
         }
-        let deepest = law.iter().map(|law| law.depth).fold(0.0, f64::max);
+        let deepest = deepest_of(law);
         if let Some(spread) = left.spread_at_rim(deepest, profile) {
             left = spread;
         }

@@ -49,7 +49,10 @@ const TABLE: [Row; 11] = [
         let Settings { ref profile_file, .. } = *scene.settings;
         let is_table = matches!(scene.contact.parameters().profile, Profile::Table(_));
         (!is_table && !profile_file.is_empty()).then(|| {
-            format!("profile_file = {profile_file:?} has no effect: set profile = table, or leave profile_file empty")
+            let name = profile_file.to_string_lossy();
+            format!(
+                "profile_file = \"{name}\" has no effect: set profile = table, or leave profile_file empty"
+            )
         })
     }),
     (Moment::Start, |scene| {

@@ -214,6 +214,7 @@ impl Springs {
             } else {
                 ((new - old) / new / (WITHIN_A_LINE * path.sampling)).ceil().max(1.0)
             };
+            let new_edge = path.touching(new);
             match &self.knots[..] {
                 [] => take(&[path.touching(0.0)]),
                 // a ramp in many small steps would leave a knot at each former edge
@@ -221,16 +222,16 @@ impl Springs {
                     if let Some(inner) = inner_knots.last()
                         && moved
                         && new - inner.place.x <= path.sampling * new
-                        && is_smooth(inner, edge, &path.touching(new)) =>
+                        && is_smooth(inner, edge, &new_edge) =>
                 {
                     take(inner_knots);
                 }
                 all => take(all),
             }
-            for k in 1..=samples as usize {
-                let x = if k as f64 == samples { new } else { old + (new - old) * k as f64 / samples };
-                take(&[path.touching(x)]);
+            for k in 1..samples as usize {
+                take(&[path.touching(old + (new - old) * k as f64 / samples)]);
             }
+            take(&[new_edge]);
         } else if new < old
             && !path.to.is_open()
             && let Some(j) = self.knots.iter().position(|knot| knot.place.x > new)

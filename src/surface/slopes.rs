@@ -86,9 +86,9 @@ fn cells_of(surface: &Surface, nodes: &Nodes, end: f64) -> Vec<Cell> {
     let x = nodes.x();
     let inside = x.partition_point(|x| *x < end).min(nodes.last());
     let unworn = surface.profile().images(x);
-    let levelled = nodes.levelled(surface.profile());
+    let levelled = nodes.levelled(&unworn);
     let cell = |j: usize| {
-        let is_levelled = levelled.get(j) == Some(&Some(true));
+        let is_levelled = levelled[j] == Some(true);
         let body = if is_levelled { nodes.secant(&unworn, j) } else { 0.0 };
         let slope = body + nodes.slope(j);
         Cell { start: x[j], end: x[j + 1].min(end), slope, is_levelled }

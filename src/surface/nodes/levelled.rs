@@ -19,23 +19,23 @@ const LEVELLED: f64 = 0.5;
 const STRAIGHT: f64 = 1e-9;
 
 impl Nodes {
-    /// Whether the body is levelled in each cell, `None` where that has no bend; empty where
-    /// nothing has worn, and for a ball, which is linear in X.
-    pub(in crate::surface) fn levelled(&self, profile: &Profile) -> Vec<Option<bool>> {
-        let is_ball = matches!(profile, Profile::Parabola { .. } | Profile::Ellipse { .. });
-        if is_ball || self.depth.iter().all(|depth| *depth == 0.0) {
-            return Vec::new();
-        }
-        let unworn = profile.images(&self.x);
+    /// Whether the body, of which the images at the nodes are given (m), is levelled in each cell;
+    /// `None` where it has no bend.
+    pub(in crate::surface) fn levelled(&self, unworn: &[f64]) -> Vec<Option<bool>> {
         let (body, wear): (Vec<f64>, Vec<f64>) =
-            (0..self.last()).map(|j| (self.secant(&unworn, j), self.slope(j))).unzip();
+            (0..self.last()).map(|j| (self.secant(unworn, j), self.slope(j))).unzip();
         let is_worn = |j: usize| self.depth[j] > 0.0 || self.depth[j + 1] > 0.0;
         (0..self.last()).map(|j| is_levelled(&body, &wear, j).map(|level| level && is_worn(j))).collect()
     }
 
-    /// Number of cells from the axis on in which it is, or has no bend; 0 where none is.
+    /// Number of cells from the axis on in which it is, or has no bend; 0 where none is, where the
+    /// axis has not worn, and for a ball, which is linear in X.
     pub(super) fn levelled_from_axis(&self, profile: &Profile) -> usize {
-        let cells = self.levelled(profile);
+        let is_ball = matches!(profile, Profile::Parabola { .. } | Profile::Ellipse { .. });
+        if is_ball || self.depth[0] == 0.0 {
+            return 0;
+        }
+        let cells = self.levelled(&profile.images(&self.x));
         let from_axis = cells.iter().take_while(|level| **level != Some(false)).count();
         cells[..from_axis].iter().rposition(|level| *level == Some(true)).map_or(0, |last| last + 1)
     }

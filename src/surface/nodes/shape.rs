@@ -272,14 +272,6 @@ impl Nodes {
         }
     }
 
-    /// Its load integral, m².
-    pub(crate) fn load_at(&self, profile: &Profile, x: f64) -> f64 {
-        match self.cell(x) {
-            Some(j) => self.cell_line(profile, j).whole_load(profile, x),
-            None => profile.load_integral(x) + self.far_part(x).1,
-        }
-    }
-
     /// Its slope.
     pub(crate) fn slope_at(&self, profile: &Profile, x: f64) -> f64 {
         match self.cell(x) {
