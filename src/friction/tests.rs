@@ -364,10 +364,11 @@ fn the_work_of_a_line_of_depth_is_exact_however_long() {
 fn the_error_of_the_work_of_a_line_of_force_falls_nearly_with_the_square_of_its_change() {
     for profile in profiles() {
         let surface = Surface::new(profile.clone());
-        let errors = [0.4, 0.1].map(|change| error_of_work(&surface, NormalControl::Force, change));
+        // the order of a single halving scatters: from 1.6 (r^3.5) to 4.5 (cone)
+        let errors = [0.4, 0.1, 0.05001].map(|change| error_of_work(&surface, NormalControl::Force, change));
         let order = 0.5 * (errors[0] / errors[1]).log2();
         assert!(order > 1.65, "{profile:?}: {order}, {errors:?}");
-        assert!(errors[1] < 1.5e-5, "{profile:?}: {errors:?}");
+        assert!(errors[1] < 1.5e-5 && errors[2] < 4e-6, "{profile:?}: {errors:?}");
     }
 }
 

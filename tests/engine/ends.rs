@@ -117,12 +117,12 @@ fn a_body_that_carries_nothing_gives_numbers() {
 
 /// Under a force gross slip has no end: what slips carries it, however little its overlap is beside
 /// the depth that has worn and the amplitude. Cycles wear by friction along their path or, with an
-/// overlap of less than 1e-5 of the depth, are refused with the number that was asked for. (Some
+/// overlap of less than 5e-5 of the depth, are refused with the number that was asked for. (Some
 /// wore nothing at all.)
 #[test]
 fn under_a_force_gross_slip_has_no_end() {
     for profile in [BALL, CONE, Profile::PowerLaw { exponent: 4.0, coefficient: 1e9 }] {
-        for (force, amplitude, least) in [(0.1, 1e-3, 1e5), (1.0, 1e-4, 1e6), (0.01, 1e-4, 1e5)] {
+        for (force, amplitude, least) in [(0.1, 1e-3, 1e5), (1.0, 1e-4, 1e7), (0.01, 1e-4, 1e6)] {
             let parameters = Parameters { profile: profile.clone(), ..Parameters::default() };
             let work = parameters.friction_coefficient * force * 4.0 * amplitude;
             let volume = parameters.wear_per_work() * work;
@@ -164,7 +164,7 @@ fn far_beyond_the_elastic_depth_gross_slip_carries_friction() {
                 contact.tangential_force() / (MU * force) - 1.0
             );
             close_to(contact.tangential_force(), MU * force, 1e-9, "T of gross slip");
-            assert!(pressures[0] > 0.3 && pressures[1] < 2.0, "{profile:?}, {force} N: {pressures:?}");
+            assert!(pressures[0] > 0.4 && pressures[1] < 1.6, "{profile:?}, {force} N: {pressures:?}");
             let work = contact.dissipated_energy();
             for place in [-amplitude, amplitude] {
                 contact.advance_to(force, place).expect("the stroke is followed");
