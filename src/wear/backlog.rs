@@ -211,6 +211,9 @@ impl WearBacklog {
             }
             (slope, end) = (next, g1);
         }
+        if !stays {
+            at_depth.add_hinge(-slope, reference - end, bins);
+        }
         true
     }
 

@@ -139,6 +139,34 @@ fn a_line_at_any_angle_wears_as_the_line_along_x() {
     }
 }
 
+/// A body that lifts off while it slides back wears the same profile along x and along y, whatever
+/// the steps: springs that have left do not slip on.
+#[test]
+fn lift_off_leaves_the_same_profile_in_any_direction_and_steps() {
+    let full = exact(&BALL, FORCE).full_slip();
+    let lifted = |direction: [f64; 2], steps: usize| {
+        let mut contact = started(Parameters::default());
+        let place = |u: f64| direction.map(|part| u * full * part);
+        contact.advance_to_planar(FORCE, place(1.5)).unwrap();
+        for k in 1..=steps {
+            let share = k as f64 / steps as f64;
+            contact.advance_to_planar(FORCE * (1.0 - share), place(1.5 - share)).unwrap();
+        }
+        contact
+    };
+    let one = lifted([1.0, 0.0], 1);
+    for direction in [[1.0, 0.0], [0.0, 1.0], [0.6, 0.8]] {
+        for steps in [1, 10, 300] {
+            let contact = lifted(direction, steps);
+            let off = |r: f64| (contact.worn_depth_at(r) - one.worn_depth_at(r)).abs() / one.wear_depth();
+            let radius = *contact.probe_radii().last().unwrap();
+            let profile = (0..100).map(|i| off(radius * f64::from(i) / 100.0)).fold(0.0, f64::max);
+            assert!(profile < 5e-3, "{direction:?}, {steps} steps: the profile differs by {profile:e}");
+            close_to(contact.wear_depth(), one.wear_depth(), 2e-3, "depth of wear");
+        }
+    }
+}
+
 /// Worn volume and profile are computed by different code: (k/σ₀) times the springs' work, and what
 /// the transforms have taken off.
 #[test]
