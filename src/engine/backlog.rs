@@ -157,7 +157,9 @@ impl FrettingContact {
             self.expect(Some(motion));
         } else {
             let way = if self.state.planar.is_some() { FrontMotion::Creeps } else { FrontMotion::Returns };
-            self.absorb_law((&law, way), backlog.work, backlog.radius)?;
+            if !self.absorb_law((&law, way), backlog.work, backlog.radius)? {
+                self.defer_law(backlog.work);
+            }
             let lost = self.rest_on_worn(&old, zone)?;
             if !begins_at_reversal {
                 self.lose_to_friction(lost);
@@ -193,14 +195,6 @@ impl FrettingContact {
             Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => Ok(false),
             Err(other) => Err(other),
         }
-    }
-
-    /// Takes `WearState::deferred_share` off.
-    fn take_deferred(&mut self, work: f64) -> f64 {
-        let Some(wear) = &mut self.state.wear else { return 0.0 };
-        let taken = wear.deferred_share(self.model.tuning.placed_with * work.abs());
-        wear.deferred_work -= taken;
-        taken
     }
 
     /// Defers the wear of work (J) to a later update; below 0 where the profile has worn too much.
@@ -285,6 +279,7 @@ impl FrettingContact {
 
     /// Wears a slip law off on nodes at rest, which is that of friction work (J) of the springs.
     /// `radius` is the largest of its contacts, m. Wear that finds no place there is deferred.
+    /// Returns false, and wears nothing, where what slips has worn free.
     ///
     /// # Errors
     /// [`Error::WearOutrun`] where one update cannot follow; those of the normal contact.
@@ -293,7 +288,7 @@ impl FrettingContact {
         (law, way): (&[SlipAtDepth], FrontMotion),
         work: f64,
         radius: f64,
-    ) -> Result<(), Error> {
+    ) -> Result<bool, Error> {
         let per_work = self.model.constants.wear_per_work;
         let before = self.surface.worn().map_or(0.0, Nodes::worn_volume);
         let nodes = self.nodes_at_rest(law, radius, way);
@@ -302,15 +297,20 @@ impl FrettingContact {
             self.defer(lost);
         }
         self.surface.set_worn(Some(nodes));
-        let work = work + self.take_deferred(work);
-        let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(()) };
+        let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(true) };
+        let taken = wear.deferred_share(self.model.tuning.placed_with * work.abs());
+        let work = work + taken;
         let (transforms, made) = self.memory.get().transforms.get(nodes);
         self.state.counters.transform_tables += u64::from(made);
         let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.model.constants)?;
         let Some(fields) = fields else {
-            self.defer_law(work);
-            return Ok(());
+            self.defer_law(work - taken);
+            return Ok(true);
         };
+        if fields.are_free() {
+            return Ok(false);
+        }
+        wear.deferred_work -= taken;
         self.state.counters.pressure_transforms += fields.transforms;
         self.state.counters.descent_transforms += fields.transforms;
         wear.clipped += fields.clipped;
@@ -323,7 +323,7 @@ impl FrettingContact {
         if !update.followed {
             if per_work * work <= NEGLIGIBLE * nodes.worn_volume() {
                 self.defer_law(work);
-                return Ok(());
+                return Ok(true);
             }
             return Err(Error::WearOutrun {
                 from: self.state.displacement,
@@ -352,7 +352,7 @@ impl FrettingContact {
         self.state.counters.descent_transforms += 1;
         self.state.counters.profile_updates += 1;
         self.look_at_coating();
-        Ok(())
+        Ok(true)
     }
 
     /// Radius up to which springs stuck (m) while others slipped in contacts up to a radius (m),
@@ -390,7 +390,7 @@ impl FrettingContact {
             left = left.without_mesh(transforms.inverse_abel(left.worn_image()));
         }
         let deepest = deepest_of(law);
-        if let Some(spread) = left.spread_at_rim(deepest, profile) {
+        if let Some(spread) = left.spread_at_rim(deepest, inner, profile) {
             left = spread;
         }
         let Parameters { tolerance, resolution, .. } = *self.model.parameters;

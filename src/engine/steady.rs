@@ -114,7 +114,9 @@ impl FrettingContact {
             return Ok(0.0);
         }
         let law = SlipAtDepth::of_motion(sliding, part, contact.depth, self.model.bound_slope);
-        self.absorb_law((&[law], FrontMotion::Creeps), work, contact.radius)?;
+        if !self.absorb_law((&[law], FrontMotion::Creeps), work, contact.radius)? {
+            return Ok(left);
+        }
         self.add_work(work);
         Ok(part)
     }

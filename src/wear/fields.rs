@@ -26,7 +26,8 @@ pub(crate) struct SlipFields {
 impl SlipFields {
     /// Fields of a slip law whose springs did friction work, J: A = Σ μ p(r; d_b) s_b and B = Σ s_b
     /// with s_b = D\[E_b\], over the depths d_b of the law. The work at the nodes is scaled to that
-    /// of the springs, which is exact. `None` where nothing slips on the nodes.
+    /// of the springs, which is exact; it is 0 where what slips has worn free. `None` where nothing
+    /// slips on the nodes.
     ///
     /// # Errors
     /// Those of the normal contact.
@@ -58,7 +59,12 @@ impl SlipFields {
         let share = if found > 0.0 { work / found } else { 0.0 };
         fields.work_per_area.iter_mut().for_each(|gain| *gain *= share);
         fields.defect = (found - work).abs();
-        Ok((found > 0.0 && fields.slip_path.iter().any(|path| *path > 0.0)).then_some(fields))
+        Ok(fields.slip_path.iter().any(|path| *path > 0.0).then_some(fields))
+    }
+
+    /// Whether what slips carries no load any more.
+    pub(crate) fn are_free(&self) -> bool {
+        self.work_per_area.iter().all(|work| *work <= 0.0)
     }
 
     fn none(count: usize, contact: Contact) -> Self {

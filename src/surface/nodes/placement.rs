@@ -210,22 +210,25 @@ impl Nodes {
     }
 
     /// These nodes, for a contact of radius `a`, without those that a line (in x²) between others
-    /// meets within `share` of the largest image, as long as no cell becomes wider than an even
-    /// one; `None` where that would spare less than a fifth of them. What a front needed where it
-    /// no longer stands makes an update stiff.
+    /// meets within `share` of the largest image and depth, as long as no cell becomes wider than
+    /// an even one; `None` where that would spare less than a fifth of them. What a front needed
+    /// where it no longer stands makes an update stiff.
     ///
     /// A mesh that has moved with the contact edge leaves narrow cells there, too. In its outer
     /// half none stays narrower than half an even one: an implicit update takes the contact edge
     /// for one that stays in its cell or goes on to the next, and across many narrow ones it
-    /// overshoots.
+    /// overshoots. At a rim the edge does not move, and wide cells would miss how steeply it has
+    /// worn.
     pub(crate) fn thinned(&self, share: f64, a: f64, profile: &Profile) -> Option<Self> {
         let width = |anchor: usize, end: usize| self.x[end] - self.x[anchor];
-        let (outer_half, least) = self.remains.or(self.remains_of_mesh()).unwrap_or((f64::INFINITY, 0.0));
+        let has_rim = self.x[self.last()] >= profile.outer_radius();
+        let remains = self.remains.or(self.remains_of_mesh()).filter(|_| !has_rim);
+        let (outer_half, least) = remains.unwrap_or((f64::INFINITY, 0.0));
         let narrow = |anchor: usize, end: usize| self.x[anchor] >= outer_half && width(anchor, end) < least;
         let may_be = |anchor: usize, end: usize| {
             width(anchor, end) <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
         };
-        let kept = thin_unless(&self.x, &self.worn_image, share, narrow, may_be);
+        let kept = thin_unless(&self.x, (&self.worn_image, &self.depth), share, narrow, may_be);
         if kept.len() * 5 > self.x.len() * 4 {
             return None;
         }

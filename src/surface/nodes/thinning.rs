@@ -1,6 +1,6 @@
 //! Which nodes a line through others replaces.
 
-/// Share of the largest image that thinning may take at the usual tolerance.
+/// Share of the largest image and depth that thinning may take at the usual tolerance.
 const USUAL_SHARE: f64 = 5e-5;
 
 /// Indices of nodes such that the line (in x²) between neighbours meets all others within a share
@@ -14,18 +14,20 @@ pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64) -> Vec<usize> {
         let close = spread * (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
         x[end] - x[anchor] < close
     };
-    thin_unless(x, image, share, crowded, |_, _| true)
+    thin_unless(x, (image, image), share, crowded, |_, _| true)
 }
 
-/// The same, but where a cell is `near`, and never where it may not be.
+/// The same of image and depth, but where a cell is `near`, and never where it may not be. An image
+/// that is flat behind a front has a depth that is not.
 pub(super) fn thin_unless(
     x: &[f64],
-    image: &[f64],
+    (image, depth): (&[f64], &[f64]),
     share: f64,
     near: impl Fn(usize, usize) -> bool,
     may_be: impl Fn(usize, usize) -> bool,
 ) -> Vec<usize> {
-    let meets = met_by_lines(x, image, share);
+    let [image_meets, depth_meets] = [image, depth].map(|field| met_by_lines(x, field, share));
+    let meets = |anchor: usize, end: usize| image_meets(anchor, end) && depth_meets(anchor, end);
     let mut kept = vec![0];
     let (mut anchor, last) = (0, x.len() - 1);
     while anchor < last {
@@ -67,7 +69,21 @@ mod tests {
     fn thinning_leaves_what_has_not_worn_at_all_unworn() {
         let x = [0.0, 0.2, 0.4, 0.5, 0.50001, 0.6, 0.7];
         let image = [0.0, 0.0, 0.0, 0.0, 1e-9, 0.5, 1.0];
-        assert_eq!(thin_unless(&x, &image, 0.01, |_, _| false, |_, _| true)[..2], [0, 3]);
+        let fields = (&image[..], &[0.0; 7][..]);
+        assert_eq!(thin_unless(&x, fields, 0.01, |_, _| false, |_, _| true)[..2], [0, 3]);
         assert_eq!(kept_nodes(&x, &image, 0.01)[..2], [0, 3]);
+    }
+
+    /// The image of a slip zone that has worn free is flat behind its front, its depth is not.
+    #[test]
+    fn thinning_meets_the_depth_as_well() {
+        let x: Vec<f64> = (0..=40).map(|i| f64::from(i) / 40.0).collect();
+        let depth: Vec<f64> = x.iter().map(|x| (x * x - 0.25_f64).max(0.0).sqrt()).collect();
+        let image = vec![1.0; 41];
+        let alone = thin_unless(&x, (&image, &image), 0.01, |_, _| false, |_, _| true);
+        let both = thin_unless(&x, (&image, &depth), 0.01, |_, _| false, |_, _| true);
+        assert_eq!(alone, [0, 40]);
+        let meets = |pair: &[usize]| met_by_lines(&x, &depth, 0.01)(pair[0], pair[1]);
+        assert!(both.len() > 4 && both.windows(2).all(meets), "{both:?}");
     }
 }
