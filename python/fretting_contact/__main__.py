@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from . import Contact, ContactError, ParameterError, life, loop
+from .command_errors import check_output, finite, report
 from .quantities import in_si
 
 
@@ -45,7 +46,7 @@ def _parser() -> argparse.ArgumentParser:
 
     wear = commands.add_parser("life", help="wear of a contact over many cycles as a table")
     wear.add_argument(
-        "--cycles", type=float, default=1e5, help="number of cycles (default: 100000)"
+        "--cycles", type=finite, default=1e5, help="number of cycles (default: 100000)"
     )
     wear.add_argument("--rows", type=int, default=10, help="rows of the table (default: 10)")
     wear.add_argument("-o", "--output", type=Path, help="CSV file to write")
@@ -64,7 +65,7 @@ def _parser() -> argparse.ArgumentParser:
     fit.add_argument("--force-unit", default="N", choices=["N", "mN", "kN"])
     fit.add_argument("--volume", help='worn volume of a wear test, such as "0.01 mm3"')
     fit.add_argument("--amplitude", help='of the drive in the wear test, such as "8 um"')
-    fit.add_argument("--cycles", type=float, help="of the wear test")
+    fit.add_argument("--cycles", type=finite, help="of the wear test")
     fit.add_argument(
         "-o", "--output", type=Path, help="picture of the measured and the fitted loop"
     )
@@ -86,6 +87,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _demo(options: argparse.Namespace) -> None:
+    options.output.mkdir(parents=True, exist_ok=True)
     amplitude = 1.5e-6
     with Contact(radius="10 mm", normal_force=100.0) as contact:
         one = loop(contact, amplitude)
@@ -106,15 +108,25 @@ def _demo(options: argparse.Namespace) -> None:
         print("no pictures: pip install fretting-contact[plot]")
         return
     matplotlib.use("Agg")  # draws to files; needs no display
-    options.output.mkdir(parents=True, exist_ok=True)
     for name, axes in ("loop.png", one.plot()), ("life.png", worn.plot()[0]):
         axes.figure.savefig(options.output / name)
         print(f"picture                  {options.output / name}")
 
 
 def _life(options: argparse.Namespace) -> None:
+    check_output(options.output)
+    if options.rows < 1 or not options.cycles > 0:
+        raise ParameterError(
+            f"--cycles = {options.cycles:g}, --rows = {options.rows}: give cycles above 0, and one "
+            "row at least"
+        )
     at = [options.cycles * k / options.rows for k in range(options.rows + 1)]
-    with Contact(loading="cyclic", **dict(options.parameters)) as contact:
+    with Contact(**{"loading": "cyclic", **dict(options.parameters)}) as contact:
+        if contact.get("loading") != "cyclic":
+            raise ParameterError(
+                f"loading = {contact.get('loading')!r} is not allowed: the command life computes "
+                "whole cycles, loading=cyclic; leave loading out"
+            )
         worn = life(contact, options.cycles, at)
     print(f"{'cycles':>12} {'volume m3':>12} {'depth m':>12} {'force N':>12} {'stick m':>12}")
     for row in zip(
@@ -128,6 +140,7 @@ def _life(options: argparse.Namespace) -> None:
 def _calibrate(options: argparse.Namespace) -> None:
     from . import MeasuredLoop, WornVolume, calibrate
 
+    check_output(options.output)
     force = in_si(options.normal_force, "N", "--normal-force")
     units = in_si(f"1 {options.displacement_unit}", "m"), in_si(f"1 {options.force_unit}", "N")
     measured = MeasuredLoop.read(options.loop, force, options.loop_cycles, *units)
@@ -160,12 +173,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from .profile import main as profile
 
         return profile(given[1:])
-    options = _parser().parse_args(given)
+    parser = _parser()
+    options, rest = parser.parse_known_args(given)
+    if rest and (options.command == "demo" or not all("=" in text for text in rest)):
+        parser.error(f"unknown arguments: {' '.join(rest)}; --help lists those that there are")
     try:
+        if rest:  # argparse takes NAME=VALUE before the options only
+            options.parameters += map(_value, rest)
         {"demo": _demo, "life": _life, "calibrate": _calibrate}[options.command](options)
     except (ContactError, ImportError, OSError, ValueError) as problem:
-        print(f"error: {problem}", file=sys.stderr)
-        return 1
+        return report(problem)
     return 0
 
 

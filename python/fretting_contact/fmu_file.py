@@ -5,6 +5,7 @@ import functools
 import os
 import shutil
 import tempfile
+import zipfile
 from pathlib import Path
 
 import fmpy
@@ -50,6 +51,8 @@ class FmuFile:
 
     def __init__(self, path: str | os.PathLike[str]):
         self.path = str(path)
+        if not zipfile.is_zipfile(self.path):
+            raise FmuNotFoundError(f"{self.path} is no FMU (no zip file): give the path of {NAME}")
         self.description = fmpy.read_model_description(self.path)
         folders = fmpy.supported_platforms(self.path)
         if fmpy.platform not in folders:

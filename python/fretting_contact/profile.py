@@ -16,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+from .command_errors import OutputError, check_output, finite, report
 from .image_shapes import Array, Power, Shape, profile_of_image
 from .line_scan import UNITS, Scan, ScanError, difference_noise, is_one_sided, read_scan, vertex_of
 from .monotone_fit import Window, best_model, best_shift
@@ -318,16 +319,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     parser.add_argument("--z-unit", choices=UNITS, help="unit of the heights, if another one")
     parser.add_argument(
-        "--center", type=float, help="x of the axis, in the unit of the scan (default: by symmetry)"
+        "--center",
+        type=finite,
+        help="x of the axis, in the unit of the scan (default: by symmetry)",
     )
     parser.add_argument(
         "--radius",
-        type=float,
+        type=finite,
         help="largest radius, in the unit of the scan (default: all there is)",
     )
     options = parser.parse_args(arguments)
     factor = UNITS[options.unit]
     try:
+        check_output(options.output)
+        picture = options.output.with_suffix(".png")
+        if picture == options.output:
+            raise OutputError(
+                f"--output = {str(picture)!r} is the name of the picture: "
+                "give the table another ending, such as .txt"
+            )
         scan = read_scan(options.scan, options.unit, options.z_unit)
         fit = fit_scan(
             scan,
@@ -337,10 +347,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         write_table(fit, options.output, options.scan.name)
         from .profile_picture import draw
 
-        picture = draw(fit, options.output.with_suffix(".png"), options.scan.name)
-    except (ScanError, TextTableError, OSError) as problem:
-        print(f"error: {problem}", file=sys.stderr)
-        return 1
+        draw(fit, picture, options.scan.name)
+    except (OutputError, ScanError, TextTableError, OSError) as problem:
+        return report(problem)
     print(
         "\n".join([*summary(fit), f"table: {options.output}, r and f in m", f"picture: {picture}"])
     )

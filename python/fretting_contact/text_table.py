@@ -40,18 +40,27 @@ def parse_columns(text: str) -> NDArray[np.float64]:
         if not fields:
             continue
         numbers = [_number(field) for field in fields]
-        if header_allowed and all(number is None for number in numbers):
+        is_words = all(number is None for number in numbers)
+        if is_words and header_allowed:
             header_allowed = False
             continue
         header_allowed = False
         place = f'line {index}, "{line.strip()[:60]}"'
+        if is_words and not rows:
+            raise TextTableError(
+                f"{place}: a second line of words, but one header line is skipped: delete it, or "
+                "write # before it"
+            )
         if len(fields) != 2:
             raise TextTableError(
                 f"{place}: {len(fields)} column(s), but two are needed; with decimal "
                 "commas separate them by ; or tab"
             )
         if numbers[0] is None or numbers[1] is None:
-            raise TextTableError(f"{place}: `{fields[numbers.index(None)]}` is not a number")
+            raise TextTableError(
+                f"{place}: `{fields[numbers.index(None)]}` is not a number: correct the line, or "
+                "write # before it"
+            )
         if not np.isfinite([numbers[0], numbers[1]]).all():
             raise TextTableError(f"{place}: both numbers have to be finite; delete the line")
         rows.append((numbers[0], numbers[1]))
@@ -60,4 +69,10 @@ def parse_columns(text: str) -> NDArray[np.float64]:
 
 def read_columns(path: str | Path) -> NDArray[np.float64]:
     """The two columns of a file; a header in another encoding than UTF-8 does no harm."""
-    return parse_columns(Path(path).read_bytes().decode("utf-8", errors="replace"))
+    content = Path(path).read_bytes()
+    if b"\0" in content:
+        raise TextTableError(f"{path}: it is UTF-16 or no text: save it as text in UTF-8")
+    try:
+        return parse_columns(content.decode("utf-8", errors="replace"))
+    except TextTableError as problem:
+        raise TextTableError(f"{path}, {problem}") from None

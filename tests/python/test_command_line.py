@@ -91,16 +91,42 @@ def test_profile_is_the_command_of_cargo(tmp_path, capsys):
             ["calibrate", LOOP, "--normal-force", "100 N", "--cycles", "5"],
             "error: --volume, --amplitude and --cycles belong together",
         ),
-        (["calibrate", "none.csv", "--normal-force", "100 N"], "none.csv"),
+        (["calibrate", "none.csv", "--normal-force", "100 N"], "'none.csv' cannot be read"),
+        (
+            ["calibrate", LOOP, "--normal-force", "100 N", "nope=5"],
+            "error: nope is no variable of the component",
+        ),
+        (["calibrate", LOOP, "--normal-force", "1 N", "-o", "none/x.png"], "no folder 'none'"),
+        (["life", "loading=transient"], "error: loading = 'transient' is not allowed: the command"),
+        (["life", "loading=nope"], "error: loading = 'nope': give one of transient, cyclic"),
+        (["life", f"fmu={LOOP}"], "measured_loop.csv is no FMU"),
+        (["life", "--rows", "0"], "--rows = 0: give cycles above 0, and one row"),
+        (["life", "--cycles", "-5"], "--cycles = -5, "),
+        (["life", "-o", "none/life.csv"], "error: --output = 'none/life.csv' cannot be written"),
+        (["demo", "-o", LOOP], "measured_loop.csv' cannot be read or written (File exists)"),
     ],
 )
 def test_an_error_is_one_line_and_the_status_1(arguments, message, capsys):
     assert main(arguments) == 1
     said = capsys.readouterr().err
-    assert message in said and len(said.splitlines()) == 1
+    assert message in said and len(said.splitlines()) == 1, said
 
 
 def test_a_parameter_without_a_value_is_refused(capsys):
     with pytest.raises(SystemExit):
         main(["life", "radius"])
     assert "give NAME=VALUE" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["life", "--cycles", "inf"], "argument --cycles: 'inf': give a finite number"),
+        (["calibrate", LOOP, "--normal-force", "100 N", "nope"], "unknown arguments: nope"),
+        (["demo", "radius=1"], "unknown arguments: radius=1"),
+    ],
+)
+def test_an_unknown_argument_is_refused(arguments, message, capsys):
+    with pytest.raises(SystemExit):
+        main(arguments)
+    assert message in capsys.readouterr().err

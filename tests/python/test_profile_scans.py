@@ -139,7 +139,8 @@ def test_text_formats(kind):
         ("0 0\n1 deep\n", 'line 2, "1 deep": `deep` is not a number'),
         ("0,5 1,25\n", 'line 1, "0,5 1,25": 4 column'),
         ("0 0\n1 nan\n", 'line 2, "1 nan": both numbers have to be finite'),
-        ("x z\nx z\n", 'line 2, "x z": `x` is not a number'),
+        ("x z\nm m\n0 0\n", 'line 2, "m m": a second line of words'),
+        ("x z\n0 0\nx z\n", 'line 3, "x z": `x` is not a number'),
     ],
 )
 def test_messages_quote_the_line(text, message):
@@ -185,3 +186,31 @@ def test_command_line_refuses_what_is_no_scan(tmp_path, capsys):
     path.write_text("0 0\n1 2\n")
     assert main([str(path), "-o", str(tmp_path / "tip.txt")]) == 1
     assert "2 point(s), but at least 20 are needed" in capsys.readouterr().err
+
+
+def test_command_line_refuses_files_that_cannot_be_used(tmp_path, capsys):
+    """One line with the path and what to do; nothing is written."""
+    x = np.linspace(-400, 400, 201)
+    scan = tmp_path / "scan.txt"
+    np.savetxt(scan, np.column_stack([x, x**2 / 20_000]))
+    words, utf16 = tmp_path / "words.txt", tmp_path / "utf16.txt"
+    words.write_text("x z\n0 0\n1 high\n")
+    utf16.write_text(scan.read_text(), encoding="utf-16")
+    table, unmade = tmp_path / "tip.txt", tmp_path / "no folder"
+    before = sorted(tmp_path.iterdir())
+    for source, output, parts in [
+        (tmp_path / "none.txt", table, ["none.txt' cannot be read", "check the path"]),
+        (tmp_path, table, ["cannot be read", "check the path"]),
+        (words, table, [f'{words}, line 3, "1 high"', "correct the line"]),
+        (utf16, table, [f"{utf16}: it is UTF-16", "save it as text in UTF-8"]),
+        (scan, unmade / "tip.txt", [f"there is no folder {str(unmade)!r}", "make it"]),
+        (scan, tmp_path, [f"{str(tmp_path)!r} is a folder", "give the path of a file"]),
+        (scan, tmp_path / "tip.png", ["is the name of the picture", "such as .txt"]),
+    ]:
+        assert main([str(source), "--unit", "um", "-o", str(output)]) == 1
+        said = capsys.readouterr().err
+        assert all(part in said for part in parts) and len(said.splitlines()) == 1, said
+    with pytest.raises(SystemExit):
+        main([str(scan), "--center", "nan", "-o", str(table)])
+    assert "'nan': give a finite number" in capsys.readouterr().err
+    assert sorted(tmp_path.iterdir()) == before
