@@ -13,7 +13,7 @@ use crate::{emulate, examples, library, package, presets, progress};
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, ExitCode};
 use std::sync::mpsc;
 use std::thread;
 use std::time::Instant;
@@ -50,16 +50,16 @@ const RUST_MASTER_VARIABLE: &str = "FRETTING_RUST_MASTER";
 const PROGRAMS: [&str; 3] = ["--lib", "--bins", "--tests"];
 
 /// Runs `python/fretting_contact/profile.py` with these arguments, in the caller's working
-/// directory.
-pub(crate) fn profile(workspace: &Workspace, arguments: &[OsString]) -> Result<()> {
+/// directory; returns its status. It reports its errors itself.
+pub(crate) fn profile(workspace: &Workspace, arguments: &[OsString]) -> Result<ExitCode> {
     let venv = Venv::with(workspace, &[workspace.file(REQUIREMENTS)])?;
     let mut python = venv.python();
     python.args(["-m", "fretting_contact.profile"]).args(arguments);
     python.current_dir(std::env::current_dir()?).env("PYTHONPATH", workspace.file("python"));
     // the matrices are small: threads would only wait for each other
     python.env("OPENBLAS_NUM_THREADS", "1");
-    ensure!(python.status()?.success(), "no profile was written: see above");
-    Ok(())
+    let status = python.status()?;
+    Ok(if status.success() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 /// What every command works with, set up on first use.
@@ -290,6 +290,7 @@ impl Setup<'_> {
 
     /// Runs the tests of Python.
     pub(crate) fn test_python(&self, fmu: &Path) -> Result<()> {
+        Archive::open(fmu)?; // else every test reports that it is no FMU
         let venv = self.venv()?;
         for extra in EXTRAS {
             self.install_if_possible(extra);

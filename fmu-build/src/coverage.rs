@@ -4,7 +4,7 @@ use crate::libclang::Environment;
 use crate::process::{run_quietly, run_shown};
 use crate::progress;
 use crate::workspace::Workspace;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 use std::path::PathBuf;
 
 /// The tool and its version.
@@ -30,6 +30,12 @@ const SKIPPED: [&str; 2] = [
 /// `fmi::bad_input`; prints for each file the share of its lines that they run, and the lines that
 /// they miss. An error below the least, or where a test fails.
 pub(crate) fn run(workspace: &Workspace, environment: &Environment, some: &[String]) -> Result<()> {
+    if let Some(unknown) = some.iter().find(|name| !is_known(workspace, name)) {
+        bail!(
+            "`{unknown}` is no test program, nor a module of one: give a folder of tests/ that has a main.rs, such as \
+             engine, or a file in it, such as fmi::bad_input"
+        );
+    }
     let tool = tool(workspace)?;
     let command = |arguments: &[&str]| {
         let mut command = workspace.command(&tool);
@@ -66,6 +72,17 @@ fn program_and_module(name: &str) -> (&str, Option<&str>) {
     name.split_once("::").map_or((name, None), |(program, module)| (program, Some(module)))
 }
 
+/// Whether there is a test program of this name, and in it the module.
+fn is_known(workspace: &Workspace, name: &str) -> bool {
+    let (program, module) = program_and_module(name);
+    let folder = workspace.file("tests").join(program);
+    folder.join("main.rs").is_file()
+        && module.is_none_or(|module| {
+            let first = module.split("::").next().unwrap_or_default();
+            folder.join(first).join("mod.rs").is_file() || folder.join(format!("{first}.rs")).is_file()
+        })
+}
+
 /// The tool, which is built once.
 fn tool(workspace: &Workspace) -> Result<PathBuf> {
     let ((name, version), folder) = (TOOL, workspace.product("tools").join(TOOL.1));
@@ -88,5 +105,18 @@ mod tests {
     fn a_module_is_named_behind_its_program() {
         assert_eq!(program_and_module("fmi"), ("fmi", None));
         assert_eq!(program_and_module("fmi::bad_input"), ("fmi", Some("bad_input")));
+    }
+
+    #[test]
+    fn an_unknown_test_is_named_before_anything_is_compiled() {
+        let workspace = Workspace::of_this_program();
+        for unknown in ["nope", "", "c", "fmi::nope", "fmi::"] {
+            assert!(!is_known(&workspace, unknown), "{unknown}");
+        }
+        for known in ["engine", "fmi::bad_input", "documents::model_description"] {
+            assert!(is_known(&workspace, known), "{known}");
+        }
+        let error = run(&workspace, &Vec::new(), &["nope".to_owned()]).unwrap_err().to_string();
+        assert!(error.contains("`nope` is no test program"), "{error}");
     }
 }

@@ -5,9 +5,8 @@
 use crate::libclang::Environment;
 use crate::process::{self, run_quietly, run_shown};
 use crate::progress;
-use crate::workspace::Workspace;
+use crate::workspace::{Workspace, make_folder};
 use anyhow::{Context, Result, bail};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Targets with the longest input that each is given, bytes.
@@ -100,7 +99,7 @@ fn fuzz(
     let found = workspace.product("fuzz/corpus").join(target);
     let artifacts = workspace.product("fuzz/artifacts");
     for folder in [&found, &artifacts] {
-        fs::create_dir_all(folder).with_context(|| format!("cannot make {}", folder.display()))?;
+        make_folder(folder)?;
     }
     let output = progress::quiet(&format!("Fuzzing {target}"), |step| {
         let mut fuzzer = process::command(binary);
@@ -148,6 +147,7 @@ pub(crate) fn host() -> Result<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
 
     #[test]
     fn an_unknown_target_is_named() {

@@ -124,7 +124,7 @@ enum Task {
         /// The targets; all if none is given
         targets: Vec<String>,
         /// Time for each target, s
-        #[arg(long, default_value_t = 10)]
+        #[arg(long, default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..))]
         seconds: u32,
         /// Inputs for each target, instead of a time
         #[arg(long, conflicts_with = "seconds")]
@@ -156,7 +156,7 @@ enum Task {
 
 fn main() -> ExitCode {
     match run(Arguments::parse().command) {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(status) => status,
         Err(error) => {
             eprintln!("error: {error:#}");
             ExitCode::FAILURE
@@ -164,7 +164,7 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(task: Task) -> Result<()> {
+fn run(task: Task) -> Result<ExitCode> {
     let workspace = Workspace::of_this_program();
     match task {
         Task::Build { platforms, glibc } => {
@@ -192,7 +192,7 @@ fn run(task: Task) -> Result<()> {
             let setup = commands::set_up(&workspace)?;
             setup.examples(&setup.build(&[Platform::own()?])?)?;
         }
-        Task::Profile { arguments } => commands::profile(&workspace, &arguments)?,
+        Task::Profile { arguments } => return commands::profile(&workspace, &arguments),
         Task::Report => commands::set_up(&workspace)?.report()?,
         Task::Test { platforms, rust_master } => {
             let platforms = Platform::requested(&platforms)?;
@@ -228,7 +228,7 @@ fn run(task: Task) -> Result<()> {
         Task::Lint => lint::run(&commands::set_up(&workspace)?)?,
         Task::Env => print_environment(&workspace)?,
     }
-    Ok(())
+    Ok(ExitCode::SUCCESS)
 }
 
 /// Lines that a POSIX shell evaluates.

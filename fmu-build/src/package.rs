@@ -2,7 +2,7 @@
 //! bytes.
 
 use crate::platform::Platform;
-use crate::workspace::{MODEL_IDENTIFIER, Workspace};
+use crate::workspace::{MODEL_IDENTIFIER, Workspace, make_folder};
 use crate::{documentation, licences, presets, reference, terminals};
 use anyhow::{Context, Result};
 use std::collections::BTreeMap;
@@ -51,7 +51,7 @@ pub(crate) fn write(workspace: &Workspace, libraries: &[(&Platform, PathBuf)], f
 /// Names in order and one date for all: two builds give the same bytes.
 pub(crate) fn write_zip(entries: &Entries, path: &Path) -> Result<()> {
     if let Some(parent) = path.parent() {
-        fs::create_dir_all(parent)?;
+        make_folder(parent)?;
     }
     let file = File::create(path).with_context(|| format!("cannot write {}", path.display()))?;
     let mut zip = ZipWriter::new(file);

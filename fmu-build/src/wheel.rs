@@ -3,7 +3,7 @@
 use crate::check::Archive;
 use crate::process::run_quietly;
 use crate::python::Venv;
-use crate::workspace::{MODEL_IDENTIFIER, Workspace};
+use crate::workspace::{MODEL_IDENTIFIER, Workspace, make_folder};
 use crate::{progress, wheel_tag};
 use anyhow::{Context, Result, bail, ensure};
 use std::fs;
@@ -31,12 +31,8 @@ const TAG: &str = "FRETTING_WHEEL_TAG";
 ///
 /// The sources are copied to `target/wheel` first, so that the FMU is never among them.
 pub(crate) fn build(workspace: &Workspace, fmu: &Path, folder: &Path) -> Result<PathBuf> {
-    ensure!(
-        fmu.is_file(),
-        "there is no FMU at {}: run `cargo fmu build`, or give --fmu the path of one",
-        fmu.display()
-    );
     let tag = wheel_tag::of(&Archive::open(fmu)?)?;
+    make_folder(folder)?;
     let venv = Venv::with(workspace, &REQUIREMENTS.map(|file| workspace.file(file)))?;
     let staged = workspace.product("wheel");
     let name = progress::quiet("Building the wheel", |step| {

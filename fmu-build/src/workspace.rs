@@ -1,11 +1,18 @@
 //! Where things are: the workspace, its products under `target/`, and cargo itself.
 
 use crate::process;
+use anyhow::{Result, anyhow};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// modelIdentifier of the FMU: names the file, the library in it and the C functions' owner.
 pub(crate) const MODEL_IDENTIFIER: &str = "FrettingContact";
+
+/// Makes a folder and those above it, unless they are there.
+pub(crate) fn make_folder(path: &Path) -> Result<()> {
+    std::fs::create_dir_all(path)
+        .map_err(|reason| anyhow!("cannot make the folder {} ({reason}): give another path", path.display()))
+}
 
 /// The checkout this program belongs to.
 pub(crate) struct Workspace {

@@ -1,7 +1,7 @@
 //! The FMU as a zip archive (FMI 2.0.5, section 2.3): what may be in it and how it is stored.
 
 use crate::platform;
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use std::fs::File;
 use std::io::{Read, Seek};
 use std::path::Path;
@@ -32,9 +32,12 @@ pub(crate) struct Archive {
 impl Archive {
     /// Reads an FMU from a file.
     pub(crate) fn open(path: &Path) -> Result<Self> {
-        let file = File::open(path).with_context(|| {
-            format!("cannot open {}: build it with `cargo fmu build` or give another path", path.display())
-        })?;
+        ensure!(
+            path.is_file(),
+            "there is no FMU at {}: give the path of one, or run `cargo fmu build`",
+            path.display()
+        );
+        let file = File::open(path).with_context(|| format!("cannot open {}", path.display()))?;
         Self::read(file).with_context(|| format!("{} is not a zip archive that can be read", path.display()))
     }
 
