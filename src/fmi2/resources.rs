@@ -5,7 +5,15 @@ use crate::interface::Summit;
 use crate::profile::{LengthUnit, ProfileTable};
 use percent_encoding::percent_decode_str;
 use std::ffi::CStr;
+use std::fs::File;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
+
+/// Largest profile file, bytes: 800 for each point of the longest table.
+const LARGEST_PROFILE: u64 = 16_000_000;
+
+/// Largest file of contacts, bytes: 100 for each of the most contacts.
+const LARGEST_CONTACTS: u64 = 1_000_000_000;
 
 /// Where relative file names are looked for.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -49,10 +57,9 @@ impl Resources {
         }
         let located = self.locate(Path::new(&name));
         let path = std::path::absolute(&located).unwrap_or(located);
-        match std::fs::read(&path) {
+        match read_text(&path, LARGEST_PROFILE) {
             Err(reason) => Err(Refusal::ProfileFile { name, path, reason }.into()),
-            // a header in another encoding does no harm
-            Ok(bytes) => Ok(ProfileTable::parse_in(&String::from_utf8_lossy(&bytes), unit)
+            Ok(text) => Ok(ProfileTable::parse_in(&text, unit)
                 .map_err(|problem| Refusal::ProfileContent { name, path, problem })?),
         }
     }
@@ -64,12 +71,36 @@ impl Resources {
         let name = file.to_string_lossy().into_owned();
         let located = self.locate(Path::new(&name));
         let path = std::path::absolute(&located).unwrap_or(located);
-        match std::fs::read(&path) {
+        match read_text(&path, LARGEST_CONTACTS) {
             Err(reason) => Err(Refusal::ContactsFile { name, path, reason }.into()),
-            Ok(bytes) => Ok(Summit::parse(&String::from_utf8_lossy(&bytes), unit)
-                .map_err(|problem| Refusal::ContactsContent { name, path, problem })?),
+            Ok(text) => Ok(Summit::parse(&text, unit).map_err(|problem| Refusal::ContactsContent {
+                name,
+                path,
+                problem,
+            })?),
         }
     }
+}
+
+/// The text of a file of at most `most` bytes. A header in another encoding does no harm.
+fn read_text(path: &Path, most: u64) -> io::Result<String> {
+    let file = File::open(path)?;
+    let mut size = file.metadata()?.len();
+    let mut bytes = Vec::new();
+    if size <= most {
+        // the size of a device is 0, and it has no end
+        file.take(most + 1).read_to_end(&mut bytes)?;
+        size = bytes.len() as u64;
+    }
+    if size > most {
+        return Err(io::Error::other(format!(
+            "it has {size} bytes, and at most {most} are read: check the path, or shorten the table"
+        )));
+    }
+    if bytes.contains(&0) {
+        return Err(io::Error::other("it is UTF-16 or no text: save it as text in UTF-8"));
+    }
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// The path of a file URI without its scheme; none if it is on another host.
@@ -115,5 +146,27 @@ mod tests {
         assert_eq!(Resources::default().profile_table(&absolute, LengthUnit::M).unwrap().points().len(), 3);
         let missing = resources.profile_table(c"other.txt", LengthUnit::M).unwrap_err().to_string();
         assert!(missing.contains("profile_file = \"other.txt\""), "{missing}");
+    }
+
+    #[test]
+    fn files_that_are_too_large_or_no_utf8_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let resources = Resources { folder: Some(folder.path().to_owned()) };
+        let utf16: Vec<u8> =
+            "\u{feff}0 0\n1e-4 1e-6\n2e-4 4e-6\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
+        std::fs::write(folder.path().join("utf16.txt"), utf16).unwrap();
+        // takes no place on the disk
+        File::create(folder.path().join("large.txt")).unwrap().set_len(5_000_000_000).unwrap();
+        for (file, parts) in [
+            (c"utf16.txt", ["utf16.txt: it is UTF-16", "save it as text in UTF-8"]),
+            (c"large.txt", ["large.txt: it has 5000000000 bytes", "at most 16000000"]),
+        ] {
+            let message = resources.profile_table(file, LengthUnit::M).unwrap_err().to_string();
+            assert!(parts.iter().all(|part| message.contains(part)), "{message}");
+        }
+        let message = resources.contacts(c"large.txt", LengthUnit::M).unwrap_err().to_string();
+        assert!(message.contains("at most 1000000000"), "{message}");
+        let message = resources.contacts(c"utf16.txt", LengthUnit::M).unwrap_err().to_string();
+        assert!(message.contains("it is UTF-16"), "{message}");
     }
 }

@@ -1,7 +1,7 @@
 //! Where the contacts of an interface are, and the file that lists them.
 
 use crate::error::Error;
-use crate::profile::{LengthUnit, fields, shorten};
+use crate::profile::{LengthUnit, SECOND_HEADER, fields, shorten};
 use crate::range;
 use serde::{Deserialize, Serialize};
 
@@ -60,12 +60,16 @@ impl Summit {
             if fields.is_empty() {
                 continue;
             }
-            let is_header = header_allowed && fields.iter().all(|field| field.parse::<f64>().is_err());
-            header_allowed = false;
-            if is_header {
+            let is_words = fields.iter().all(|field| field.parse::<f64>().is_err());
+            if is_words && header_allowed {
+                header_allowed = false;
                 continue;
             }
             let place = || format!("line {}, \"{}\"", index + 1, shorten(line.trim(), 60));
+            if is_words && summits.is_empty() {
+                return Err(Error::ContactsTable { place: place(), problem: SECOND_HEADER.into() });
+            }
+            header_allowed = false;
             let summit =
                 Self::of_fields(&fields, unit).and_then(|summit| summit.problem().map_or(Ok(summit), Err));
             summits.push(summit.map_err(|problem| Error::ContactsTable { place: place(), problem })?);
@@ -141,6 +145,7 @@ mod tests {
     #[test]
     fn messages_quote_line_value_and_what_is_allowed() {
         for (text, parts) in [
+            ("offset\num\n0\n", ["line 2, \"um\"", SECOND_HEADER]),
             ("0\nhigh\n", ["line 2, \"high\"", "`high` is not a number: it is offset, give it in um"]),
             ("0 0 0 wide\n", ["line 1, \"0 0 0 wide\"", "it is the radius factor, give a number"]),
             ("0 1\n", ["line 1, \"0 1\"", "2 column(s), but 1, 3 or 4"]),

@@ -129,6 +129,16 @@ impl ProfileTable {
                 return refuse(i, format!("r = {r:e} m: a radius that is not 0 has to be 1e-30 m at least"));
             }
         }
+        let tip = points[0].1;
+        if let Some(i) = points.iter().position(|&(_, f)| f < tip)
+            && points.iter().all(|&(_, f)| f <= tip)
+        {
+            return refuse(
+                i,
+                "the heights fall outward: f is the height above the tip and has to rise; change the sign of all f"
+                    .into(),
+            );
+        }
         let (radii, heights): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
         let image = image_through(&radii, &heights);
         let g = &image;

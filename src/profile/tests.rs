@@ -204,6 +204,8 @@ fn bad_tables_are_refused_with_their_place() {
         ("# r f\n0 0\nx 1", "line 3", "`x` is not a number"),
         ("0 0\n1e-4 nan\n2e-4 1", "line 2", "finite"),
         ("1e-5 0\n1e-4 1e-6\n2e-4 1", "line 1", "axis"),
+        ("0 0\n1e-4 -1e-6\n2e-4 -4e-6", "line 2", "fall outward"),
+        ("r z\n2e-4 0\n1e-4 3e-6\n0 4e-6", "line 3", "change the sign"),
         ("", "whole table", "0 point(s)"),
         ("0 0\n1e-4 1e-7", "whole table", "2 point(s)"),
     ] {

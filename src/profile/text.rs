@@ -46,6 +46,10 @@ pub(super) struct Points {
     pub(super) places: Vec<String>,
 }
 
+/// What is wrong with a second line of words before the numbers.
+pub(crate) const SECOND_HEADER: &str =
+    "a second line of words, but one header line is skipped: delete it, or write # before it";
+
 /// Reads r and f, m, in the order of the file or reversed if r falls. `#` starts a comment. One
 /// header line of words is skipped.
 ///
@@ -73,6 +77,7 @@ pub(super) fn read(text: &str, unit: LengthUnit) -> Result<Points, Error> {
                 places.push(place);
                 continue;
             }
+            _ if points.is_empty() && numbers.iter().all(Option::is_none) => SECOND_HEADER.into(),
             [None, _] | [_, None] => {
                 let (field, name) = if numbers[0].is_none() { (&fields[0], "r") } else { (&fields[1], "f") };
                 format!("`{}` is not a number: give {name} in {unit_name}", shorten(field, 24))
@@ -144,7 +149,8 @@ mod tests {
     #[test]
     fn messages_quote_the_line() {
         for (text, parts) in [
-            ("r f\nr f\n0 0\n", ["line 2, \"r f\"", "`r` is not a number: give r in mm"]),
+            ("r f\nr f\n0 0\n", ["line 2, \"r f\"", SECOND_HEADER]),
+            ("r f\n0 0\nr f\n", ["line 3, \"r f\"", "`r` is not a number: give r in mm"]),
             ("0 0\n1e-4 high\n", ["line 2, \"1e-4 high\"", "`high` is not a number: give f in mm"]),
             ("0,1 0,2\n", ["line 1, \"0,1 0,2\"", "4 column(s)"]),
             ("0;0\n1.234,5;2\n", ["line 2, \"1.234,5;2\"", "`1.234.5` is not a number"]),

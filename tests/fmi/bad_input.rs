@@ -225,10 +225,10 @@ fn strings_that_are_null_or_not_utf8() {
 
 /// Tries to initialize with a profile file of this content, which must fail with these texts; then
 /// repairs it.
-fn profile_refused(content: &str, texts: &[&str]) {
+fn profile_refused(content: impl AsRef<[u8]>, texts: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("tip 100%s.txt");
-    std::fs::write(&file, content).unwrap();
+    std::fs::write(&file, content.as_ref()).unwrap();
     let fmu = Fmu::new();
     fmu.set_integer("profile", 7);
     fmu.set_string("profile_file", &c_path(&file));
@@ -261,6 +261,10 @@ fn profile_files_that_are_no_profile() {
     profile_refused("0 0\n1e-4 high\n2e-4 2e-6\n", &[file, "line 2", "`high` is not a number"]);
     profile_refused("0 0\n1e-4 nan\n2e-4 2e-6\n", &[file, "line 2", "NaN", "finite"]);
     profile_refused("# nothing\n", &[file, "0 point(s)"]);
+    profile_refused("r f\nm m\n0 0\n1e-4 5e-7\n", &[file, "line 2, \"m m\"", "one header line"]);
+    profile_refused("0 5e-6\n1e-4 4e-6\n2e-4 0\n", &[file, "line 2, \"1e-4 4e-6\"", "change the sign"]);
+    profile_refused(b"\xff\xfe0\0 \x000\0\n\0", &[file, "UTF-16", "save it as text in UTF-8"]);
+    profile_refused(vec![b'#'; 16_000_001], &[file, "16000001 bytes", "at most 16000000"]);
 }
 
 #[test]
