@@ -9,7 +9,7 @@ use std::fmt;
 pub struct Counters {
     /// Calls of `advance_to` and `advance_cycles` that succeeded.
     pub steps: u64,
-    /// Straight pieces walked by the springs.
+    /// Solutions of the tangential contact, each along a straight piece of load and displacement.
     pub spring_walks: u64,
     /// Solutions of the normal contact.
     pub contact_solutions: u64,
@@ -53,7 +53,7 @@ impl fmt::Display for Counters {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{} steps, {} spring walks, {} contact solutions, {} descent and {} pressure transforms, {} transform \
+            "{} steps, {} tangential solutions, {} normal solutions, {} Abel and {} pressure transforms, {} transform \
              tables, {} factorisations, {} profile updates, {} rejected steps, {} coating trials",
             self.steps,
             self.spring_walks,
