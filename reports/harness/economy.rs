@@ -57,8 +57,8 @@ pub(crate) enum Work {
 }
 
 pub(crate) const ALL: [(Work, &str); 7] = [
-    (Work::Walks, "spring walks"),
-    (Work::Contacts, "contact solutions"),
+    (Work::Walks, "tangential solutions"),
+    (Work::Contacts, "normal solutions"),
     (Work::Transforms, "transforms"),
     (Work::Tables, "transform tables"),
     (Work::Updates, "profile updates"),
