@@ -16,8 +16,8 @@ const OF_EVEN: f64 = 0.25;
 
 impl Nodes {
     /// These nodes without those that crowd at a worn rim under a contact of some depth (m); `None`
-    /// where none do, or where the stick front (m) is among them. Image and depth stay at all others
-    /// but the last, which takes what keeps the worn volume.
+    /// where none do, or where the stick front (m) is among them. Image and depth stay at all
+    /// others but the last, which takes what keeps the worn volume.
     pub(crate) fn spread_at_rim(&self, depth: f64, front: f64, profile: &Profile) -> Option<Self> {
         let (start, least) = self.relieved_rim(depth, profile.outer_radius())?;
         if front > start {
