@@ -64,7 +64,6 @@ impl Nodes {
             levelled: 0,
             resolution,
             mesh: None,
-            remains: None,
         };
         let flat = profile.flat_radius();
         let start = if front < a { front } else { 0.0 };
@@ -118,7 +117,7 @@ impl Nodes {
     ) -> Self {
         let integrals = vec![Integrals::UNKNOWN; x.len()];
         let mesh = mesh.map(Box::new);
-        Self { x, worn_image, depth, integrals, levelled: 0, resolution, mesh, remains: None }
+        Self { x, worn_image, depth, integrals, levelled: 0, resolution, mesh }
     }
 
     /// Some nodes of more: of their radii, images and depths, m, those that are kept.
@@ -213,42 +212,15 @@ impl Nodes {
     /// meets within `share` of the largest image and depth, as long as no cell becomes wider than
     /// an even one; `None` where that would spare less than a fifth of them. What a front needed
     /// where it no longer stands makes an update stiff.
-    ///
-    /// A mesh that has moved with the contact edge leaves narrow cells there, too. In its outer
-    /// half none stays narrower than half an even one: an implicit update takes the contact edge
-    /// for one that stays in its cell or goes on to the next, and across many narrow ones it
-    /// overshoots. At a rim the edge does not move, and wide cells would miss how steeply it has
-    /// worn.
     pub(crate) fn thinned(&self, share: f64, a: f64, profile: &Profile) -> Option<Self> {
-        let width = |anchor: usize, end: usize| self.x[end] - self.x[anchor];
-        let has_rim = self.x[self.last()] >= profile.outer_radius();
-        let remains = self.remains.or(self.remains_of_mesh()).filter(|_| !has_rim);
-        let (outer_half, least) = remains.unwrap_or((f64::INFINITY, 0.0));
-        let narrow = |anchor: usize, end: usize| self.x[anchor] >= outer_half && width(anchor, end) < least;
         let may_be = |anchor: usize, end: usize| {
-            width(anchor, end) <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
+            self.x[end] - self.x[anchor] <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
         };
-        let kept = thin_unless(&self.x, (&self.worn_image, &self.depth), share, narrow, may_be);
+        let kept = thin_unless(&self.x, (&self.worn_image, &self.depth), share, |_, _| false, may_be);
         if kept.len() * 5 > self.x.len() * 4 {
             return None;
         }
         Some(Self::of_kept(&kept, [&self.x, &self.worn_image, &self.depth], self.resolution, profile))
-    }
-
-    /// The mesh does not carry the surface any more.
-    pub(super) fn leave_mesh(&mut self) {
-        self.remains = self.remains_of_mesh().or(self.remains);
-        self.mesh = None;
-    }
-
-    /// Middle of the mesh and the width that its cells outside that should have on a surface at
-    /// rest: an even one of its own, or half an even one of the contact unless that would leave
-    /// less than sixteen.
-    fn remains_of_mesh(&self) -> Option<(f64, f64)> {
-        let mesh = self.mesh()?;
-        let (inner, edge) = (self.x[mesh.first], self.x[mesh.first + mesh.cells]);
-        let (span, even) = (edge - inner, edge / self.resolution as f64);
-        Some((0.5 * (inner + edge), (span / mesh.cells as f64).max((0.5 * even).min(span / 16.0))))
     }
 
     /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each,
@@ -323,7 +295,7 @@ impl Nodes {
         if x <= self.x[j] {
             return;
         }
-        self.leave_mesh();
+        self.mesh = None;
         let h = self.worn_image_at(profile, x);
         let depth = if self.depth.iter().all(|w| *w == 0.0) { 0.0 } else { self.depth_at(x) };
         self.x.insert(j + 1, x);
