@@ -1,8 +1,11 @@
-//! Derivatives of the worn depth for a contact that moves in both tangential directions: by
-//! Archard's law at the deepest point, and against the same motion along x.
+//! Derivatives of the worn depth and of the stiffness for a contact that moves in both tangential
+//! directions: by Archard's law at the deepest point, against the same motion along x, and against
+//! differences.
 
-use crate::common::{BALL, CONE, FORCE, MU, PUNCH, close_to, contact, exact, started, without_wear};
-use fretting_contact::{FrettingContact, Gradient, Parameters};
+use crate::common::{
+    BALL, CONE, FORCE, MU, PUNCH, close_to, contact, exact, normal_input, started, without_wear,
+};
+use fretting_contact::{FrettingContact, Gradient, NormalControl, Parameters};
 
 /// A direction that is neither axis.
 const WAY: [f64; 2] = [0.8, -0.6];
@@ -96,4 +99,46 @@ fn without_wear_or_slip_the_depth_stays() {
         still(contact);
     }
     assert_eq!(punch.stick_radius_gradient(), Gradient::default(), "no front moves");
+}
+
+/// The stiffness along the motion changes as going straight on changes it, after one line and after
+/// a bend, while the load rests, rises and falls more slowly than the slip zone follows.
+#[test]
+fn the_stiffness_changes_as_its_gradient_says() {
+    for profile in [BALL, CONE] {
+        for control in [NormalControl::Force, NormalControl::Indentation] {
+            let normal = normal_input(&profile, control, FORCE);
+            let full = exact(&profile, FORCE).full_slip();
+            for places in [&[[0.4, 0.2]][..], &[[0.4, 0.2], [0.12, 0.36]]] {
+                let parameters = without_wear(profile.clone());
+                let mut contact = contact(Parameters { normal_control: control, ..parameters });
+                contact.start_at(normal, 0.0).unwrap();
+                let (mut from, mut to) = ([0.0; 2], [0.0; 2]);
+                for place in places {
+                    (from, to) = (to, place.map(|share| share * full));
+                    contact.advance_to_planar(normal, to).unwrap();
+                }
+                let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+                let step = [0, 1].map(|k| 1e-4 * full * (to[k] - from[k]) / length);
+                for share in [0.0, 0.2, -0.2] {
+                    let by_load = share * 1e-4 * normal;
+                    let after = |contact: &FrettingContact, steps: f64| {
+                        let mut moved = contact.clone();
+                        let place = [to[0] + steps * step[0], to[1] + steps * step[1]];
+                        moved.advance_to_planar(normal + steps * by_load, place).unwrap();
+                        moved
+                    };
+                    let middle = after(&contact, 1.0);
+                    let end = after(&middle, 2.0);
+                    let difference = 0.5 * (end.tangential_stiffness() - contact.tangential_stiffness());
+                    let gradient = middle.tangential_stiffness_gradient();
+                    let predicted = gradient.normal * by_load
+                        + gradient.displacement * step[0]
+                        + gradient.displacement_y * step[1];
+                    let what = format!("{profile:?}, {control:?}, to {places:?}, load {share}");
+                    close_to(predicted, difference, 3e-2, &what);
+                }
+            }
+        }
+    }
 }

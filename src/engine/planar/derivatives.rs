@@ -11,6 +11,10 @@ use nalgebra::Vector2;
 /// Share of full slip, and of the load, over which the stiffness is differenced.
 const STEP: f64 = 1e-4;
 
+/// By how much of its length a way goes aside: springs deflected up to 84° from the motion go on
+/// slipping.
+const ASIDE_OF_WAY: f64 = 0.1;
+
 /// Derivatives where there is motion along y.
 impl FrettingContact {
     /// Of the radius at which the springs that stick reach their bound: with r = b − |u| and its
@@ -25,12 +29,12 @@ impl FrettingContact {
         Some(gradient.times(self.model.axes.size))
     }
 
-    /// By differences ahead, along each direction the way that the motion goes.
+    /// By differences ahead: straight on, and between two ways that go on aside. A load that rises
+    /// at rest would let all springs stick, so that it falls.
     pub(in crate::engine) fn stiffness_gradient_in_plane(&self) -> Option<Gradient> {
         let (place, ahead) = (self.place(), self.direction_in_plane());
-        let now = self.stiffness_in_plane()?;
         let planar = self.state.planar.as_ref()?;
-        let change = |control: f64, moved: Vector2<f64>, step: f64| {
+        let stiffness = |control: f64, moved: Vector2<f64>| {
             let to = if control == self.state.contact.control {
                 self.state.contact
             } else {
@@ -40,19 +44,22 @@ impl FrettingContact {
             let path = self.planar_path(to, end);
             let (row, _) = planar.row.walk(&path, super::PlanarRow::default(), None);
             let tangent = self.standing_at(end, &row, &to).tangent(ahead);
-            let along = ahead.dot(&(tangent.stiffness * ahead));
-            let stiffness = 2.0 * self.model.constants.tangential_modulus * along;
-            Some((stiffness - now) / step)
+            Some(2.0 * self.model.constants.tangential_modulus * ahead.dot(&(tangent.stiffness * ahead)))
         };
-        let length = STEP * self.model.bound_slope * self.state.contact.depth.abs();
-        let way = |k: usize| if ahead[k] < 0.0 { -length } else { length };
         let control = self.state.contact.control;
-        let step = STEP * control.abs();
+        let now = stiffness(control, Vector2::zeros())?;
+        let fall = STEP * control.abs();
+        let by_control = (now - stiffness(control - fall, Vector2::zeros())?) / fall;
+        let length = STEP * self.model.bound_slope * self.state.contact.depth.abs();
+        let (way, aside) = (length * ahead, ASIDE_OF_WAY * length * Vector2::new(-ahead.y, ahead.x));
+        let along = (stiffness(control, way)? - now) / length;
+        let across = (stiffness(control, way + aside)? - stiffness(control, way - aside)?)
+            / (2.0 * ASIDE_OF_WAY * length);
         let scale = if self.model.constants.force_control { 1.0 / self.force_scale() } else { 1.0 };
         let gradient = Gradient {
-            normal: change(control + step, Vector2::zeros(), step)? * scale,
-            displacement: change(control, Vector2::new(way(0), 0.0), way(0))?,
-            displacement_y: change(control, Vector2::new(0.0, way(1)), way(1))?,
+            normal: by_control * scale,
+            displacement: along * ahead.x - across * ahead.y,
+            displacement_y: along * ahead.y + across * ahead.x,
             ..Gradient::default()
         };
         Some(self.behind_the_rig(gradient))
