@@ -74,6 +74,12 @@ impl Gradient {
 /// Relative change of the depth for the one quantity without a closed derivative.
 const STEP: f64 = 1e-6;
 
+/// Where in a cell, as a share of its width in x², the pressure is that of its inner node, if it is
+/// infinite there. A node takes the image for a line in x²: with q = −k √(x² − r²) over a cell, it
+/// has the part (2/π) k of the pressure. At a share s there is (k/π) arcosh(1/√s), so that s =
+/// 1/cosh² 2.
+const SHARE_OF_NODE: f64 = 0.070_650_824_853;
+
 /// Derivatives by the inputs, and rates per cycle.
 impl FrettingContact {
     /// Gradient from derivatives with respect to depth and displacement.
@@ -208,13 +214,14 @@ impl FrettingContact {
         }
     }
 
-    /// Of [`Self::stick_radius`]; 0 where the front jumps, as on a flat punch, and in gross slip.
+    /// Of [`Self::stick_radius`]; 0 where the front jumps, as on a flat punch, in gross slip, and
+    /// where all springs up to the end of the body stick.
     pub fn stick_radius_gradient(&self) -> Gradient {
         if let Some(gradient) = self.stick_gradient_in_plane() {
             return gradient;
         }
         let (stick, side) = self.moving_zone();
-        if stick <= 0.0 {
+        if stick <= 0.0 || stick >= self.surface.profile().outer_radius() {
             return Gradient::default();
         }
         let knots = self.state.springs.knots();
@@ -280,12 +287,20 @@ impl FrettingContact {
         }
     }
 
-    /// Radius of the deepest worn point, m, once something has worn.
+    /// Radius of the deepest worn point, m, once something has worn; where the pressure is infinite
+    /// there, as at the apex of a cone until it has worn round, one beside it with the pressure by
+    /// which its node wears.
     pub(super) fn deepest(&self) -> Option<f64> {
-        self.view(|nodes, more| {
-            let deepest = nodes.depths_with(more).zip(nodes.x()).max_by(|a, b| a.0.total_cmp(&b.0))?;
-            (deepest.0 > 0.0).then_some(*deepest.1)
-        })?
+        let (r, next) = self.view(|nodes, more| {
+            let depths = nodes.depths_with(more).enumerate();
+            let (j, depth) = depths.max_by(|a, b| a.1.total_cmp(&b.1))?;
+            let x = nodes.x();
+            (depth > 0.0).then(|| (x[j], x[(j + 1).min(nodes.last())]))
+        })??;
+        if self.pressure_at(self.model.axes.size * r).is_finite() {
+            return Some(r);
+        }
+        Some((r * r + SHARE_OF_NODE * (next - r) * (next + r)).sqrt())
     }
 
     /// Of [`Self::max_pressure`], by central differences in the depth: it is one of many places

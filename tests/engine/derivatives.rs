@@ -221,3 +221,44 @@ fn the_depth_of_wear_grows_by_the_law_at_the_deepest_point() {
     to(&mut contact, FORCE, 1.1e-3);
     assert!(contact.wear_depth_gradient().displacement < 0.0, "it grows on the way back, too");
 }
+
+/// Until the rim of a worn punch reaches the bound, all of it sticks and no front moves; then the
+/// front does.
+#[test]
+fn no_front_moves_before_the_rim_of_a_worn_punch_slips() {
+    let mut contact = started(Parameters { profile: PUNCH, wear_coefficient: 1e-8, ..Parameters::default() });
+    let full = MU * FORCE / (2.0 * G_STAR * contact.contact_radius());
+    contact.advance_cycles(FORCE, 1.3 * full, 1e5).unwrap();
+    for (target, sticks) in [(0.2, true), (-0.6, false)] {
+        let (at, step) = (target * full, -1e-4 * full);
+        to(&mut contact, FORCE, at);
+        assert_eq!(contact.slip_state() == SlipState::Stick, sticks, "at {target}");
+        for share in [0.0, 1e-5, -1e-5] {
+            agrees_along(&contact, (FORCE, at), (share * FORCE, step), 1e-5, &["p"], &format!("{target}"));
+        }
+    }
+}
+
+/// The pressure at the apex of a cone is infinite until it has worn round; its node wears at a
+/// finite rate.
+#[test]
+fn the_apex_of_a_cone_in_gross_slip_wears_at_a_rate() {
+    let amplitude = 1e-5;
+    for cycles in [1.0, 30.0, 1000.0] {
+        let parameters = Parameters { profile: CONE, wear_coefficient: 1e-4, ..Parameters::default() };
+        let mut contact = contact(parameters);
+        contact.advance_cycles(FORCE, amplitude, cycles).unwrap();
+        let (rate, depth) = (contact.wear_depth_per_cycle(amplitude), contact.wear_depth());
+        let mut later = contact.clone();
+        later.advance_cycles(FORCE, amplitude, 0.02 * cycles).unwrap();
+        let grown = (later.wear_depth() - depth) / (0.02 * cycles);
+        close_to(rate, grown, 5e-2, &format!("per cycle, after {cycles}"));
+
+        contact.start_at(FORCE, 0.0).unwrap();
+        to(&mut contact, FORCE, 0.9 * amplitude);
+        let (gradient, depth) = (contact.wear_depth_gradient().displacement, contact.wear_depth());
+        to(&mut contact, FORCE, amplitude);
+        let grown = (contact.wear_depth() - depth) / (0.1 * amplitude);
+        close_to(gradient, grown, 5e-2, &format!("per displacement, after {cycles}"));
+    }
+}
