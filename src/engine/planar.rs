@@ -224,16 +224,16 @@ impl FrettingContact {
     }
 
     /// Springs beyond a bound that has become another slip back to it where the body stands.
-    /// Returns the energy that they lose, J.
+    /// Returns the work of friction over 2G*, m³.
     pub(super) fn slip_back_in_plane(&mut self) -> f64 {
-        let stored = self.stored_energy();
+        let mut slips = self.take_slips();
         let path = self.planar_path(self.state.contact, self.place());
-        let Some(planar) = &self.state.planar else { return 0.0 };
-        let (row, _) = planar.row.walk(&path, PlanarRow::default(), None);
+        let (row, half_work) = self.walked_in_plane(&path, PlanarRow::default(), slips.as_mut());
+        self.keep_slips(slips);
         if let Some(planar) = &mut self.state.planar {
             planar.row = row;
         }
-        (stored - self.stored_energy()).max(0.0)
+        half_work
     }
 
     /// Takes over the state at the end of a piece. Where the bodies have parted, the next contact

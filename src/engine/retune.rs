@@ -2,8 +2,9 @@
 
 use super::FrettingContact;
 use crate::error::Error;
-use crate::friction::Springs;
+use crate::friction::{SlipPiece, Springs};
 use crate::parameters::Parameters;
+use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -73,7 +74,8 @@ impl FrettingContact {
             model.parameters = Arc::new(new);
             (model.constants, model.bound_slope) = (constants, bound_slope);
             // from the bound of before, which the springs keep to, however small the new one is
-            let work = if this.state.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
+            let half_work =
+                if this.state.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
             this.keep_bound_slope();
             this.state.counters.spring_walks += 1;
             if let Some(wear) = &mut this.state.wear {
@@ -82,21 +84,40 @@ impl FrettingContact {
                 wear.surplus *= former_wear_per_work / constants.wear_per_work;
                 (wear.expected, wear.next_step) = (None, None);
             }
-            this.lose_to_friction(work);
+            this.gather_slip_back(half_work);
             Ok(())
         })
     }
 
     /// Springs beyond a bound that has become another slip back to it where the body stands.
-    /// Returns the energy that they lose, J.
+    /// Returns the work of friction over 2G*, m³.
     fn slip_back(&mut self) -> f64 {
-        let stored = self.stored_energy();
-        let (springs, _) = self.state.springs.walk(
-            &self.path_to(self.state.contact, self.state.displacement),
-            Springs::default(),
-            None,
-        );
+        let mut slips = self.take_slips();
+        let path = self.path_to(self.state.contact, self.state.displacement);
+        let (springs, half_work) = self.state.springs.walk(&path, Springs::default(), slips.as_mut());
         self.state.springs = springs;
-        (stored - self.stored_energy()).max(0.0)
+        self.keep_slips(slips);
+        half_work
+    }
+
+    /// Counts the slip of springs that have slipped back, for work of friction over 2G* (m³). Their
+    /// bound was larger then than the present one, with which the backlog is worn off: the slip is
+    /// taken larger instead.
+    fn gather_slip_back(&mut self, half_work: f64) {
+        let (contact, bound_slope) = (self.state.contact, self.model.bound_slope);
+        if half_work <= 0.0 {
+            return;
+        }
+        let work = 2.0 * self.model.constants.tangential_modulus * half_work;
+        if self.exceeds_wear_capacity(work, &contact) {
+            return self.lose_to_friction(work);
+        }
+        let slips = &mut self.memory.get().slips;
+        let overlap = |piece: &SlipPiece| (contact.depth - piece.image.0) * piece.integral - piece.moment;
+        let factor = half_work / (bound_slope * slips.iter().map(overlap).sum::<f64>());
+        slips.iter_mut().for_each(|piece| *piece = piece.times(factor));
+        self.gather(work, &contact, Vector2::zeros());
+        self.add_work(work);
+        self.set_limit();
     }
 }

@@ -21,4 +21,14 @@ impl SlipPiece {
         let integral = interval.linear(slip.0, slip.1);
         Self { image, slip, integral, moment: interval.product((0.0, interval.rise), slip) }
     }
+
+    /// The same with slips that are a factor larger.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        Self {
+            image: self.image,
+            slip: (factor * self.slip.0, factor * self.slip.1),
+            integral: factor * self.integral,
+            moment: factor * self.moment,
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Coefficients of friction and wear that change during a life.
 
 use crate::common::*;
-use fretting_contact::{Error, Parameters, SlipState};
+use fretting_contact::{Error, FrettingContact, Parameters, SlipState};
 
 #[test]
 fn a_fall_of_friction_lets_the_springs_slip_back() {
@@ -101,4 +101,41 @@ fn what_cannot_be_changed_is_refused_and_changes_nothing() {
     }
     contact.retune(MU, 0.02).unwrap();
     assert_eq!(contact.snapshot(), before, "nothing new");
+}
+
+/// Where springs slip back at a change of friction, they wear the profile that is read at once, as
+/// they would in a gradual change.
+#[test]
+fn what_slips_back_wears_the_profile() {
+    for profile in [BALL, CONE] {
+        for (way, strokes) in [([1.0, 0.0], 1), ([1.0, 0.0], 4), ([0.8, 0.6], 4)] {
+            let parameters = Parameters { wear_coefficient: 0.01, ..without_wear(profile.clone()) };
+            let mut contact = started(parameters);
+            let stroke = |contact: &mut FrettingContact, size: f64| {
+                contact.advance_to_planar(FORCE, way.map(|part| part * size)).unwrap();
+            };
+            for k in 0..strokes {
+                stroke(&mut contact, if k % 2 == 0 { 3e-6 } else { -3e-6 });
+            }
+            let before = contact.wear_volume();
+            let mut gradual = contact.clone();
+            contact.retune(0.25 * MU, 0.01).unwrap();
+            for k in 1..=30 {
+                gradual.retune(MU * (1.0 - 0.025 * f64::from(k)), 0.01).unwrap();
+            }
+            let what = format!("{profile:?}, {way:?}, {strokes} strokes");
+            assert!(contact.wear_volume() > 1.02 * before, "{what}: {}", contact.wear_volume() / before);
+            close_to(contact.profile_volume(), contact.wear_volume(), 1e-6, &what);
+            close_to(contact.wear_volume(), gradual.wear_volume(), 5e-3, &what);
+            for share in [0.5, 0.7, 0.85] {
+                let r = share * contact.contact_radius();
+                let tolerance = 0.02 * contact.wear_depth();
+                close(contact.worn_depth_at(r), gradual.worn_depth_at(r), tolerance, &what);
+            }
+            for k in 0..4 {
+                stroke(&mut contact, if k % 2 == 0 { -3e-6 } else { 3e-6 });
+            }
+            close_to(contact.profile_volume(), contact.wear_volume(), 1e-6, &format!("{what}, later"));
+        }
+    }
 }
