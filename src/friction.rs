@@ -242,6 +242,12 @@ impl Springs {
     }
 }
 
+/// ∫ b² dx between two places of the bound b = m (d − g), m³, m the `bound_slope`.
+pub(crate) fn bound_square((inner, outer): (&Place, &Place), depth: f64, bound_slope: f64) -> f64 {
+    let bounds = [inner, outer].map(|place| bound_slope * (depth - place.image).max(0.0)).into();
+    Interval::between(inner, outer).product(bounds, bounds)
+}
+
 /// The middle one of some knots with an origin that keeps ∫ e dx if the others inside are left out;
 /// `None` if ∫ |Δe| dx would exceed `most`, m², or if the intervals differ much.
 fn replacement(knots: &[Knot], most: f64) -> Option<Knot> {

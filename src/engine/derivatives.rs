@@ -23,12 +23,15 @@
 //! Motion along y that starts on a line along x turns the springs that slip without pulling them:
 //! ∂T_y/∂U_y = 2G*a, all else is 0. Once the body has moved in the plane, see [`super::planar`].
 //!
+//! While friction runs in, m is a function of W, and its change is part of the derivatives of T, W
+//! and c ([`Tangent::running_in`]); stiffness and worn depth are taken at the present m.
+//!
 //! Under force control all of the first column is divided by ∂F_N/∂d. Where the bodies are apart
 //! everything is constant, except the depth under depth control.
 
 use super::FrettingContact;
 use super::readout::ASIDE;
-use crate::friction::Tangent;
+use crate::friction::{self, Tangent};
 use crate::quadrature;
 use crate::surface::Contact;
 use nalgebra::{Matrix2, Vector2};
@@ -95,7 +98,8 @@ impl FrettingContact {
         self.gradient(by_depth, Vector2::new(by_displacement, 0.0))
     }
 
-    /// Derivatives of force and work for going on in the present direction.
+    /// Derivatives of force and work for going on in the present direction at the present
+    /// coefficient of friction.
     pub(super) fn tangent(&self) -> Tangent {
         let row = 2.0 * self.model.constants.tangential_modulus;
         if let Some(standing) = self.standing() {
@@ -108,8 +112,24 @@ impl FrettingContact {
             by_depth: Vector2::new(bound_slope * side * (radius - stick), 0.0),
             work: Vector2::new(bound_slope * side * room, 0.0),
             work_by_depth: -bound_slope * bound_slope * room,
+            bound_square: self.bound_square_outside(stick),
         };
         on_line.scaled(row)
+    }
+
+    /// The same with the change of the coefficient while friction runs in.
+    pub(super) fn tangent_running_in(&self) -> Tangent {
+        self.tangent().running_in(self.bound_growth())
+    }
+
+    /// ∂(ln b)/∂d and ∂(ln b)/∂**U** of the friction bounds b while friction runs in, 1/m.
+    pub(super) fn bound_gradient(&self) -> (f64, Vector2<f64>) {
+        let growth = self.bound_growth();
+        if growth == 0.0 {
+            return Default::default();
+        }
+        let tangent = self.tangent_running_in();
+        (growth * tangent.work_by_depth, growth * tangent.work)
     }
 
     /// ∂d/∂(prescribed normal quantity) of a closed contact.
@@ -143,6 +163,16 @@ impl FrettingContact {
         }
         let inner = self.surface.place(stick);
         (self.state.contact.load - inner.load - stick * (self.state.contact.depth - inner.image)).max(0.0)
+    }
+
+    /// ∫ b² dx from c to a of the bound b, m³; asked for while friction runs in.
+    fn bound_square_outside(&self, stick: f64) -> f64 {
+        let Contact { radius, depth, .. } = self.state.contact;
+        if stick >= radius || !self.runs_in() {
+            return 0.0;
+        }
+        let ends = (&self.surface.place(stick), &self.surface.place(radius));
+        friction::bound_square(ends, depth, self.model.bound_slope)
     }
 
     /// Of [`Self::normal_reaction`].
@@ -180,7 +210,8 @@ impl FrettingContact {
     }
 
     /// Of [`Self::tangential_force`]; the part by displacement is [`Self::tangential_stiffness`] k
-    /// or, behind a rig, k k_rig/(k + k_rig).
+    /// or, behind a rig, k k_rig/(k + k_rig). While friction runs in, the change of its coefficient
+    /// is part of it.
     pub fn tangential_force_gradient(&self) -> Gradient {
         self.force_gradient(0)
     }
@@ -191,7 +222,7 @@ impl FrettingContact {
     }
 
     fn force_gradient(&self, component: usize) -> Gradient {
-        let tangent = self.tangent();
+        let tangent = self.tangent_running_in();
         self.gradient(tangent.by_depth[component], tangent.stiffness.row(component).transpose())
     }
 
@@ -232,8 +263,11 @@ impl FrettingContact {
         let per_bound = 1.0
             / (self.surface.image_slope(stick * (1.0 - ASIDE))
                 * (self.model.bound_slope - side * origin_slope));
-        self.gradient_on_line(self.model.bound_slope * per_bound, -side * per_bound)
-            .times(self.model.axes.size)
+        let bound = self.model.bound_slope * (self.state.contact.depth - self.surface.image(stick));
+        let (by_depth, by_place) = self.bound_gradient();
+        let by_depth = (self.model.bound_slope + bound * by_depth) * per_bound;
+        let by_displacement = (bound * by_place.x - side) * per_bound;
+        self.gradient_on_line(by_depth, by_displacement).times(self.model.axes.size)
     }
 
     /// Of [`Self::tangential_stiffness`].
@@ -247,7 +281,7 @@ impl FrettingContact {
 
     /// Of [`Self::dissipated_energy`].
     pub fn dissipated_energy_gradient(&self) -> Gradient {
-        let tangent = self.tangent();
+        let tangent = self.tangent_running_in();
         self.gradient(tangent.work_by_depth, tangent.work)
     }
 

@@ -44,6 +44,11 @@ impl FrettingContact {
         (friction_coefficient_final - self.model.constants.friction_coefficient) / running_in_energy
     }
 
+    /// ρ = d(ln μ)/dW, 1/J.
+    pub(super) fn bound_growth(&self) -> f64 {
+        if self.runs_in() { self.friction_slope() / self.model.constants.friction_coefficient } else { 0.0 }
+    }
+
     /// Of [`Self::friction_coefficient_now`].
     pub fn friction_coefficient_gradient(&self) -> Gradient {
         self.dissipated_energy_gradient().times(self.friction_slope())

@@ -204,7 +204,7 @@ fn a_refused_step_changes_nothing() {
     }
 }
 
-/// ∂μ/∂U against differences where μ changes little: derivatives are those at the present μ.
+/// ∂μ/∂U against differences.
 #[test]
 fn the_derivatives_of_the_coefficient_are_its_differences() {
     let mut joint = Interface::new(running_in(100.0 * USUAL), &uneven()).unwrap();

@@ -1,7 +1,7 @@
 //! Friction that runs in with the dissipated energy.
 
 use crate::common::*;
-use fretting_contact::{Error, FrettingContact, NormalControl, Parameters};
+use fretting_contact::{Error, FrettingContact, Gradient, NormalControl, Parameters};
 use rand::RngExt;
 
 /// μ₀, μ_end and W_r of the scenes.
@@ -381,4 +381,65 @@ fn parameters_outside_their_range_are_named() {
         );
     }
     refused(Parameters { friction_coefficient: 0.0, ..running_in(1.0) }, "friction_coefficient");
+}
+
+/// A quantity and its gradient.
+type Quantity = (&'static str, fn(&FrettingContact) -> f64, fn(&FrettingContact) -> Gradient);
+
+const QUANTITIES: [Quantity; 4] = [
+    ("T", FrettingContact::tangential_force, FrettingContact::tangential_force_gradient),
+    ("W", FrettingContact::dissipated_energy, FrettingContact::dissipated_energy_gradient),
+    ("c", FrettingContact::stick_radius, FrettingContact::stick_radius_gradient),
+    ("mu", FrettingContact::friction_coefficient_now, FrettingContact::friction_coefficient_gradient),
+];
+
+/// Compares gradients with central differences for going on from a place (m) by steps (m) along
+/// x and y.
+#[track_caller]
+fn agrees_along(contact: &FrettingContact, [x, y]: [f64; 2], step: [f64; 2], tolerance: f64, what: &str) {
+    for by_load in [0.0, 2e-5 * FORCE, -2e-5 * FORCE] {
+        let after = |contact: &FrettingContact, steps: f64| {
+            let mut moved = contact.clone();
+            let place = [x + steps * step[0], y + steps * step[1]];
+            moved.advance_to_planar(FORCE + steps * by_load, place).unwrap();
+            moved
+        };
+        let middle = after(contact, 1.0);
+        let last = after(&middle, 2.0);
+        for (name, read, gradient) in QUANTITIES {
+            let of = gradient(&middle);
+            let (by_load, by_x) = (of.normal * by_load, of.displacement * step[0]);
+            let predicted = by_load + by_x + of.displacement_y * step[1];
+            let allowed = tolerance * by_x.abs().max(by_load.abs()) + 1e-12 * read(&last).abs();
+            close(predicted, 0.5 * (read(&last) - read(contact)), allowed, &format!("{name}, {what}"));
+        }
+    }
+}
+
+/// Force, work, coefficient and stick radius change as their gradients say while friction runs in,
+/// in partial slip and in gross slip, where T = μF changes with the work alone. In the plane the
+/// front is between two of the samples.
+#[test]
+fn the_derivatives_are_those_of_differences() {
+    for (start, end) in [(START, END), (END, START)] {
+        for (rig_stiffness, rig) in [(f64::INFINITY, 1.0), (3e7, 2.0)] {
+            for (slope, tolerance) in [(0.0, 2e-4), (0.5, 3e-2)] {
+                for share in [0.4, 3.0] {
+                    let (friction_coefficient, friction_coefficient_final) = (start, end);
+                    let mut contact = started(Parameters {
+                        friction_coefficient,
+                        friction_coefficient_final,
+                        rig_stiffness,
+                        ..running_in(1e-3)
+                    });
+                    let along = |place: f64| [place, slope * place];
+                    let place = share * rig * full();
+                    contact.advance_to_planar(FORCE, along(-place)).unwrap();
+                    contact.advance_to_planar(FORCE, along(place)).unwrap();
+                    let what = format!("{start} to {end}, rig {rig_stiffness}, slope {slope}, {share}");
+                    agrees_along(&contact, along(place), along(1e-4 * full()), tolerance, &what);
+                }
+            }
+        }
+    }
 }

@@ -24,8 +24,12 @@ impl FrettingContact {
         let Some((fall, pull)) = standing.front_slope(self.direction_in_plane()) else {
             return Some(Gradient::default());
         };
-        let per_room = 1.0 / (fall * self.surface.image_slope(standing.stick_radius() * (1.0 - ASIDE)));
-        let gradient = self.gradient(-self.model.bound_slope * per_room, pull * per_room);
+        let stick = standing.stick_radius();
+        let per_room = 1.0 / (fall * self.surface.image_slope(stick * (1.0 - ASIDE)));
+        let bound = self.model.bound_slope * (self.state.contact.depth - self.surface.image(stick));
+        let (by_depth, by_place) = self.bound_gradient();
+        let by_depth = -(self.model.bound_slope + bound * by_depth) * per_room;
+        let gradient = self.gradient(by_depth, (pull - bound * by_place) * per_room);
         Some(gradient.times(self.model.axes.size))
     }
 

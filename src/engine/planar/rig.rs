@@ -221,7 +221,7 @@ impl FrettingContact {
         if self.model.compliance == 0.0 {
             return of;
         }
-        let tangent = self.tangent();
+        let tangent = self.tangent_running_in();
         let matrix = Matrix2::identity() + self.model.compliance * tangent.stiffness;
         let right = Vector2::new(of.displacement, of.displacement_y);
         let by_place = solved(&matrix.transpose(), right).unwrap_or_default();

@@ -172,6 +172,7 @@ impl Standing<'_> {
                     by_depth: m * along,
                     work: bound * along,
                     work_by_depth: -m * self.bound(knot),
+                    bound_square: bound * self.bound(knot),
                 }
             })
         };
@@ -209,6 +210,8 @@ pub(crate) struct Tangent {
     pub(crate) work: Vector2<f64>,
     /// The same by depth, m².
     pub(crate) work_by_depth: f64,
+    /// ∫ b²/κ dx of the bound of the springs that slip, m³, κ their stiffness along the slip.
+    pub(crate) bound_square: f64,
 }
 
 impl Tangent {
@@ -219,6 +222,26 @@ impl Tangent {
             by_depth: factor * self.by_depth,
             work: factor * self.work,
             work_by_depth: factor * self.work_by_depth,
+            bound_square: factor * self.bound_square,
+        }
+    }
+
+    /// The same while all bounds grow with the work of friction W, by db/b = ρ dW (ρ in 1/J, this
+    /// scaled to forces and work). With w = ∫b **n** dx per displacement, a growth of the bounds by
+    /// dρ adds w dρ to the force and takes ∫b² dx dρ off the work. Where that exceeds the work, so
+    /// that springs snap, there are no derivatives, and these are at constant bounds.
+    pub(crate) fn running_in(self, growth: f64) -> Self {
+        let divisor = 1.0 + growth * self.bound_square;
+        if divisor <= 0.0 {
+            return self;
+        }
+        let share = growth / divisor;
+        Self {
+            stiffness: self.stiffness + share * self.work * self.work.transpose(),
+            by_depth: self.by_depth + share * self.work_by_depth * self.work,
+            work: self.work / divisor,
+            work_by_depth: self.work_by_depth / divisor,
+            ..self
         }
     }
 
@@ -230,5 +253,6 @@ impl Tangent {
         self.by_depth += inner.by_depth.zip_map(&outer.by_depth, linear);
         self.work += inner.work.zip_map(&outer.work, linear);
         self.work_by_depth += linear(inner.work_by_depth, outer.work_by_depth);
+        self.bound_square += linear(inner.bound_square, outer.bound_square);
     }
 }
