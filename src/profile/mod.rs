@@ -187,6 +187,15 @@ impl Profile {
         }
     }
 
+    /// Whether the curvature at the axis is infinite.
+    pub(crate) fn is_sharp(&self) -> bool {
+        match self {
+            Self::Cone { .. } => true,
+            Self::PowerLaw { exponent, .. } => *exponent < 2.0,
+            _ => false,
+        }
+    }
+
     /// Radius at which the body ends or is no longer known, m; infinite for the others.
     pub fn outer_radius(&self) -> f64 {
         match self {

@@ -76,7 +76,7 @@ pub(super) fn mesh_slip_zone(
     if front >= a * (1.0 - THINNEST) {
         return Ok(None);
     }
-    let mesh = UnitMesh::shared(region, mesh_cells(region, settings.cells));
+    let mesh = UnitMesh::shared(region, surface.profile().is_sharp(), mesh_cells(region, settings.cells));
     let outer = surface.profile().outer_radius();
     let rim = a >= outer * (1.0 - RIM);
     if rim {

@@ -1,7 +1,7 @@
 //! A coating that wears through: found in transient motion and in cycles, with its cycle.
 
 use crate::common::*;
-use fretting_contact::{Error, FrettingContact, NormalControl, Parameters};
+use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile};
 
 /// Amplitude of the cycles, m, and cycles of a life.
 const AMPLITUDE: f64 = 1.5e-6;
@@ -52,6 +52,31 @@ fn the_life_of_a_thin_coating_in_gross_slip_has_a_closed_form() {
     // the pressure falls with the depth: the difference is of first order in it
     let offs = [1e-8, 1e-9, 1e-10].map(off);
     assert!(offs[0] < 2e-3 && offs[1] < 2e-4 && offs[2] < 2e-5, "{offs:?}");
+}
+
+/// Slid far to and fro, a sharp body wears round from its axis on: the life at the usual resolution
+/// is that on eight times as many cells. (With even cells at the axis it was 6, 33 and 9 % longer.)
+#[test]
+fn a_sharp_body_wears_through_at_the_usual_resolution() {
+    for (profile, coating_thickness, tolerance) in [
+        (CONE, 0.4e-6, 5e-3),
+        (CONE, 0.05e-6, 3e-2),
+        (Profile::PowerLaw { exponent: 1.2, coefficient: 0.1 }, 0.05e-6, 1e-2),
+    ] {
+        let life = |resolution: usize| {
+            let parameters = Parameters {
+                profile: profile.clone(),
+                wear_coefficient: 1e-4,
+                coating_thickness,
+                resolution,
+                ..Parameters::default()
+            };
+            let mut contact = contact(parameters);
+            contact.advance_cycles(FORCE, 1e-5, 500.0).unwrap();
+            contact.cycles_to_wear_through().expect("500 cycles wear deeper")
+        };
+        close_to(life(64), life(512), tolerance, &format!("{profile:?}, {coating_thickness}"));
+    }
 }
 
 #[test]

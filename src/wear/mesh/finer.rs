@@ -47,6 +47,6 @@ impl UnitMesh {
     }
 
     fn places(&self) -> Places {
-        Places { region: self.region, cells: self.cells }
+        Places { region: self.region, power: self.power, cells: self.cells }
     }
 }

@@ -3,7 +3,7 @@ use std::f64::consts::{FRAC_2_PI, PI};
 
 /// Errors of the three tables against closed forms on a mesh of n cells.
 fn errors(region: Region, n: usize) -> (f64, f64, f64) {
-    let mesh = UnitMesh::shared(region, n);
+    let mesh = UnitMesh::shared(region, false, n);
     let phi = &mesh.share;
     // z = φ on the annulus: (1/π)∫ X dX/√(Z − X) = 4 Z^{3/2}/(3π); on the disc h = x² : w = r²/2
     let linear: Vec<f64> = phi.clone();
@@ -54,7 +54,7 @@ fn transforms_on_a_disc_are_exact_for_a_ball() {
 #[test]
 fn the_pressure_of_a_steep_edge_is_of_order_two_and_a_half() {
     let error = |n: usize| {
-        let mesh = UnitMesh::shared(Region::Annulus, n);
+        let mesh = UnitMesh::shared(Region::Annulus, false, n);
         let q: Vec<f64> = mesh.share.iter().map(|x| (1.0 - x).powi(3)).collect();
         let p = mesh.pressure(&q, false);
         let exact = |z: f64| 16.0 / (5.0 * PI) * (1.0 - z).powf(2.5);
@@ -69,10 +69,10 @@ fn the_pressure_of_a_steep_edge_is_of_order_two_and_a_half() {
 /// disc whose image is 1, and an annulus whose z is 1 (√Z times 2/π).
 #[test]
 fn constants_are_transformed_exactly() {
-    let disc = UnitMesh::shared(Region::Disc, 20);
+    let disc = UnitMesh::shared(Region::Disc, false, 20);
     let w = disc.inverse_abel(&[1.0; 21]);
     assert!(w.iter().all(|w| (w - 1.0).abs() < 2e-9), "{w:?}");
-    let annulus = UnitMesh::shared(Region::Annulus, 20);
+    let annulus = UnitMesh::shared(Region::Annulus, false, 20);
     let w = annulus.inverse_abel(&[1.0; 21]);
     for (w, share) in w.iter().zip(&annulus.share) {
         assert!((w - FRAC_2_PI * share.sqrt()).abs() < 2e-9, "{w} at {share}");
@@ -85,8 +85,8 @@ fn the_drift_is_of_fourth_order() {
     for region in [Region::Annulus, Region::Disc] {
         // sin 2ξ − 2ξ + (4/3) ξ³, of fifth order at ξ = 0, where the last neighbours are missing
         let error = |n: usize| {
-            let mesh = UnitMesh::shared(region, n);
-            let places = Places { region, cells: n };
+            let mesh = UnitMesh::shared(region, false, n);
+            let places = Places { region, power: mesh.power, cells: n };
             let xi = |i: usize| i as f64 / n as f64;
             let smooth = |x: f64| (2.0 * x).sin() - 2.0 * x + 4.0 / 3.0 * x.powi(3);
             let slope = |x: f64| 2.0 * (2.0 * x).cos() - 2.0 + 4.0 * x * x;
@@ -109,7 +109,7 @@ fn the_drift_is_of_fourth_order() {
 /// The depth of an image that jumps at the stick edge, (2/π) √φ, drifts by half of itself.
 #[test]
 fn the_drift_of_a_jump_is_exact() {
-    let mesh = UnitMesh::shared(Region::Annulus, 40);
+    let mesh = UnitMesh::shared(Region::Annulus, false, 40);
     let depth: Vec<f64> = mesh.share.iter().map(|share| FRAC_2_PI * share.sqrt()).collect();
     for i in 1..40 {
         let off = mesh.drift_of(&depth, i) / depth[i] - 0.5;
@@ -121,7 +121,7 @@ fn the_drift_of_a_jump_is_exact() {
 #[test]
 fn middles_are_of_third_order() {
     let error = |n: usize| {
-        let mesh = UnitMesh::shared(Region::Annulus, n);
+        let mesh = UnitMesh::shared(Region::Annulus, false, n);
         let smooth = |i: f64| (3.0 * i / n as f64).cos();
         let nodes: Vec<f64> = (0..=n).map(|i| smooth(i as f64)).collect();
         // without the first cells, which are lines in X
@@ -143,7 +143,7 @@ fn middles_are_of_third_order() {
 #[test]
 fn abel_undoes_inverse_abel_and_functionals_agree() {
     for region in [Region::Annulus, Region::Disc] {
-        let mesh = UnitMesh::shared(region, 40);
+        let mesh = UnitMesh::shared(region, false, 40);
         let z: Vec<f64> = mesh.share.iter().map(|x| 0.3 + x - 2.0 * x * x).collect();
         let w = mesh.inverse_abel(&z);
         let back = mesh.abel(&w);
@@ -161,7 +161,7 @@ fn the_volume_is_that_of_the_depth() {
     // disc: w = r²/2 (h = x²): ∫₀¹ 2πr w dr = π/4. Annulus (in L = 1): π ∫ w dZ with w = (4/3π)
     // Z^{3/2}: 8/15
     let error = |region: Region, n: usize, exact: f64| {
-        let mesh = UnitMesh::shared(region, n);
+        let mesh = UnitMesh::shared(region, false, n);
         let w = mesh.inverse_abel(&mesh.share);
         (dot(&mesh.volume, &w) - exact).abs()
     };
@@ -174,7 +174,7 @@ fn the_volume_is_that_of_the_depth() {
 
 #[test]
 fn equal_meshes_are_shared() {
-    let (a, b) = (UnitMesh::shared(Region::Disc, 24), UnitMesh::shared(Region::Disc, 24));
+    let (a, b) = (UnitMesh::shared(Region::Disc, false, 24), UnitMesh::shared(Region::Disc, false, 24));
     assert!(Arc::ptr_eq(&a, &b));
-    assert!(!Arc::ptr_eq(&a, &UnitMesh::shared(Region::Annulus, 24)));
+    assert!(!Arc::ptr_eq(&a, &UnitMesh::shared(Region::Annulus, false, 24)));
 }

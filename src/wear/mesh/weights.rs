@@ -16,6 +16,8 @@ const POINTS: usize = 8;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Places {
     pub(super) region: Region,
+    /// p.
+    pub(super) power: i32,
     pub(super) cells: usize,
 }
 
@@ -29,16 +31,10 @@ impl Places {
         }
     }
 
-    /// dφ by a cell of ξ; ξ in cells here and below. On an annulus p = 5: the depth starts like
-    /// √(X − c²), and the largest error of the profile, in the first cell, falls with the root of
-    /// its width. On a disc x is smooth in ξ, and p = 2. The factors are p (p + 1).
+    /// dφ by a cell of ξ; ξ in cells here and below.
     pub(super) fn slope(self, xi: f64) -> f64 {
         let (n, per) = (self.cells as f64, 1.0 / self.cells as f64);
-        let graded = match self.region {
-            Region::Annulus => 30.0 * (xi * per).powi(4),
-            Region::Disc => 6.0 * (xi * per),
-        };
-        graded * (n - xi) * per * per
+        f64::from(self.power * (self.power + 1)) * (xi * per).powi(self.power - 1) * (n - xi) * per * per
     }
 
     /// φ at ξ + δ less φ at ξ, without cancellation: the rule is exact for the slope's degree.

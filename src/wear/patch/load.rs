@@ -99,7 +99,7 @@ mod tests {
             Motion { control: NormalControl::Force, value: 1e-9, sliding: Sliding::Onward, rig: None };
         let region = if inner_radius > 0.0 { Region::Annulus } else { Region::Disc };
         let places = (inner_radius, Frozen::default(), Outside::default());
-        let mesh = UnitMesh::shared(region, cells);
+        let mesh = UnitMesh::shared(region, false, cells);
         Patch::new(Surface::new(profile), mesh, places, motion, false, &constants)
     }
 

@@ -74,7 +74,7 @@ impl Scene {
             }
             Region::Disc => (Sliding::Onward, 0.0, 1.0),
         };
-        let mesh = UnitMesh::shared(self.region, cells);
+        let mesh = UnitMesh::shared(self.region, false, cells);
         let rig = self.rig.then(|| {
             // T/(2G*) of the unworn ball: U₀ c + m ∫ q dx from c on
             let outside = (a * a * (a - c) - (a.powi(3) - c.powi(3)) / 3.0) / RADIUS;
