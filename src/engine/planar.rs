@@ -185,8 +185,11 @@ impl FrettingContact {
         let end = self.try_in_plane(value, place)?;
         if self.state.wear.is_some() && end.work > 0.0 {
             let volume = self.model.constants.wear_per_work * end.work;
-            let far = self.exceeds_limit(volume, &end.to, self.model.widest_stick(&end.to)).is_some();
-            if self.exceeds_wear_capacity(end.work, &end.to) {
+            // under a load that falls to next to nothing slip is over before the contact is small
+            let from = self.state.contact;
+            let wider = if from.radius > end.to.radius { &from } else { &end.to };
+            let far = self.exceeds_limit(volume, wider, self.model.widest_stick(wider)).is_some();
+            if self.exceeds_wear_capacity(end.work, wider) {
                 return Err(Error::WearOutrun { from: self.state.displacement, displacement: place.x });
             }
             let middle = 0.5 * (self.place() + place);

@@ -139,6 +139,23 @@ fn a_line_at_any_angle_wears_as_the_line_along_x() {
     }
 }
 
+/// The body is all but lifted off in one step: the same wears as where it is lifted off.
+#[test]
+fn a_load_that_falls_to_next_to_nothing_in_a_step_is_followed() {
+    let full = exact(&BALL, FORCE).full_slip();
+    for wear_coefficient in [3.2e-4, 3.2e-2] {
+        let worn = |load: f64| {
+            let mut contact = started(Parameters { wear_coefficient, ..Parameters::default() });
+            contact.advance_to_planar(FORCE, [0.3 * full, 0.6 * full]).unwrap();
+            contact.advance_to_planar(load, [-0.3 * full, 0.2 * full]).unwrap();
+            contact.wear_volume()
+        };
+        for load in [1e-4, 1e-6, 1e-9, 1e-14] {
+            close_to(worn(load), worn(0.0), 2e-3, "worn volume");
+        }
+    }
+}
+
 /// A body that lifts off while it slides back wears the same profile along x and along y, whatever
 /// the steps: springs that have left do not slip on.
 #[test]
