@@ -208,10 +208,10 @@ impl Nodes {
         }
     }
 
-    /// These nodes, for a contact of radius `a`, without those that a line (in x²) between others
-    /// meets within `share` of the largest image and depth, as long as no cell becomes wider than
-    /// an even one; `None` where that would spare less than a fifth of them. What a front needed
-    /// where it no longer stands makes an update stiff.
+    /// These nodes, for a contact of radius `a`, without those whose image a line (in x²) between
+    /// others meets within `share` of the largest, and whose depth, as long as no cell becomes
+    /// wider than an even one; `None` where that would spare less than a fifth of them. What a
+    /// front needed where it no longer stands makes an update stiff.
     pub(crate) fn thinned(&self, share: f64, a: f64, profile: &Profile) -> Option<Self> {
         let may_be = |anchor: usize, end: usize| {
             self.x[end] - self.x[anchor] <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
