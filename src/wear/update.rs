@@ -38,7 +38,7 @@ const ACCURACY: f64 = 1e-4;
 const LEFT: f64 = 0.1;
 
 /// Least part in which an update is made, where its residual does not fall that far in one.
-const LEAST_PART: f64 = 1.0 / 64.0;
+const LEAST_PART: f64 = 1.0 / 256.0;
 
 /// Share of a Newton step along the one before, at and above which the secant through both is not
 /// used: it would make the step more than four times as long. Found by trial: with 0.5 about as
