@@ -22,6 +22,7 @@
 mod cycles;
 
 use super::FrettingContact;
+use super::history::MOST_PIECES;
 use super::line::Line;
 use crate::error::Error;
 use crate::roots;
@@ -100,7 +101,7 @@ impl FrettingContact {
         if value != self.state.contact.control || self.state.contact.is_open() {
             let displacement = self.equilibrium(value, drive)?;
             let updates = self.state.counters.profile_updates;
-            self.walk(value, displacement, 1)?;
+            self.walk_evenly((value, drive), displacement, MOST_PIECES.ilog2())?;
             if self.state.counters.profile_updates == updates {
                 return Ok(());
             }
@@ -116,6 +117,43 @@ impl FrettingContact {
             }
         }
         Ok(())
+    }
+
+    /// Walks to another load and place of the drive, at which the body is found at a displacement.
+    /// Where the load changes by much the line is halved until the body, halfway, is near the
+    /// middle.
+    fn walk_evenly(&mut self, to: (f64, f64), displacement: f64, halvings: u32) -> Result<(), Error> {
+        let (value, drive) = to;
+        let halfway = 0.5 * (self.state.contact.control + value);
+        if halvings > 0 && halfway > self.touch_control() && self.load_changes_much(value) {
+            let half = 0.5 * (self.drive_displacement() + drive);
+            let between = self.equilibrium(halfway, half)?;
+            let bent = (between - 0.5 * (self.state.displacement + displacement)).abs();
+            let near = self.straight_within(value)?;
+            if bent > near {
+                // each half bends by a quarter of it, unless springs begin to slip there
+                let halvings = if bent > 4.0 * near { halvings - 1 } else { 0 };
+                self.walk_evenly((halfway, half), between, halvings)?;
+                let displacement = self.equilibrium(value, drive)?;
+                return self.walk_evenly(to, displacement, halvings);
+            }
+        }
+        self.walk(value, displacement, 1)
+    }
+
+    /// Whether a load (N, or a depth in m) differs from the present one by more than a third of the
+    /// larger. With a half, the work of punches that are lifted off is 9 % off; at every change of
+    /// load, a step takes 72 walks where 50 do.
+    pub(super) fn load_changes_much(&self, value: f64) -> bool {
+        let [now, then] = [self.state.contact.control, value].map(|value| value - self.touch_control());
+        1.5 * now.min(then) < now.max(then)
+    }
+
+    /// How far the body may be from the middle of a straight way to a load (N, or a depth in m), m.
+    pub(super) fn straight_within(&self, value: f64) -> Result<f64, Error> {
+        let depth = self.state.contact.depth.abs();
+        let deeper = if self.load_changes_much(value) { self.solve_contact(value)?.depth.abs() } else { 0.0 };
+        Ok(self.model.tuning.bent * self.model.bound_slope * depth.max(deeper))
     }
 
     /// How far the drive is ahead of equilibrium, D − U − T/k_rig, m; 0 where that is rounding.

@@ -593,3 +593,26 @@ fn cycles_at_constant_depth_wear_alike_in_one_call_and_many() {
         assert!(error.abs() < 5e-3, "{profile:?}: V {error:+e}");
     }
 }
+
+/// The load falls while the drive stands. The body sticks until friction carries no more than the
+/// force of the rig, and slips from then on. The springs give back all that the drive has done.
+#[test]
+fn a_body_that_is_lifted_off_dissipates_what_the_springs_hold() {
+    for profile in [BALL, CONE, PUNCH] {
+        for control in [Force, Indentation] {
+            for direction in [[1.0, 0.0], [0.6, 0.8]] {
+                for share in [0.3, 0.01, 0.001] {
+                    let (mut contact, normal, compliance) = behind(&profile, control, 0.1);
+                    let force = share * LIMIT;
+                    let stiffness = 2.0 * G_STAR * exact(&profile, FORCE).normal.radius();
+                    let drive = force * (compliance + 1.0 / stiffness);
+                    contact.advance_to_planar(normal, direction.map(|part| part * drive)).unwrap();
+                    let held = 0.5 * contact.tangential_force().hypot(contact.tangential_force_y()) * drive;
+                    contact.advance_to_planar(0.0, direction.map(|part| part * drive)).unwrap();
+                    let what = format!("{profile:?}, {control:?}, {direction:?}, share {share}: W");
+                    close_to(contact.dissipated_energy(), held, 0.05, &what);
+                }
+            }
+        }
+    }
+}

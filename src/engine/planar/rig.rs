@@ -75,8 +75,7 @@ impl FrettingContact {
 
     /// Follows one piece of the drive's line.
     pub(super) fn follow_drive(&mut self, value: f64, drive: Vector2<f64>) -> Result<(), Error> {
-        if value <= self.touch_control() {
-            // what holds the body holds no force then
+        if self.state.contact.is_open() && value <= self.touch_control() {
             return self.walk_in_plane(value, drive);
         }
         self.enter_plane()?;
@@ -94,13 +93,17 @@ impl FrettingContact {
     ) -> Result<(), Error> {
         let (from, here) = (self.drive_place(), self.place());
         let halfway = 0.5 * (self.state.contact.control + value);
-        if halvings > 0 && halfway > self.touch_control() && drive != from {
+        let load_stays = value == self.state.contact.control;
+        if halvings > 0 && halfway > self.touch_control() && !(load_stays && drive == from) {
             let half = from + 0.5 * (drive - from);
-            let near = self.model.tuning.bent * self.model.bound_slope * self.state.contact.depth.abs()
-                + BALANCED * self.scale_of(drive, &self.state.contact);
+            let near = self.straight_within(value)? + BALANCED * self.scale_of(drive, &self.state.contact);
             let middle = Equilibrium::near(0.5 * (here + found.place));
             let between = self.balance_nearly(halfway, half, middle, 0.1 * near)?;
-            let bent = distance(between.place, (here, found.place));
+            let bent = if self.load_changes_much(value) {
+                size(between.place - middle.place)
+            } else {
+                distance(between.place, (here, found.place))
+            };
             if bent > near {
                 // each half bends by a quarter of it
                 let halvings = if bent > 4.0 * near { halvings - 1 } else { 0 };
