@@ -21,7 +21,7 @@ const LEAST_THINNING: f64 = 0.01;
 /// Share of all that has worn up to which an update that cannot be solved is deferred. Where
 /// cycles have worn all that they can, the overlap that strokes find is rounding: of 72 such
 /// scenes 11 were refused.
-const NEGLIGIBLE: f64 = 1e-6;
+pub(super) const NEGLIGIBLE: f64 = 1e-6;
 
 /// Largest depth under which a law slips, m.
 fn deepest_of(law: &[SlipAtDepth]) -> f64 {

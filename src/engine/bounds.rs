@@ -2,9 +2,11 @@
 //! profile can follow breaks these, and is refused instead of giving a wrong number.
 
 use super::FrettingContact;
+use super::backlog::NEGLIGIBLE;
 use crate::error::Error;
 use crate::surface::Contact;
 use crate::wear::annulus;
+use std::f64::consts::PI;
 
 /// Least share of the worn volume and of π a² d that may have found no place on the profile, the
 /// usual tolerance. What an update leaves for the next does not fall with a tighter one.
@@ -55,7 +57,7 @@ impl FrettingContact {
             * if before.is_open() { disc(&before).max(disc(&self.state.contact)) } else { disc(&before) };
         // an update corrects the work that it wears off
         let most = (1.0 + SLACK) * (driven + stored) + SLACK * gathered;
-        let bounded = per_work * taken <= per_work * most + slack;
+        let bounded = per_work * taken <= per_work * most + slack + self.negligible_volume();
         let placed = self.is_placed((&before, deferred));
         if bounded && placed {
             return Ok(());
@@ -103,7 +105,16 @@ impl FrettingContact {
         let size = disc(contact).max(disc(&self.state.contact));
         let cells = self.model.parameters.resolution as f64;
         let share = self.model.parameters.tolerance.max(DEFERRED).max(OF_CELLS / (cells * cells));
-        share * (self.wear_volume() + size)
+        (share * (self.wear_volume() + size)).max(self.negligible_volume())
+    }
+
+    /// A volume that does not count against all that has worn, nor against π a² g(a) of the largest
+    /// contact so far, m³. A load that is 0 but for rounding makes a contact that any slip wears
+    /// off.
+    fn negligible_volume(&self) -> f64 {
+        let radius = self.state.reach;
+        let largest_disc = PI * radius * radius * (self.surface.image(radius) - self.surface.tip());
+        NEGLIGIBLE * self.wear_volume().max(largest_disc)
     }
 }
 

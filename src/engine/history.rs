@@ -200,13 +200,21 @@ impl FrettingContact {
         }
         let inner = springs.stick_radius(&to, self.model.bound_slope, displacement);
         let volume = self.model.constants.wear_per_work * work;
-        if let Some(ratio) = self.exceeds_limit(volume, &to, inner)
-            && (splits > 0
-                || (ratio > f64::from(MOST_PIECES) && self.exceeds_wear_capacity(work, &self.state.contact)))
-        {
-            if splits == 0 {
-                return Err(Error::WearOutrun { from: self.state.displacement, displacement });
+        let mut ratio = self.exceeds_limit(volume, &to, inner);
+        if ratio.is_some_and(|ratio| ratio > f64::from(MOST_PIECES)) {
+            ratio = self.exceeds_limit(volume, &self.larger_contact(&to), inner);
+            if self.exceeds_wear_capacity(work, &to) {
+                if self.may_defer(work) {
+                    self.defer(work);
+                    self.arrive(to, displacement, springs, work);
+                    return Ok(());
+                }
+                if splits == 0 {
+                    return Err(Error::WearOutrun { from: self.state.displacement, displacement });
+                }
             }
+        }
+        if let Some(ratio) = ratio.filter(|_| splits > 0) {
             let pieces = ratio.ceil().min(f64::from(MOST_PIECES)) as u32;
             let line = Line {
                 from: (self.state.contact.control, self.state.displacement),
@@ -226,10 +234,17 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// Whether the wear of so much work (J) within a piece of a step is beyond all that the contact
-    /// could follow.
-    pub(super) fn exceeds_wear_capacity(&self, work: f64, contact: &Contact) -> bool {
-        let ratio = self.exceeds_limit(self.model.constants.wear_per_work * work, contact, 0.0);
+    /// The present contact or another one, whichever is loaded more.
+    pub(super) fn larger_contact(&self, other: &Contact) -> Contact {
+        if self.state.contact.load > other.load { self.state.contact } else { *other }
+    }
+
+    /// Whether the wear of so much work (J) on the way to a contact is beyond all that the larger
+    /// of both could follow: under a load that falls to next to nothing slip is over before the
+    /// contact is small.
+    pub(super) fn exceeds_wear_capacity(&self, work: f64, to: &Contact) -> bool {
+        let volume = self.model.constants.wear_per_work * work;
+        let ratio = self.exceeds_limit(volume, &self.larger_contact(to), 0.0);
         ratio.is_some_and(|ratio| ratio > f64::from(MOST_PIECES))
     }
 

@@ -185,13 +185,16 @@ impl FrettingContact {
         let end = self.try_in_plane(value, place)?;
         if self.state.wear.is_some() && end.work > 0.0 {
             let volume = self.model.constants.wear_per_work * end.work;
-            // under a load that falls to next to nothing slip is over before the contact is small
-            let from = self.state.contact;
-            let wider = if from.radius > end.to.radius { &from } else { &end.to };
-            let far = self.exceeds_limit(volume, wider, self.model.widest_stick(wider)).is_some();
-            if self.exceeds_wear_capacity(end.work, wider) {
-                return Err(Error::WearOutrun { from: self.state.displacement, displacement: place.x });
+            if self.exceeds_wear_capacity(end.work, &end.to) {
+                if !self.may_defer(end.work) {
+                    return Err(Error::WearOutrun { from: self.state.displacement, displacement: place.x });
+                }
+                self.defer(end.work);
+                self.arrive_in_plane(end, place);
+                return Ok(());
             }
+            let larger = self.larger_contact(&end.to);
+            let far = self.exceeds_limit(volume, &larger, self.model.widest_stick(&larger)).is_some();
             let middle = 0.5 * (self.place() + place);
             if far && halvings > 0 && middle != place && middle != self.place() {
                 let between = 0.5 * (self.state.contact.control + value);

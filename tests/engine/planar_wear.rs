@@ -142,10 +142,11 @@ fn a_line_at_any_angle_wears_as_the_line_along_x() {
 /// The body is all but lifted off in one step: the same wears as where it is lifted off.
 #[test]
 fn a_load_that_falls_to_next_to_nothing_in_a_step_is_followed() {
-    let full = exact(&BALL, FORCE).full_slip();
-    for wear_coefficient in [3.2e-4, 3.2e-2] {
+    for (profile, wear_coefficient) in [(BALL, 3.2e-4), (BALL, 3.2e-2), (PUNCH, 3.2e-4)] {
+        let full = exact(&profile, FORCE).full_slip();
         let worn = |load: f64| {
-            let mut contact = started(Parameters { wear_coefficient, ..Parameters::default() });
+            let wearing = Parameters { profile: profile.clone(), wear_coefficient, ..Parameters::default() };
+            let mut contact = started(wearing);
             contact.advance_to_planar(FORCE, [0.3 * full, 0.6 * full]).unwrap();
             contact.advance_to_planar(load, [-0.3 * full, 0.2 * full]).unwrap();
             contact.wear_volume()

@@ -726,3 +726,52 @@ fn a_new_mesh_wears_nothing_that_sticks() {
     }
     assert!(contact.counters().factorisations > 0, "no mesh was made");
 }
+
+/// A load that is 0 but for rounding, as that of a sine, makes a contact that any slip wears off:
+/// the step is followed as one of a body that is lifted off.
+#[test]
+fn a_body_that_is_lifted_off_but_for_rounding_may_be_moved() {
+    for profile in [BALL, CONE] {
+        for control in [NormalControl::Force, NormalControl::Indentation] {
+            for y in [0.0, 1e-6] {
+                let worn = |share: f64| {
+                    let mut contact = contact(Parameters {
+                        profile: profile.clone(),
+                        normal_control: control,
+                        ..Parameters::default()
+                    });
+                    let load = normal_input(&profile, control, FORCE);
+                    contact.start_at(load, 0.0).unwrap();
+                    for [normal, x] in [[1.0, 2.0], [share, 1.0], [share, -2.0], [1.0, -2.0], [1.0, 2.0]] {
+                        contact.advance_to_planar(load * normal, [1e-6 * x, y * x]).unwrap();
+                    }
+                    contact.wear_volume()
+                };
+                for share in [1e-15, 1e-17, 1e-20] {
+                    close_to(worn(share), worn(0.0), 1e-3, &format!("{profile:?}, {control:?}: V"));
+                }
+            }
+        }
+    }
+}
+
+/// A step that all but lifts the body off is one of few pieces: slip is over before the contact is
+/// small.
+#[test]
+fn a_load_that_falls_to_next_to_nothing_takes_few_walks() {
+    for profile in [BALL, ROUNDED] {
+        let fallen = |load: f64| {
+            let mut contact = started(Parameters { profile: profile.clone(), ..Parameters::default() });
+            to(&mut contact, FORCE, 2e-6);
+            let walks = contact.counters().spring_walks;
+            to(&mut contact, load, -1e-6);
+            (contact.counters().spring_walks - walks, contact.wear_volume())
+        };
+        let (walks, volume) = fallen(0.0);
+        for load in [1e-6, 1e-12] {
+            let near = fallen(load);
+            assert!(near.0 <= 2 * walks, "{profile:?}, {load:e} N: {} walks, {walks} to 0 N", near.0);
+            close_to(near.1, volume, 3e-3, "worn volume");
+        }
+    }
+}
