@@ -7,6 +7,7 @@ use crate::parameters::Parameters;
 use crate::surface::{Contact, FrontMotion, Nodes, Surface};
 use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
 use nalgebra::Vector2;
+use std::f64::consts::PI;
 use std::mem::take;
 
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
@@ -17,6 +18,13 @@ pub(super) const MOST_SCALE: f64 = 1.5;
 /// that goes like X². Of a short life at a tolerance of 1e-6, which takes 3.2 s, half of the value
 /// and twice change V by 2e-4 on the way and 2e-5 at the end; it then takes 4.0 and 2.5 s.
 const LEAST_THINNING: f64 = 0.01;
+
+/// Least width of the cells that an update may find at the contact edge, over ΔV/(π a d), some way
+/// of the edge; half an even cell is always enough. Without, 27 of 840 scenes of fast wear had a
+/// spike of twice the wear depth or more; with 8 seven have, with 16 and with wide cells
+/// throughout six. Those dig a groove in gross slip, of 32 % of the wear depth; 8 and 16 one of
+/// 4 %.
+const WAY_OF_EDGE: f64 = 8.0;
 
 /// Share of all that has worn up to which an update that cannot be solved is deferred. Where
 /// cycles have worn all that they can, the overlap that strokes find is rounding: of 72 such
@@ -291,7 +299,7 @@ impl FrettingContact {
     ) -> Result<bool, Error> {
         let per_work = self.model.constants.wear_per_work;
         let before = self.surface.worn().map_or(0.0, Nodes::worn_volume);
-        let nodes = self.nodes_at_rest(law, radius, way);
+        let nodes = self.nodes_at_rest(law, per_work * work, radius, way);
         let lost = (before - nodes.worn_volume()) / per_work;
         if lost.is_finite() {
             self.defer(lost);
@@ -369,7 +377,7 @@ impl FrettingContact {
 
     /// Nodes at rest for a slip law whose largest contact has a radius (m): fine at its innermost
     /// front, as its way asks for.
-    fn nodes_at_rest(&mut self, law: &[SlipAtDepth], radius: f64, way: FrontMotion) -> Nodes {
+    fn nodes_at_rest(&mut self, law: &[SlipAtDepth], volume: f64, radius: f64, way: FrontMotion) -> Nodes {
         let profile = self.surface.profile();
         let front = law.iter().map(SlipAtDepth::front).fold(f64::INFINITY, f64::min);
         let inner = self.radius_of_front(front, radius);
@@ -395,7 +403,10 @@ impl FrettingContact {
         }
         let Parameters { tolerance, resolution, .. } = *self.model.parameters;
         let share = (wear::THINNING * tolerance).max(LEAST_THINNING / (resolution as f64).powi(2));
-        if let Some(thinned) = left.thinned(share, radius, profile) {
+        // across cells narrower than the way of the contact edge an update overshoots
+        let outer_half = 0.5 * (inner + radius);
+        let narrow = (WAY_OF_EDGE * volume / (PI * radius * deepest)).min(0.5 * radius / resolution as f64);
+        if let Some(thinned) = left.thinned(share, radius, (outer_half, narrow), profile) {
             left = thinned;
         }
         left.adapt(profile, radius, (inner, way));

@@ -137,3 +137,19 @@ fn strokes_in_gross_slip_leave_the_profile_of_whole_cycles() {
         }
     }
 }
+
+/// Strokes of which one wears half a percent of π a² d leave no spike at the contact edge: the
+/// deepest point is as deep as a ring around it.
+#[test]
+fn strokes_that_wear_fast_leave_no_spike_at_the_contact_edge() {
+    let start = exact(&BALL, FORCE);
+    let amplitude = 0.6 * start.full_slip();
+    let mut contact = started(Parameters { wear_coefficient: 1.6, ..Parameters::default() });
+    in_steps(&mut contact, (FORCE, 0.0), (FORCE, amplitude), 20);
+    for _ in 0..3 {
+        in_steps(&mut contact, (FORCE, amplitude), (FORCE, -amplitude), 20);
+        in_steps(&mut contact, (FORCE, -amplitude), (FORCE, amplitude), 20);
+        let probes = contact.probe_radii().into_iter().map(|r| contact.worn_depth_at(r)).fold(0.0, f64::max);
+        close_to(probes, contact.wear_depth(), 0.02, "depth at the probes");
+    }
+}

@@ -212,11 +212,25 @@ impl Nodes {
     /// others meets within `share` of the largest, and whose depth, as long as no cell becomes
     /// wider than an even one; `None` where that would spare less than a fifth of them. What a
     /// front needed where it no longer stands makes an update stiff.
-    pub(crate) fn thinned(&self, share: f64, a: f64, profile: &Profile) -> Option<Self> {
+    ///
+    /// Cells narrower than `least` (m) behind a radius, for all but a body that ends at its last
+    /// node, go as well: an implicit update takes the contact edge for one that stays in its cell
+    /// or goes on to the next, and across many narrow ones it overshoots.
+    pub(crate) fn thinned(
+        &self,
+        share: f64,
+        a: f64,
+        (behind, least): (f64, f64),
+        profile: &Profile,
+    ) -> Option<Self> {
+        let has_rim = self.x[self.last()] >= profile.outer_radius();
+        let narrow = |anchor: usize, end: usize| {
+            !has_rim && self.x[anchor] >= behind && self.x[end] - self.x[anchor] < least
+        };
         let may_be = |anchor: usize, end: usize| {
             self.x[end] - self.x[anchor] <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
         };
-        let kept = thin_unless(&self.x, (&self.worn_image, &self.depth), share, |_, _| false, may_be);
+        let kept = thin_unless(&self.x, (&self.worn_image, &self.depth), share, narrow, may_be);
         if kept.len() * 5 > self.x.len() * 4 {
             return None;
         }
