@@ -19,11 +19,10 @@ pub(super) const MOST_SCALE: f64 = 1.5;
 /// and twice change V by 2e-4 on the way and 2e-5 at the end; it then takes 4.0 and 2.5 s.
 const LEAST_THINNING: f64 = 0.01;
 
-/// Least width of the cells that an update may find at the contact edge, over ΔV/(π a d), some way
-/// of the edge; half an even cell is always enough. Without, 27 of 840 scenes of fast wear had a
-/// spike of twice the wear depth or more; with 8 seven have, with 16 and with wide cells
-/// throughout six. Those dig a groove in gross slip, of 32 % of the wear depth; 8 and 16 one of
-/// 4 %.
+/// Width of the cells of a former mesh, over ΔV/(π a d), some way of the contact edge, that an
+/// update may find there. Without a bound on them 27 of 840 scenes of fast wear had a spike of
+/// twice the wear depth or more, with 8 eight have, and six with wide cells throughout. But those
+/// dig a groove in gross slip, of up to 32 % of the wear depth; with 8 it is 5 %.
 const WAY_OF_EDGE: f64 = 8.0;
 
 /// Share of all that has worn up to which an update that cannot be solved is deferred. Where
@@ -403,10 +402,8 @@ impl FrettingContact {
         }
         let Parameters { tolerance, resolution, .. } = *self.model.parameters;
         let share = (wear::THINNING * tolerance).max(LEAST_THINNING / (resolution as f64).powi(2));
-        // across cells narrower than the way of the contact edge an update overshoots
-        let outer_half = 0.5 * (inner + radius);
-        let narrow = (WAY_OF_EDGE * volume / (PI * radius * deepest)).min(0.5 * radius / resolution as f64);
-        if let Some(thinned) = left.thinned(share, radius, (outer_half, narrow), profile) {
+        let crossed = WAY_OF_EDGE * volume / (PI * radius * deepest);
+        if let Some(thinned) = left.thinned(share, radius, crossed, profile) {
             left = thinned;
         }
         left.adapt(profile, radius, (inner, way));

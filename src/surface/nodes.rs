@@ -33,6 +33,9 @@ pub(crate) struct Nodes {
     resolution: usize,
     /// The moving mesh among the nodes, where one has left its state here.
     mesh: Option<Box<MeshPlace>>,
+    /// Where one has done so before other motion: from which radius on (m) cells narrower than the
+    /// second number (m) are its remains.
+    remains: Option<(f64, f64)>,
 }
 
 /// Integrals up to a node.
@@ -101,7 +104,7 @@ impl Nodes {
         self.integrals.clone_from(&other.integrals);
         self.levelled = other.levelled;
         self.mesh.clone_from(&other.mesh);
-        self.resolution = other.resolution;
+        (self.resolution, self.remains) = (other.resolution, other.remains);
     }
 
     /// Place of the moving mesh whose state the nodes hold.
@@ -113,7 +116,7 @@ impl Nodes {
     pub(crate) fn set_worn(&mut self, worn_image: Vec<f64>, depth: Vec<f64>, profile: &Profile) {
         self.worn_image = worn_image;
         self.depth = depth;
-        self.mesh = None;
+        self.leave_mesh();
         self.update_integrals(profile);
     }
 
@@ -122,7 +125,7 @@ impl Nodes {
     /// between nodes.
     pub(crate) fn without_mesh(&self, depth: Vec<f64>) -> Self {
         let mut nodes = Self { depth: depth.into_iter().map(|w| w.max(0.0)).collect(), ..self.clone() };
-        nodes.mesh = None;
+        nodes.leave_mesh();
         nodes
     }
 
@@ -232,7 +235,7 @@ impl Nodes {
 /// The integrals follow from the rest.
 impl PartialEq for Nodes {
     fn eq(&self, other: &Self) -> bool {
-        let own = (&self.x, &self.worn_image, &self.depth, self.resolution, &self.mesh);
-        own == (&other.x, &other.worn_image, &other.depth, other.resolution, &other.mesh)
+        let own = (&self.x, &self.worn_image, &self.depth, self.resolution, &self.mesh, self.remains);
+        own == (&other.x, &other.worn_image, &other.depth, other.resolution, &other.mesh, other.remains)
     }
 }

@@ -64,6 +64,7 @@ impl Nodes {
             levelled: 0,
             resolution,
             mesh: None,
+            remains: None,
         };
         let flat = profile.flat_radius();
         let start = if front < a { front } else { 0.0 };
@@ -117,7 +118,7 @@ impl Nodes {
     ) -> Self {
         let integrals = vec![Integrals::UNKNOWN; x.len()];
         let mesh = mesh.map(Box::new);
-        Self { x, worn_image, depth, integrals, levelled: 0, resolution, mesh }
+        Self { x, worn_image, depth, integrals, levelled: 0, resolution, mesh, remains: None }
     }
 
     /// Some nodes of more: of their radii, images and depths, m, those that are kept.
@@ -213,20 +214,18 @@ impl Nodes {
     /// wider than an even one; `None` where that would spare less than a fifth of them. What a
     /// front needed where it no longer stands makes an update stiff.
     ///
-    /// Cells narrower than `least` (m) behind a radius, for all but a body that ends at its last
-    /// node, go as well: an implicit update takes the contact edge for one that stays in its cell
-    /// or goes on to the next, and across many narrow ones it overshoots.
-    pub(crate) fn thinned(
-        &self,
-        share: f64,
-        a: f64,
-        (behind, least): (f64, f64),
-        profile: &Profile,
-    ) -> Option<Self> {
+    /// A mesh that has moved with the contact edge leaves narrow cells there, too. In its outer
+    /// half none stays narrower than `crossed` (m), nor than half an even one: an implicit update
+    /// takes the contact edge for one that stays in its cell or goes on to the next, and across
+    /// many narrow ones it overshoots. At a rim the edge does not move, and wide cells would miss
+    /// how steeply it has worn.
+    pub(crate) fn thinned(&self, share: f64, a: f64, crossed: f64, profile: &Profile) -> Option<Self> {
         let has_rim = self.x[self.last()] >= profile.outer_radius();
-        let narrow = |anchor: usize, end: usize| {
-            !has_rim && self.x[anchor] >= behind && self.x[end] - self.x[anchor] < least
-        };
+        let remains = self.remains.or(self.remains_of_mesh()).filter(|_| !has_rim);
+        let (outer_half, least) = remains.unwrap_or((f64::INFINITY, 0.0));
+        let least = least.min(crossed);
+        let narrow =
+            |anchor: usize, end: usize| self.x[anchor] >= outer_half && self.x[end] - self.x[anchor] < least;
         let may_be = |anchor: usize, end: usize| {
             self.x[end] - self.x[anchor] <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
         };
@@ -235,6 +234,22 @@ impl Nodes {
             return None;
         }
         Some(Self::of_kept(&kept, [&self.x, &self.worn_image, &self.depth], self.resolution, profile))
+    }
+
+    /// The mesh does not carry the surface any more.
+    pub(super) fn leave_mesh(&mut self) {
+        self.remains = self.remains_of_mesh().or(self.remains);
+        self.mesh = None;
+    }
+
+    /// Middle of the mesh and the width that its cells outside that need not go below on a surface
+    /// at rest: an even one of its own, or half an even one of the contact unless that would leave
+    /// less than sixteen.
+    fn remains_of_mesh(&self) -> Option<(f64, f64)> {
+        let mesh = self.mesh()?;
+        let (inner, edge) = (self.x[mesh.first], self.x[mesh.first + mesh.cells]);
+        let (span, even) = (edge - inner, edge / self.resolution as f64);
+        Some((0.5 * (inner + edge), (span / mesh.cells as f64).max((0.5 * even).min(span / 16.0))))
     }
 
     /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each,
@@ -309,7 +324,7 @@ impl Nodes {
         if x <= self.x[j] {
             return;
         }
-        self.mesh = None;
+        self.leave_mesh();
         let h = self.worn_image_at(profile, x);
         let depth = if self.depth.iter().all(|w| *w == 0.0) { 0.0 } else { self.depth_at(x) };
         self.x.insert(j + 1, x);
