@@ -1,6 +1,6 @@
 //! Where nodes are: around a contact, from a moving mesh, joined, refined and thinned.
 
-use super::thinning::thin_unless;
+use super::thinning::{both_met_by_lines, thinned_while};
 use super::{Integrals, MeshPlace, Nodes};
 use crate::profile::Profile;
 use crate::transform;
@@ -215,21 +215,22 @@ impl Nodes {
     /// front needed where it no longer stands makes an update stiff.
     ///
     /// A mesh that has moved with the contact edge leaves narrow cells there, too. In its outer
-    /// half none stays narrower than `crossed` (m), nor than half an even one: an implicit update
-    /// takes the contact edge for one that stays in its cell or goes on to the next, and across
-    /// many narrow ones it overshoots. At a rim the edge does not move, and wide cells would miss
-    /// how steeply it has worn.
+    /// half those go that are narrower than `crossed` (m) and than half an even one: an implicit
+    /// update takes the contact edge for one that stays in its cell or goes on to the next, and
+    /// across many narrow ones it overshoots. At a rim the edge does not move, and wide cells would
+    /// miss how steeply it has worn.
     pub(crate) fn thinned(&self, share: f64, a: f64, crossed: f64, profile: &Profile) -> Option<Self> {
         let has_rim = self.x[self.last()] >= profile.outer_radius();
         let remains = self.remains.or(self.remains_of_mesh()).filter(|_| !has_rim);
         let (outer_half, least) = remains.unwrap_or((f64::INFINITY, 0.0));
         let least = least.min(crossed);
-        let narrow =
-            |anchor: usize, end: usize| self.x[anchor] >= outer_half && self.x[end] - self.x[anchor] < least;
-        let may_be = |anchor: usize, end: usize| {
-            self.x[end] - self.x[anchor] <= 0.75 * self.x[anchor].max(a) / self.resolution as f64
-        };
-        let kept = thin_unless(&self.x, (&self.worn_image, &self.depth), share, narrow, may_be);
+        let width = |anchor: usize, end: usize| self.x[end] - self.x[anchor];
+        let meets = both_met_by_lines(&self.x, &self.worn_image, &self.depth, share);
+        let kept = thinned_while(&self.x, &self.worn_image, |anchor, end| {
+            let is_narrow = self.x[anchor] >= outer_half && width(anchor, end) < least;
+            let widest = 0.75 * self.x[anchor].max(a) / self.resolution as f64;
+            is_narrow || (width(anchor, end + 1) <= widest && meets(anchor, end + 1))
+        });
         if kept.len() * 5 > self.x.len() * 4 {
             return None;
         }

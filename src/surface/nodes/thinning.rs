@@ -18,37 +18,43 @@ pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64) -> Vec<usize> {
         let close = spread * (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
         x[end] - x[anchor] < close
     };
-    thin_unless(x, (image, image), share, crowded, |_, _| true)
+    let meets = met_by_lines(x, image, share);
+    thinned_while(x, image, |anchor, end| crowded(anchor, end) || meets(anchor, end + 1))
 }
 
-/// The same of image and depth, but where a cell is `near`, and never where it may not be. An image
-/// that is flat behind a front has a depth that is not.
-pub(super) fn thin_unless(
+/// Indices of nodes without those that may be left out of the cell that begins at a kept one: asked
+/// for both, the kept one first.
+pub(super) fn thinned_while(
     x: &[f64],
-    (image, depth): (&[f64], &[f64]),
-    share: f64,
-    near: impl Fn(usize, usize) -> bool,
-    may_be: impl Fn(usize, usize) -> bool,
+    image: &[f64],
+    may_be_left_out: impl Fn(usize, usize) -> bool,
 ) -> Vec<usize> {
-    let (image_meets, depth_meets) =
-        (met_by_lines(x, image, share), met_by_lines(x, depth, OF_DEPTH * share));
-    let meets = |anchor: usize, end: usize| image_meets(anchor, end) && depth_meets(anchor, end);
     let mut kept = vec![0];
     let (mut anchor, last) = (0, x.len() - 1);
     while anchor < last {
         let mut end = anchor + 1;
         // what has not worn at all stays so up to its last node
         let ends_unworn = |end: usize| image[anchor] == 0.0 && image[end] == 0.0 && image[end + 1] != 0.0;
-        while end < last
-            && !ends_unworn(end)
-            && (near(anchor, end) || (may_be(anchor, end + 1) && meets(anchor, end + 1)))
-        {
+        while end < last && !ends_unworn(end) && may_be_left_out(anchor, end) {
             end += 1;
         }
         kept.push(end);
         anchor = end;
     }
     kept
+}
+
+/// Whether lines (in x²) between two nodes meet both image and depth at all between them, the image
+/// within a share of its largest value. An image that is flat behind a front has a depth that is
+/// not.
+pub(super) fn both_met_by_lines(
+    x: &[f64],
+    image: &[f64],
+    depth: &[f64],
+    share: f64,
+) -> impl Fn(usize, usize) -> bool {
+    let (image, depth) = (met_by_lines(x, image, share), met_by_lines(x, depth, OF_DEPTH * share));
+    move |anchor, end| image(anchor, end) && depth(anchor, end)
 }
 
 /// Whether the line (in x²) between two nodes meets a field at all between them within a share of
@@ -74,8 +80,8 @@ mod tests {
     fn thinning_leaves_what_has_not_worn_at_all_unworn() {
         let x = [0.0, 0.2, 0.4, 0.5, 0.50001, 0.6, 0.7];
         let image = [0.0, 0.0, 0.0, 0.0, 1e-9, 0.5, 1.0];
-        let fields = (&image[..], &[0.0; 7][..]);
-        assert_eq!(thin_unless(&x, fields, 0.01, |_, _| false, |_, _| true)[..2], [0, 3]);
+        let meets = both_met_by_lines(&x, &image, &[0.0; 7], 0.01);
+        assert_eq!(thinned_while(&x, &image, |anchor, end| meets(anchor, end + 1))[..2], [0, 3]);
         assert_eq!(kept_nodes(&x, &image, 0.01)[..2], [0, 3]);
     }
 
@@ -85,8 +91,11 @@ mod tests {
         let x: Vec<f64> = (0..=40).map(|i| f64::from(i) / 40.0).collect();
         let depth: Vec<f64> = x.iter().map(|x| (x * x - 0.25_f64).max(0.0).sqrt()).collect();
         let image = vec![1.0; 41];
-        let alone = thin_unless(&x, (&image, &image), 0.01, |_, _| false, |_, _| true);
-        let both = thin_unless(&x, (&image, &depth), 0.01 / OF_DEPTH, |_, _| false, |_, _| true);
+        let thinned = |depth: &[f64], share: f64| {
+            let meets = both_met_by_lines(&x, &image, depth, share);
+            thinned_while(&x, &image, |anchor, end| meets(anchor, end + 1))
+        };
+        let (alone, both) = (thinned(&image, 0.01), thinned(&depth, 0.01 / OF_DEPTH));
         assert_eq!(alone, [0, 40]);
         let meets = |pair: &[usize]| met_by_lines(&x, &depth, 0.01)(pair[0], pair[1]);
         assert!(both.len() > 4 && both.windows(2).all(meets), "{both:?}");
