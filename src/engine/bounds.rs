@@ -81,10 +81,15 @@ impl FrettingContact {
         Err(Error::WearOutrun { displacement: self.state.displacement, from: start })
     }
 
-    /// Whether the wear of work (J) may be deferred as well.
-    pub(super) fn may_defer(&self, work: f64) -> bool {
-        let more = self.model.constants.wear_per_work * work;
-        self.deferred_volume() + more <= self.most_deferred(&self.state.contact)
+    /// Defers the wear of work (J) where that is less than a share of what need not show on the
+    /// profile; says whether it is.
+    pub(super) fn defer_if_little(&mut self, work: f64, share: f64) -> bool {
+        let volume = self.model.constants.wear_per_work * (work / share);
+        let is_little = self.deferred_volume() + volume <= self.most_deferred(&self.state.contact);
+        if is_little {
+            self.defer(work);
+        }
+        is_little
     }
 
     /// Volume whose wear is deferred to a later update, m³.

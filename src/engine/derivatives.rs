@@ -122,14 +122,15 @@ impl FrettingContact {
         self.tangent().running_in(self.bound_growth())
     }
 
-    /// ∂(ln b)/∂d and ∂(ln b)/∂**U** of the friction bounds b while friction runs in, 1/m.
-    pub(super) fn bound_gradient(&self) -> (f64, Vector2<f64>) {
-        let growth = self.bound_growth();
+    /// ∂b/∂d and ∂b/∂**U** of the friction bound b = m (d − g) at a radius, m.
+    pub(super) fn bound_gradient(&self, x: f64) -> (f64, Vector2<f64>) {
+        let (slope, growth) = (self.model.bound_slope, self.bound_growth());
         if growth == 0.0 {
-            return Default::default();
+            return (slope, Vector2::zeros());
         }
         let tangent = self.tangent_running_in();
-        (growth * tangent.work_by_depth, growth * tangent.work)
+        let bound = growth * slope * (self.state.contact.depth - self.surface.image(x));
+        (slope + bound * tangent.work_by_depth, bound * tangent.work)
     }
 
     /// ∂d/∂(prescribed normal quantity) of a closed contact.
@@ -263,11 +264,9 @@ impl FrettingContact {
         let per_bound = 1.0
             / (self.surface.image_slope(stick * (1.0 - ASIDE))
                 * (self.model.bound_slope - side * origin_slope));
-        let bound = self.model.bound_slope * (self.state.contact.depth - self.surface.image(stick));
-        let (by_depth, by_place) = self.bound_gradient();
-        let by_depth = (self.model.bound_slope + bound * by_depth) * per_bound;
-        let by_displacement = (bound * by_place.x - side) * per_bound;
-        self.gradient_on_line(by_depth, by_displacement).times(self.model.axes.size)
+        let (by_depth, by_place) = self.bound_gradient(stick);
+        self.gradient_on_line(by_depth * per_bound, (by_place.x - side) * per_bound)
+            .times(self.model.axes.size)
     }
 
     /// Of [`Self::tangential_stiffness`].

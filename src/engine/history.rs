@@ -202,10 +202,8 @@ impl FrettingContact {
         let volume = self.model.constants.wear_per_work * work;
         let mut ratio = self.exceeds_limit(volume, &to, inner);
         if ratio.is_some_and(|ratio| ratio > f64::from(MOST_PIECES)) {
-            ratio = self.exceeds_limit(volume, &self.larger_contact(&to), inner);
             if self.exceeds_wear_capacity(work, &to) {
-                if self.may_defer(work) {
-                    self.defer(work);
+                if self.defer_if_little(work, 1.0) {
                     self.arrive(to, displacement, springs, work);
                     return Ok(());
                 }
@@ -213,6 +211,7 @@ impl FrettingContact {
                     return Err(Error::WearOutrun { from: self.state.displacement, displacement });
                 }
             }
+            ratio = self.exceeds_limit(volume, &self.larger_contact(&to), inner);
         }
         if let Some(ratio) = ratio.filter(|_| splits > 0) {
             let pieces = ratio.ceil().min(f64::from(MOST_PIECES)) as u32;

@@ -186,12 +186,11 @@ impl FrettingContact {
         if self.state.wear.is_some() && end.work > 0.0 {
             let volume = self.model.constants.wear_per_work * end.work;
             if self.exceeds_wear_capacity(end.work, &end.to) {
-                if !self.may_defer(end.work) {
-                    return Err(Error::WearOutrun { from: self.state.displacement, displacement: place.x });
+                if self.defer_if_little(end.work, 1.0) {
+                    self.arrive_in_plane(end, place);
+                    return Ok(());
                 }
-                self.defer(end.work);
-                self.arrive_in_plane(end, place);
-                return Ok(());
+                return Err(Error::WearOutrun { from: self.state.displacement, displacement: place.x });
             }
             let larger = self.larger_contact(&end.to);
             let far = self.exceeds_limit(volume, &larger, self.model.widest_stick(&larger)).is_some();

@@ -134,9 +134,8 @@ impl FrettingContact {
     /// on the profile: of a slip zone that is free except for a wall at its front, which no update
     /// follows.
     fn defer_little(&mut self, work: f64, share: f64) -> bool {
-        let is_little = self.may_defer(work / share);
+        let is_little = self.defer_if_little(work, share);
         if is_little {
-            self.defer(work);
             self.add_work(work);
         }
         is_little

@@ -26,10 +26,8 @@ impl FrettingContact {
         };
         let stick = standing.stick_radius();
         let per_room = 1.0 / (fall * self.surface.image_slope(stick * (1.0 - ASIDE)));
-        let bound = self.model.bound_slope * (self.state.contact.depth - self.surface.image(stick));
-        let (by_depth, by_place) = self.bound_gradient();
-        let by_depth = -(self.model.bound_slope + bound * by_depth) * per_room;
-        let gradient = self.gradient(by_depth, (pull - bound * by_place) * per_room);
+        let (by_depth, by_place) = self.bound_gradient(stick);
+        let gradient = self.gradient(-by_depth * per_room, (pull - by_place) * per_room);
         Some(gradient.times(self.model.axes.size))
     }
 
