@@ -19,12 +19,6 @@ pub(super) const MOST_SCALE: f64 = 1.5;
 /// and twice change V by 2e-4 on the way and 2e-5 at the end; it then takes 4.0 and 2.5 s.
 const LEAST_THINNING: f64 = 0.01;
 
-/// Width of the cells of a former mesh, over ΔV/(π a d), some way of the contact edge, that an
-/// update may find there. Without a bound on them 27 of 840 scenes of fast wear had a spike of
-/// twice the wear depth or more, with 8 eight have, and six with wide cells throughout. But those
-/// dig a groove in gross slip, of up to 32 % of the wear depth; with 8 it is 5 %.
-const WAY_OF_EDGE: f64 = 8.0;
-
 /// Share of all that has worn up to which an update that cannot be solved is deferred. Where
 /// cycles have worn all that they can, the overlap that strokes find is rounding: of 72 such
 /// scenes 11 were refused.
@@ -374,8 +368,8 @@ impl FrettingContact {
         }
     }
 
-    /// Nodes at rest for a slip law whose largest contact has a radius (m): fine at its innermost
-    /// front, as its way asks for.
+    /// Nodes at rest for a slip law that wears a volume (m³) and whose largest contact has a radius
+    /// (m): fine at its innermost front, as its way asks for.
     fn nodes_at_rest(&mut self, law: &[SlipAtDepth], volume: f64, radius: f64, way: FrontMotion) -> Nodes {
         let profile = self.surface.profile();
         let front = law.iter().map(SlipAtDepth::front).fold(f64::INFINITY, f64::min);
@@ -402,7 +396,7 @@ impl FrettingContact {
         }
         let Parameters { tolerance, resolution, .. } = *self.model.parameters;
         let share = (wear::THINNING * tolerance).max(LEAST_THINNING / (resolution as f64).powi(2));
-        let crossed = WAY_OF_EDGE * volume / (PI * radius * deepest);
+        let crossed = self.model.tuning.way_of_edge * volume / (PI * radius * deepest);
         if let Some(thinned) = left.thinned(share, radius, crossed, profile) {
             left = thinned;
         }

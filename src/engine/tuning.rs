@@ -31,6 +31,9 @@ pub(super) struct Tuning {
     /// How far a body behind a rig may be from the chord halfway, over the displacement of full
     /// slip.
     pub(super) bent: f64,
+    /// Width of the cells of a former mesh, over ΔV/(π a d), some way of the contact edge, that an
+    /// update may find there.
+    pub(super) way_of_edge: f64,
     /// Samples of a row in the plane for each cell of the resolution, across the contact.
     pub(super) samples_per_cell: usize,
 }
@@ -45,6 +48,7 @@ pub(super) const USUAL: Tuning = Tuning {
     root_share: 0.15,
     drift: 0.02,
     bent: 3e-4,
+    way_of_edge: 8.0,
     samples_per_cell: 2,
 };
 

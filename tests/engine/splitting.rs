@@ -112,7 +112,7 @@ fn an_update_of_many_strokes_corrects_the_work_by_little() {
 fn strokes_in_gross_slip_leave_the_profile_of_whole_cycles() {
     let power_law = Profile::PowerLaw { exponent: 4.0, coefficient: 1e9 };
     for (profile, amplitude, steps) in [(BALL, 1.3, 20), (power_law.clone(), 1.3, 3), (power_law, 3.0, 1)] {
-        for tolerance in [1e-3, 1e-4] {
+        for (tolerance, most) in [(1e-3, 0.06), (1e-4, 0.02)] {
             let start = exact(&profile, FORCE);
             let (a, d) = (start.normal.radius(), start.normal.depth());
             let amplitude = amplitude * start.full_slip();
@@ -132,7 +132,7 @@ fn strokes_in_gross_slip_leave_the_profile_of_whole_cycles() {
             let off = |i: u32| (stepped.worn_depth_at(radius(i)) - whole.worn_depth_at(radius(i))).abs();
             let off = (0..100).map(off).fold(0.0, f64::max) / whole.wear_depth();
             println!("{profile:?}, {steps} steps, {tolerance:e}: profile {off:.1e}");
-            assert!(off < 0.06, "{profile:?}, {steps} steps, {tolerance:e}: the profile differs by {off:e}");
+            assert!(off < most, "{profile:?}, {steps} steps, {tolerance:e}: the profile differs by {off:e}");
             close_to(stepped.wear_volume(), whole.wear_volume(), 3e-3, "worn volume");
         }
     }

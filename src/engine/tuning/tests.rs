@@ -52,6 +52,11 @@ fn cycles(contact: &mut FrettingContact) {
     (1..=400).for_each(|k| contact.advance_to(100.0, 1.8e-6 * sine(f64::from(k) / 20.0)).unwrap());
 }
 
+/// At constant load; the profile goes to and fro between the moving mesh and nodes at rest.
+fn gross_slip(contact: &mut FrettingContact) {
+    (1..=400).for_each(|k| contact.advance_to(100.0, 3.3e-6 * sine(f64::from(k) / 40.0)).unwrap());
+}
+
 fn orbit(contact: &mut FrettingContact) {
     for k in 1..=300 {
         let cycles = f64::from(k) / 30.0;
@@ -82,6 +87,7 @@ fn scenes() -> Vec<(&'static str, Way, Parameters)> {
         ("random strokes and loads", random_strokes_and_loads, base()),
         ("random strokes", random_strokes, base()),
         ("cycles", cycles, wears_fast),
+        ("gross slip", gross_slip, base()),
         ("no wear", random_strokes_and_loads, Parameters { wear_coefficient: 0.0, ..base() }),
         ("friction runs in", random_strokes, runs_in),
         ("orbit", orbit, base()),
@@ -106,7 +112,7 @@ fn work(way: Way, parameters: &Parameters, tuning: Tuning) -> f64 {
 #[test]
 fn results_hold_where_a_value_is_halved_or_doubled() {
     type Set = fn(&mut Tuning, f64);
-    let values: [(&str, Set); 8] = [
+    let values: [(&str, Set); 9] = [
         ("stroke", |tuning, by| tuning.stroke *= by),
         ("least_width", |tuning, by| tuning.least_width *= by),
         ("placed_with", |tuning, by| tuning.placed_with *= by),
@@ -114,11 +120,12 @@ fn results_hold_where_a_value_is_halved_or_doubled() {
         ("root_share", |tuning, by| tuning.root_share *= by),
         ("drift", |tuning, by| tuning.drift *= by),
         ("bent", |tuning, by| tuning.bent *= by),
+        ("way_of_edge", |tuning, by| tuning.way_of_edge *= by),
         ("samples_per_cell", |tuning, by| {
             tuning.samples_per_cell = (tuning.samples_per_cell as f64 * by) as usize;
         }),
     ];
-    let mut used = [false; 8];
+    let mut used = [false; 9];
     for (scene, way, parameters) in scenes() {
         let usual = work(way, &parameters, USUAL);
         for (used, (name, set)) in used.iter_mut().zip(values) {
