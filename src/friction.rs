@@ -17,13 +17,16 @@
 //! without changing the result.
 
 mod interval;
+mod path;
 mod planar;
+mod row;
 mod slide;
 mod slip;
 mod walk;
 
-pub(crate) use planar::{PlanarKnot, PlanarPath, PlanarRow, Resting, Samples, Standing, Tangent};
-pub(crate) use walk::Path;
+pub(crate) use path::Path;
+pub(crate) use planar::{PlanarRow, Resting, Samples, Standing, Tangent};
+pub(crate) use row::Row;
 
 use crate::surface::{Contact, Place, Surface};
 use interval::Interval;

@@ -15,6 +15,8 @@
 use crate::error::Error;
 use std::ops::RangeInclusive;
 
+/// Name of the displacement along y in messages.
+pub(crate) const Y: &str = "tangential_displacement_y";
 /// Lengths of a body, m.
 pub(crate) const LENGTH: RangeInclusive<f64> = 1e-30..=1e30;
 /// Moduli and hardness, Pa.

@@ -2,13 +2,13 @@
 
 use super::FrettingContact;
 use crate::error::Error;
-use crate::friction::{SlipPiece, Springs};
+use crate::friction::{Resting, Row, SlipPiece};
 use crate::parameters::Parameters;
 use crate::surface::{Contact, FrontMotion, Nodes, Surface};
 use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
-use std::mem::take;
+use std::mem::{replace, take};
 
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
 pub(super) const MOST_SCALE: f64 = 1.5;
@@ -45,12 +45,13 @@ impl FrettingContact {
         }
     }
 
-    /// Adds the slip of a line to another contact to the backlog. The body moves in a direction, 0
-    /// where it stays.
-    pub(super) fn gather(&mut self, work: f64, to: &Contact, direction: Vector2<f64>) {
+    /// Adds the slip of a line to another contact to the backlog. The body has moved by some way,
+    /// m.
+    pub(super) fn gather(&mut self, work: f64, to: &Contact, moved: Vector2<f64>) {
+        let direction = moved.try_normalize(0.0).unwrap_or_default();
         let (modulus, bound_slope, tip) =
             (2.0 * self.model.constants.tangential_modulus, self.model.bound_slope, self.surface.tip());
-        let (from, in_plane) = (self.state.contact, self.state.planar.is_some());
+        let (from, in_plane) = (self.state.contact, self.state.row.is_plane());
         let Some(wear) = &mut self.state.wear else { return };
         if work > 0.0 && direction != Vector2::zeros() {
             if wear.backlog.is_empty() {
@@ -71,19 +72,18 @@ impl FrettingContact {
         self.memory.get().slips.clear();
     }
 
-    /// Whether the profile has to follow before the body goes on in a direction, 0 where it stays.
-    /// That is asked before a motion, not after it: so T at the end of a step does not jump where a
-    /// master tries another end.
-    pub(super) fn update_is_due(&self, direction: f64) -> bool {
+    /// Whether the profile has to follow before the body goes on to a place. That is asked before a
+    /// motion, not after it: so T at the end of a step does not jump where a master tries another
+    /// end.
+    pub(super) fn update_is_due(&self, place: Vector2<f64>) -> bool {
         let Some(wear) = &self.state.wear else { return false };
         let volume = self.model.constants.wear_per_work * wear.backlog.work;
         if wear.limit == 0.0 || volume <= wear.limit {
             return false;
         }
         // at constant load an update can wait for the reversal, which leaves strokes whole
-        let turns = direction != 0.0 && direction != self.state.direction;
-        turns
-            || self.state.planar.is_some()
+        self.turns(place)
+            || self.state.row.is_plane()
             || volume > self.model.tuning.stroke * wear.limit
             || !wear.backlog.is_at(self.state.contact.depth)
             || self.stick_radius() == 0.0
@@ -127,14 +127,10 @@ impl FrettingContact {
         self.view.forget();
         let law = backlog.law();
         let old = self.surface.clone();
-        let at_one_load = self.state.planar.is_none()
+        let at_one_load = !self.state.row.is_plane()
             && !self.state.contact.is_open()
             && backlog.is_at(self.state.contact.depth);
-        let mut zone = self.state.springs.slip_zone(
-            &self.state.contact,
-            self.model.bound_slope,
-            self.state.displacement,
-        );
+        let mut zone = self.slip_zone();
         let only = law.first().filter(|_| at_one_load && law.len() == 1);
         // a stroke about another place than that where the springs are relaxed may bring the core
         // to its bound, too: it has not slipped
@@ -152,12 +148,12 @@ impl FrettingContact {
             }
             if let (Sliding::Cycles(amplitude), Some(drive)) = (motion.sliding, drive) {
                 let own = self.own_amplitude(drive);
-                self.state.displacement += self.state.direction * (own - amplitude);
+                self.state.place.x += self.state.direction.x * (own - amplitude);
                 self.rest_at_reversal(own, zone.0);
             }
             self.expect(Some(motion));
         } else {
-            let way = if self.state.planar.is_some() { FrontMotion::Creeps } else { FrontMotion::Returns };
+            let way = if self.state.row.is_plane() { FrontMotion::Creeps } else { FrontMotion::Returns };
             if !self.absorb_law((&law, way), backlog.work, backlog.radius)? {
                 self.defer_law(backlog.work);
             }
@@ -326,10 +322,7 @@ impl FrettingContact {
                 self.defer_law(work);
                 return Ok(true);
             }
-            return Err(Error::WearOutrun {
-                from: self.state.displacement,
-                displacement: self.state.displacement,
-            });
+            return Err(Error::WearOutrun { from: self.state.place.x, displacement: self.state.place.x });
         }
         // the pressure at a sharp rim is infinite under every depth of the law, and the update has
         // relieved that under the present one alone
@@ -406,12 +399,15 @@ impl FrettingContact {
 
     /// Contact and springs on a surface that has worn at the present load and displacement, where
     /// the springs of a zone (its inner radius and side) slipped: in truth they have followed their
-    /// bound, up or down, all the time. Others keep their place.
+    /// bound, up or down, all the time. Others keep their place. Returns the energy that the
+    /// springs have lost, J.
     fn rest_on_worn(&mut self, old: &Surface, zone: (f64, f64)) -> Result<f64, Error> {
         let to = self.contact_at(self.state.contact.control)?;
         let stored = self.stored_energy();
-        let moved = self.state.springs.moved_to(old, &self.surface);
-        self.rest_in(to, moved, zone);
+        if let Row::Line(springs) = &self.state.row {
+            self.state.row = Row::Line(springs.moved_to(old, &self.surface));
+        }
+        self.rest_in(to, zone);
         let limit = self.update_limit();
         if let Some(wear) = &mut self.state.wear {
             wear.limit = limit;
@@ -426,31 +422,34 @@ impl FrettingContact {
     /// Those of the normal contact.
     pub(super) fn sink_to(&mut self, depth: f64) -> Result<(), Error> {
         let to = self.contact_at(depth)?;
-        let zone = self.state.springs.slip_zone(
-            &self.state.contact,
-            self.model.bound_slope,
-            self.state.displacement,
-        );
-        let springs = take(&mut self.state.springs);
-        self.rest_in(to, springs, zone);
+        let zone = self.slip_zone();
+        self.rest_in(to, zone);
         Ok(())
     }
 
-    /// A row of springs in another contact at the present displacement, where those of a zone have
-    /// followed their bound.
-    fn rest_in(&mut self, to: Contact, from: Springs, zone: (f64, f64)) {
-        if self.state.planar.is_some() {
-            return self.rest_in_plane(to);
-        }
-        let (slope, displacement) = (self.model.bound_slope, self.state.displacement);
-        let spare = take(&mut self.memory.get().springs);
-        let (mut springs, _) = from.walk(&self.path_to(to, displacement), spare, None);
-        if zone.1 != 0.0 && !to.is_open() {
-            springs.follow_bound(zone, &to, slope, displacement);
-        }
-        springs.simplify(&to, slope);
-        self.memory.get().springs = from;
-        (self.state.springs, self.state.contact) = (springs, to);
-        self.state.reach = self.state.reach.max(to.radius);
+    /// The springs in another contact at the present displacement, where those of a zone have
+    /// followed their bound; in the plane all that slipped have.
+    fn rest_in(&mut self, to: Contact, zone: (f64, f64)) {
+        let (slope, place) = (self.model.bound_slope, self.state.place);
+        let spare = take(&mut self.memory.get().row);
+        let row = match &self.state.row {
+            Row::Plane(row) => Row::Plane(Box::new(row.rested(&Resting {
+                surface: &self.surface,
+                contacts: (&self.state.contact, &to),
+                bound_slope: slope,
+                displacement: place,
+                samples: self.model.samples(),
+            }))),
+            Row::Line(springs) => {
+                let (mut springs, _) = springs.walk(&self.path_to(to, place), spare.into_line(), None);
+                if zone.1 != 0.0 && !to.is_open() {
+                    springs.follow_bound(zone, &to, slope, place.x);
+                }
+                springs.simplify(&to, slope);
+                Row::Line(springs)
+            }
+        };
+        self.memory.get().row = replace(&mut self.state.row, row);
+        self.take_contact(to);
     }
 }

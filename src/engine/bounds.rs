@@ -37,8 +37,8 @@ impl FrettingContact {
         change: impl FnOnce(&mut Self) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let (work, start, updates) =
-            (self.state.work, self.state.displacement, self.state.counters.profile_updates);
-        let start_y = self.state.displacement_y;
+            (self.state.work, self.state.place.x, self.state.counters.profile_updates);
+        let start_y = self.state.place.y;
         let stored = self.stored_energy();
         let gathered = self.state.wear.as_ref().map_or(0.0, |wear| wear.backlog.work);
         let (force, before, deferred) = (self.normal_reaction(), self.state.contact, self.deferred_volume());
@@ -48,7 +48,7 @@ impl FrettingContact {
             return Ok(());
         }
         let force = force.max(self.normal_reaction());
-        let moved = (self.state.displacement - start).hypot(self.state.displacement_y - start_y);
+        let moved = (self.state.place.x - start).hypot(self.state.place.y - start_y);
         let driven = self.model.constants.friction_coefficient * force * moved;
         let taken = self.state.work - work;
         let per_work = self.model.constants.wear_per_work;
@@ -62,7 +62,7 @@ impl FrettingContact {
         if bounded && placed {
             return Ok(());
         }
-        Err(Error::WearOutrun { displacement: self.state.displacement, from: start })
+        Err(Error::WearOutrun { displacement: self.state.place.x, from: start })
     }
 
     /// Runs a change after which nearly all that has worn has to show on the profile.
@@ -73,12 +73,12 @@ impl FrettingContact {
         &mut self,
         change: impl FnOnce(&mut Self) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let (start, before, deferred) = (self.state.displacement, self.state.contact, self.deferred_volume());
+        let (start, before, deferred) = (self.state.place.x, self.state.contact, self.deferred_volume());
         change(self)?;
         if self.is_placed((&before, deferred)) {
             return Ok(());
         }
-        Err(Error::WearOutrun { displacement: self.state.displacement, from: start })
+        Err(Error::WearOutrun { displacement: self.state.place.x, from: start })
     }
 
     /// Defers the wear of work (J) where that is less than a share of what need not show on the

@@ -1,13 +1,13 @@
 //! How a contact comes into being, and where it starts.
 
 use super::model::Model;
-use super::planar::Y;
 use super::{Counters, FrettingContact};
 use crate::error::Error;
-use crate::friction::Springs;
+use crate::friction::Row;
 use crate::parameters::Parameters;
 use crate::range;
 use crate::surface::{Contact, Surface};
+use nalgebra::Vector2;
 use std::sync::Arc;
 
 /// Construction and start.
@@ -39,7 +39,7 @@ impl FrettingContact {
     /// # Errors
     /// As [`Self::advance_to`].
     pub fn start_at(&mut self, normal: f64, displacement: f64) -> Result<(), Error> {
-        self.start_at_planar(normal, [displacement, self.state.displacement_y])
+        self.start_at_planar(normal, [displacement, self.state.place.y])
     }
 
     /// [`Self::start_at`] with a place along x and y, m.
@@ -47,22 +47,21 @@ impl FrettingContact {
     /// # Errors
     /// As [`Self::advance_to_planar`].
     pub fn start_at_planar(&mut self, normal: f64, [displacement, y]: [f64; 2]) -> Result<(), Error> {
-        range::input(Y, y)?;
+        range::input(range::Y, y)?;
         let (value, _) = self.checked(normal, displacement)?;
         let contact =
             self.surface.contact(self.model.parameters.normal_control, value, self.force_scale())?;
         self.transaction(|this| {
             this.absorb_backlog()?;
-            (this.state.displacement, this.state.displacement_y) = (displacement, y);
-            this.state.direction = 0.0;
+            this.state.place = Vector2::new(displacement, y);
+            this.state.direction = Vector2::zeros();
             if this.state.work == 0.0 {
                 this.state.reach = 0.0;
             }
-            this.state.springs = Springs::default();
-            this.state.planar = None;
+            this.state.row = Row::default();
             this.state.contact =
                 Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
-            this.walk(contact.control, displacement, 1)
+            this.walk(contact.control, this.state.place, 1)
         })
     }
 }

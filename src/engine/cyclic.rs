@@ -7,10 +7,11 @@
 
 use super::FrettingContact;
 use crate::error::Error;
-use crate::friction::{Path, Springs};
+use crate::friction::{Path, Row, Springs};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
 use crate::wear::{Amount, IntegrationSettings, Motion, Rig, Sliding, integrate};
+use nalgebra::Vector2;
 
 /// Many cycles in one call.
 impl FrettingContact {
@@ -55,7 +56,9 @@ impl FrettingContact {
 
     pub(super) fn run_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         self.absorb_backlog()?;
-        self.state.planar = None;
+        if self.state.row.is_plane() {
+            self.state.row = Row::default();
+        }
         self.state.contact = self.contact_at(value)?;
         self.state.reach = self.state.reach.max(self.state.contact.radius);
         let amplitude = if self.state.wear.is_none() {
@@ -63,15 +66,15 @@ impl FrettingContact {
             let contact = self.state.contact;
             let (springs, work) = self.quarter(&contact, own);
             self.state.work += 4.0 * cycles * work;
-            self.state.springs = springs;
+            self.state.row = Row::Line(springs);
             own
         } else {
             self.wear_cycles(value, amplitude, cycles)?
         };
         let Contact { depth, radius, load, .. } = self.state.contact;
         range::contact(radius, depth, load, self.normal_reaction())?;
-        self.state.displacement = amplitude;
-        self.state.direction = 1.0;
+        self.state.place.x = amplitude;
+        self.state.direction = Vector2::new(1.0, 0.0);
         self.begin_quarter();
         Ok(())
     }
@@ -86,13 +89,17 @@ impl FrettingContact {
             start_slope: self.model.bound_slope,
             from: Contact { control: self.touch_control(), radius: 0.0, ..*contact },
             to: *contact,
-            start: 0.0,
-            end: 0.0,
-            sampling: 1.0 / self.model.parameters.resolution as f64,
+            stiffness_ratio: 1.0,
+            start: Vector2::zeros(),
+            end: Vector2::zeros(),
+            samples: self.model.samples(),
         };
         let (rest, _) = Springs::default().walk(&path, Springs::default(), None);
-        let (springs, half_work) =
-            rest.walk(&Path { from: *contact, end: amplitude, ..path }, Springs::default(), None);
+        let (springs, half_work) = rest.walk(
+            &Path { from: *contact, end: Vector2::new(amplitude, 0.0), ..path },
+            Springs::default(),
+            None,
+        );
         self.state.counters.spring_walks += 2;
         (springs, 2.0 * self.model.constants.tangential_modulus * half_work)
     }
@@ -106,7 +113,8 @@ impl FrettingContact {
             self.wear_driven_cycles(value, amplitude, cycles)?
         };
         let contact = self.state.contact;
-        (self.state.springs, _) = self.quarter(&contact, own);
+        let (springs, _) = self.quarter(&contact, own);
+        self.state.row = Row::Line(springs);
         self.state.reach = self.state.reach.max(self.state.contact.radius);
         Ok(own)
     }

@@ -103,7 +103,7 @@ impl FrettingContact {
     pub(super) fn tangent(&self) -> Tangent {
         let row = 2.0 * self.model.constants.tangential_modulus;
         if let Some(standing) = self.standing() {
-            return standing.tangent(self.direction_in_plane()).scaled(row);
+            return standing.tangent(self.state.direction).scaled(row);
         }
         let ((stick, side), radius) = (self.moving_zone(), self.state.contact.radius);
         let (bound_slope, room) = (self.model.bound_slope, self.room_outside(stick));
@@ -141,18 +141,14 @@ impl FrettingContact {
     /// Stick radius and side s of the slip zone for going on; s = ±1 also where that zone is still
     /// empty.
     fn moving_zone(&self) -> (f64, f64) {
-        let onward = if self.state.direction < 0.0 { -1.0 } else { 1.0 };
+        let onward = if self.state.direction.x < 0.0 { -1.0 } else { 1.0 };
         (self.sticking(onward), onward)
     }
 
     /// Radius up to which springs stick for going on to a side, m.
     #[inline]
     pub(super) fn sticking(&self, onward: f64) -> f64 {
-        let (stick, side) = self.state.springs.slip_zone(
-            &self.state.contact,
-            self.model.bound_slope,
-            self.state.displacement,
-        );
+        let (stick, side) = self.slip_zone();
         // a zone on the side that the motion leaves comes off its bound
         if side * onward < 0.0 { self.state.contact.radius } else { stick }
     }
@@ -256,7 +252,7 @@ impl FrettingContact {
         if stick <= 0.0 || stick >= self.surface.profile().outer_radius() {
             return Gradient::default();
         }
-        let knots = self.state.springs.knots();
+        let knots = self.state.row.on_line();
         let outer = knots.partition_point(|knot| knot.place.x < stick * (1.0 - ASIDE)).max(1);
         let Some([inner, outer]) = knots.get(outer - 1..=outer) else { return Gradient::default() };
         let rise = outer.place.image - inner.place.image;

@@ -3,10 +3,12 @@
 use super::FrettingContact;
 use super::line::Line;
 use crate::error::Error;
-use crate::friction::{Path, Springs};
+use crate::friction::{Path, Row};
+use crate::range;
 use crate::surface::Contact;
 use crate::wear;
 use nalgebra::Vector2;
+use std::mem::{replace, take};
 
 /// Most pieces into which wear may split a line, and most updates in place of one call for a steady
 /// motion. A contact that would need more is refused.
@@ -56,37 +58,40 @@ impl FrettingContact {
     /// The same for a value of the control, m² of load or m, that is checked, as x is.
     #[inline]
     pub(super) fn advance_by_value(&mut self, value: f64, place: Vector2<f64>) -> Result<(), Error> {
-        if self.state.planar.is_some() || place.y != self.drive_displacement_y() {
-            return self.advance_in_plane(value, place);
-        }
-        let displacement = place.x;
-        if self.model.compliance > 0.0 {
-            return self.advance_drive(value, displacement);
-        }
-        let stands = value == self.state.contact.control && displacement == self.state.displacement;
-        if stands || self.slides_to(value, displacement) {
+        let now = self.drive_place();
+        if value == self.state.contact.control && place == now {
             self.state.counters.steps += 1;
             return Ok(());
         }
-        self.walk_to(value, displacement)
+        let on_line = !self.state.row.is_plane() && place.y == now.y;
+        if on_line {
+            if self.model.compliance > 0.0 {
+                return self.advance_drive(value, place.x);
+            }
+            if self.slides_to(value, place.x) {
+                self.state.counters.steps += 1;
+                return Ok(());
+            }
+        }
+        self.walk_to(&Line { from: (self.state.contact.control, now), to: (value, place) }, on_line)
     }
 
     /// Walks a line that takes more than slip of the outer springs.
-    fn walk_to(&mut self, value: f64, displacement: f64) -> Result<(), Error> {
-        let line =
-            Line { from: (self.state.contact.control, self.state.displacement), to: (value, displacement) };
-        let walked = if self.pieces(&line) == 1 {
-            self.walk(value, displacement, 1)
+    fn walk_to(&mut self, line: &Line, on_line: bool) -> Result<(), Error> {
+        let (value, place) = line.to;
+        let walked = if on_line && self.pieces(line) == 1 {
+            self.walk(value, place, 1)
         } else {
+            range::input(range::Y, place.y)?;
             // a load that the profile cannot carry is refused with the caller's number, not with
             // that of a piece: before a body wears on the way, else where a piece is refused
             if self.state.wear.is_some() {
                 self.solve_contact(value)?;
             }
-            self.transaction(|this| this.walk_line(&line))
+            self.transaction(|this| this.walk_line(line))
                 .map_err(|error| self.solve_contact(value).err().unwrap_or(error))
         };
-        walked.map_err(|error| self.error_of_step(error, displacement))?;
+        walked.map_err(|error| self.error_of_step(error, place.x))?;
         self.state.counters.steps += 1;
         Ok(())
     }
@@ -96,40 +101,55 @@ impl FrettingContact {
         match error {
             // cycles have a finite amplitude: this was a slide
             Error::TooMuchWear { amplitude: f64::INFINITY, .. } | Error::WearOutrun { .. } => {
-                Error::WearOutrun { from: self.state.displacement, displacement }
+                Error::WearOutrun { from: self.state.place.x, displacement }
             }
             other => other,
         }
     }
 
     /// Walks a line in pieces, cut where the bodies touch or part.
-    fn walk_line(&mut self, line: &Line) -> Result<(), Error> {
-        let touch = self.touch_control();
-        let parts = line.split_at(touch);
-        for part in parts.iter().flatten() {
+    pub(super) fn walk_line(&mut self, line: &Line) -> Result<(), Error> {
+        for part in line.split_at(self.touch_control()).iter().flatten() {
             let pieces = self.pieces(part);
             for k in 1..=pieces {
-                let (value, displacement) =
-                    if self.state.wear.is_some() { part.at(k, pieces) } else { part.at_root(k, pieces) };
-                self.walk(value, displacement, 1)?;
+                let is_even = self.divides_evenly(part);
+                let (value, place) = if is_even { part.at(k, pieces) } else { part.at_root(k, pieces) };
+                self.walk_piece(value, place)?;
             }
         }
         Ok(())
     }
 
-    /// Pieces that the change of load along a line asks for.
-    fn pieces(&self, line: &Line) -> u32 {
-        match (&self.state.wear, self.model.constants.force_control) {
-            (Some(_), _) => self.even_pieces(line),
-            (None, true) => self.pieces_by(line, f64::sqrt, self.model.tuning.root_share),
-            // the bound changes evenly: all is exact
-            (None, false) => 1,
+    /// Walks a piece to a place, that of the drive where there is a rig stiffness.
+    fn walk_piece(&mut self, value: f64, place: Vector2<f64>) -> Result<(), Error> {
+        match (self.is_on_line(place), self.model.compliance > 0.0) {
+            (true, false) => self.walk(value, place, 1),
+            (true, true) => self.follow_drive_on_line(value, place.x),
+            (false, false) => self.walk(value, place, MOST_PIECES.ilog2()),
+            (false, true) => self.follow_drive(value, place),
         }
     }
 
-    /// Pieces over which the load changes by the same little.
-    pub(super) fn even_pieces(&self, line: &Line) -> u32 {
-        self.pieces_by(line, |load| load, self.model.tuning.load_share)
+    /// Whether the body has moved along x alone, and does so on the way to a place.
+    pub(super) fn is_on_line(&self, place: Vector2<f64>) -> bool {
+        !self.state.row.is_plane() && place.y == self.state.place.y
+    }
+
+    /// Whether a line is divided at even changes of the load, and not of its root.
+    fn divides_evenly(&self, line: &Line) -> bool {
+        self.state.wear.is_some() || self.model.compliance > 0.0 || !self.is_on_line(line.to.1)
+    }
+
+    /// Pieces that the change of load along a line asks for.
+    fn pieces(&self, line: &Line) -> u32 {
+        if self.divides_evenly(line) {
+            self.pieces_by(line, |load| load, self.model.tuning.load_share)
+        } else if self.model.constants.force_control {
+            self.pieces_by(line, f64::sqrt, self.model.tuning.root_share)
+        } else {
+            // the bound changes evenly: all is exact
+            1
+        }
     }
 
     /// Pieces over which a measure of the load changes by at most a share of the larger one.
@@ -149,30 +169,34 @@ impl FrettingContact {
         ((to - from).abs() / to.max(from) / share).ceil().max(1.0) as u32
     }
 
-    /// Walks one piece, after the profile has followed where that is due. `splits` > 0 allows wear
-    /// to split it.
-    pub(super) fn walk(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
-        if let Some(onset) = self.onset_of_long_slide(value, displacement) {
+    /// Walks one straight way, after the profile has followed where that is due. `splits` > 0
+    /// allows wear to split it.
+    pub(super) fn walk(&mut self, value: f64, place: Vector2<f64>, splits: u32) -> Result<(), Error> {
+        if let Some(onset) = self.onset_of_long_slide(value, place) {
             return self.transaction(|this| {
                 this.walk(value, onset, splits)?;
-                this.bounded(|this| this.slide_on(displacement))
+                this.bounded(|this| this.slide_on(place.x))
             });
         }
-        if !self.update_is_due(self.direction_to(displacement)) {
-            return self.walk_on(value, displacement, splits);
+        if !self.update_is_due(place) {
+            return self.walk_on(value, place, splits);
         }
         self.transaction(|this| {
             this.bounded(|this| {
                 this.update_before(value)?;
-                this.walk_on(value, displacement, splits)
+                this.walk_on(value, place, splits)
             })
         })
     }
 
-    /// Sign of the way to a displacement.
-    pub(super) fn direction_to(&self, displacement: f64) -> f64 {
-        let way = displacement - self.state.displacement;
-        if way == 0.0 { 0.0 } else { 1f64.copysign(way) }
+    /// Whether the way to a place goes back, or is the first one.
+    pub(super) fn turns(&self, place: Vector2<f64>) -> bool {
+        let moved = place - self.state.place;
+        if self.state.direction == Vector2::zeros() {
+            moved != Vector2::zeros()
+        } else {
+            self.state.direction.dot(&moved) < 0.0
+        }
     }
 
     /// Ratio of a volume (m³) worn in one stroke to what may wear before the profile follows, where
@@ -183,54 +207,86 @@ impl FrettingContact {
         wear::exceeds_limit(volume, tolerance, &self.surface, contact, stick_radius)
     }
 
-    fn walk_on(&mut self, value: f64, displacement: f64, splits: u32) -> Result<(), Error> {
-        let to =
-            if value == self.state.contact.control { self.state.contact } else { self.solve_contact(value)? };
-        let spare = std::mem::take(&mut self.memory.get().springs);
-        let mut slips = self.take_slips();
-        let path = self.path_to(to, displacement);
-        let (springs, half_work) = self.state.springs.walk(&path, spare, slips.as_mut());
-        let work = 2.0 * self.model.constants.tangential_modulus * half_work;
-        self.state.counters.spring_walks += 1;
-        self.state.counters.contact_solutions += u64::from(value != self.state.contact.control);
-        self.keep_slips(slips);
+    fn walk_on(&mut self, value: f64, place: Vector2<f64>, splits: u32) -> Result<(), Error> {
+        let End { to, row, work } = self.try_walk(value, place)?;
         if self.state.wear.is_none() || work <= 0.0 {
-            self.arrive(to, displacement, springs, work);
+            self.arrive(to, place, row, work);
             return Ok(());
         }
-        let inner = springs.stick_radius(&to, self.model.bound_slope, displacement);
         let volume = self.model.constants.wear_per_work * work;
+        if row.is_plane() {
+            if self.exceeds_wear_capacity(work, &to) {
+                if self.defer_if_little(work, 1.0) {
+                    self.arrive(to, place, row, work);
+                    return Ok(());
+                }
+                return Err(Error::WearOutrun { from: self.state.place.x, displacement: place.x });
+            }
+            let larger = self.larger_contact(&to);
+            let far = self.exceeds_limit(volume, &larger, self.model.widest_stick(&larger)).is_some();
+            let middle = 0.5 * (self.state.place + place);
+            if far && splits > 0 && middle != place && middle != self.state.place {
+                let between = 0.5 * (self.state.contact.control + value);
+                self.walk(between, middle, splits - 1)?;
+                return self.walk(value, place, splits - 1);
+            }
+            self.gather(work, &to, place - self.state.place);
+            self.arrive(to, place, row, work);
+            self.set_limit();
+            return Ok(());
+        }
+        let (inner, _) = row.slip_zone(&to, self.model.bound_slope, place.x);
         let mut ratio = self.exceeds_limit(volume, &to, inner);
         if ratio.is_some_and(|ratio| ratio > f64::from(MOST_PIECES)) {
             if self.exceeds_wear_capacity(work, &to) {
                 if self.defer_if_little(work, 1.0) {
-                    self.arrive(to, displacement, springs, work);
+                    self.arrive(to, place, row, work);
                     return Ok(());
                 }
                 if splits == 0 {
-                    return Err(Error::WearOutrun { from: self.state.displacement, displacement });
+                    return Err(Error::WearOutrun { from: self.state.place.x, displacement: place.x });
                 }
             }
             ratio = self.exceeds_limit(volume, &self.larger_contact(&to), inner);
         }
         if let Some(ratio) = ratio.filter(|_| splits > 0) {
             let pieces = ratio.ceil().min(f64::from(MOST_PIECES)) as u32;
-            let line = Line {
-                from: (self.state.contact.control, self.state.displacement),
-                to: (value, displacement),
-            };
+            let line = Line { from: (self.state.contact.control, self.state.place), to: (value, place) };
             return self.transaction(|this| {
                 (1..=pieces).try_for_each(|k| {
-                    let (value, displacement) = line.at(k, pieces);
-                    this.walk(value, displacement, splits - 1)
+                    let (value, place) = line.at(k, pieces);
+                    this.walk(value, place, splits - 1)
                 })?;
                 this.bounded(Self::absorb_backlog)
             });
         }
-        self.gather(work, &to, Vector2::new(self.direction_to(displacement), 0.0));
-        self.arrive(to, displacement, springs, work);
+        self.gather(work, &to, place - self.state.place);
+        self.arrive(to, place, row, work);
         self.set_limit();
         Ok(())
+    }
+
+    /// Contact, row and work of friction (J) at the end of a straight way.
+    pub(super) fn try_walk(&mut self, value: f64, place: Vector2<f64>) -> Result<End, Error> {
+        let stays_open = self.state.contact.is_open() && value <= self.touch_control();
+        if place.y != self.state.place.y && !stays_open {
+            self.enter_plane()?;
+        }
+        let to =
+            if value == self.state.contact.control { self.state.contact } else { self.solve_contact(value)? };
+        let spare = take(&mut self.memory.get().row);
+        let mut slips = self.take_slips();
+        let path = self.path_to(to, place);
+        let (row, half_work) = self.state.row.walk(&path, spare, slips.as_mut());
+        self.keep_slips(slips);
+        self.state.counters.spring_walks += 1;
+        self.state.counters.contact_solutions += u64::from(value != self.state.contact.control);
+        let work = 2.0 * self.model.constants.tangential_modulus * half_work;
+        if !work.is_finite() {
+            let normal = if self.model.constants.force_control { value * self.force_scale() } else { value };
+            return Err(Error::NotFinite { what: "the work of friction", normal, displacement: place.x });
+        }
+        Ok(End { to, row, work })
     }
 
     /// The present contact or another one, whichever is loaded more.
@@ -247,36 +303,56 @@ impl FrettingContact {
         ratio.is_some_and(|ratio| ratio > f64::from(MOST_PIECES))
     }
 
-    /// The path from the present state to a contact and displacement.
-    pub(super) fn path_to(&self, to: Contact, displacement: f64) -> Path<'_> {
+    /// The path from the present state to a contact and a place.
+    pub(super) fn path_to(&self, to: Contact, place: Vector2<f64>) -> Path<'_> {
+        let axes = &self.model.axes;
         Path {
             surface: &self.surface,
             control: self.model.parameters.normal_control,
             bound_slope: self.model.bound_slope,
             start_slope: self.model.start_slope,
+            stiffness_ratio: axes.stiffness_ratio,
             from: self.state.contact,
             to,
-            start: self.state.displacement,
-            end: displacement,
-            sampling: 1.0 / self.model.parameters.resolution as f64,
+            start: axes.for_springs(self.state.place),
+            end: axes.for_springs(place),
+            samples: self.model.samples(),
         }
     }
 
-    /// Takes over the state at the end of a path.
-    pub(super) fn arrive(&mut self, to: Contact, displacement: f64, mut springs: Springs, work: f64) {
-        let direction = self.direction_to(displacement);
-        if self.state.contact.is_open() || (direction != 0.0 && direction != self.state.direction) {
+    /// Takes over the state at the end of a path. Where the bodies have parted, the next contact
+    /// begins on a line.
+    pub(super) fn arrive(&mut self, to: Contact, place: Vector2<f64>, mut row: Row, work: f64) {
+        if self.state.contact.is_open() || self.turns(place) {
             self.begin_stroke();
-            self.bound_knots(&mut springs);
+            self.bound_knots(&mut row);
         }
-        self.memory.get().springs = std::mem::replace(&mut self.state.springs, springs);
-        if direction != 0.0 {
+        self.memory.get().row = replace(&mut self.state.row, row);
+        self.face(place);
+        self.state.place = place;
+        self.add_work(work);
+        self.take_contact(to);
+    }
+
+    /// Takes the direction of the way to a place for that of the last movement.
+    pub(super) fn face(&mut self, place: Vector2<f64>) {
+        if let Some(direction) = (place - self.state.place).try_normalize(0.0) {
             self.state.direction = direction;
         }
+    }
+
+    /// A place on the line along x on which the body stands.
+    pub(super) fn place_at(&self, displacement: f64) -> Vector2<f64> {
+        Vector2::new(displacement, self.state.place.y)
+    }
+
+    /// Takes over a contact in which the springs are.
+    pub(super) fn take_contact(&mut self, to: Contact) {
         self.state.contact = to;
-        self.state.displacement = displacement;
         self.state.reach = self.state.reach.max(to.radius);
-        self.add_work(work);
+        if to.is_open() && self.state.row.is_plane() {
+            self.state.row = Row::default();
+        }
     }
 
     /// Contact of the present surface at another value of the control.
@@ -288,4 +364,12 @@ impl FrettingContact {
     pub(super) fn solve_contact(&self, value: f64) -> Result<Contact, Error> {
         self.surface.contact(self.model.parameters.normal_control, value, self.force_scale())
     }
+}
+
+/// The end of a straight way.
+pub(super) struct End {
+    to: Contact,
+    row: Row,
+    /// J.
+    work: f64,
 }

@@ -1,25 +1,30 @@
 //! A straight line in load and displacement.
 
-/// A straight line in (control, displacement).
+use nalgebra::Vector2;
+
+/// A load (the controlled quantity) and a place, m.
+pub(super) type Point = (f64, Vector2<f64>);
+
+/// A straight line between two of them.
 pub(super) struct Line {
-    pub(super) from: (f64, f64),
-    pub(super) to: (f64, f64),
+    pub(super) from: Point,
+    pub(super) to: Point,
 }
 
 impl Line {
     /// Point k of n; the last is the end to the bit.
-    pub(super) fn at(&self, k: u32, n: u32) -> (f64, f64) {
+    pub(super) fn at(&self, k: u32, n: u32) -> Point {
         if k == n {
             return self.to;
         }
         let share = f64::from(k) / f64::from(n);
         let mix = |a: f64, b: f64| if a == b { a } else { a + share * (b - a) };
-        (mix(self.from.0, self.to.0), mix(self.from.1, self.to.1))
+        (mix(self.from.0, self.to.0), self.from.1.zip_map(&self.to.1, mix))
     }
 
     /// Point k of n that are even in the square root of the control (0 where the control is
     /// negative); the last is the end to the bit.
-    pub(super) fn at_root(&self, k: u32, n: u32) -> (f64, f64) {
+    pub(super) fn at_root(&self, k: u32, n: u32) -> Point {
         let (from, to) = (self.from.0, self.to.0);
         if k == n || from == to {
             return self.at(k, n);

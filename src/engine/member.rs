@@ -52,7 +52,7 @@ impl FrettingContact {
     /// Places a body that has not touched yet, at a depth (m) above the other body.
     pub(crate) fn place_apart(&mut self, depth: f64, [x, y]: [f64; 2]) {
         self.state.contact = Contact { control: depth, depth, radius: 0.0, load: 0.0 };
-        (self.state.displacement, self.state.displacement_y) = (x, y);
+        self.state.place = Vector2::new(x, y);
     }
 
     /// Indentation depth at which the worn body touches, m.
@@ -148,7 +148,7 @@ impl FrettingContact {
     /// needs.
     pub(crate) fn return_memory(&mut self, memory: &mut Memory) {
         let own = self.memory.get();
-        self.state.springs.take_smaller(&mut own.springs);
+        self.state.row.take_smaller(&mut own.row);
         self.state.stroke.origins.shrink_to_fit();
         // tables are those of one profile
         own.transforms = TransformCache::default();

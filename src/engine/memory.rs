@@ -3,7 +3,7 @@
 
 use super::state::Mark;
 use super::stroke::StrokeStart;
-use crate::friction::{PlanarRow, SlipPiece, Springs};
+use crate::friction::{Row, SlipPiece};
 use crate::surface::{NodeTransforms, Nodes, TransformCache};
 use std::sync::Arc;
 
@@ -26,9 +26,7 @@ impl Memory {
 #[derive(Debug, Default)]
 pub(super) struct Buffers {
     /// A former row.
-    pub(super) springs: Springs,
-    /// A former row of vectors.
-    pub(super) planar: PlanarRow,
+    pub(super) row: Row,
     /// The start of the stroke before the present one.
     pub(super) stroke: StrokeStart,
     /// Pieces of slip of the line that is being walked.

@@ -4,6 +4,7 @@
 use super::axes::Axes;
 use super::tuning::{Tuning, USUAL};
 use crate::error::Error;
+use crate::friction::Samples;
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
 use crate::surface::Contact;
@@ -66,6 +67,11 @@ impl Model {
     /// Largest stick radius (m) by which wear is planned: of a thinner annulus little wears.
     pub(super) fn widest_stick(&self, contact: &Contact) -> f64 {
         (1.0 - self.tuning.least_width) * contact.radius
+    }
+
+    /// Samples of springs across the contact.
+    pub(super) fn samples(&self) -> Samples {
+        Samples(self.tuning.samples_per_cell * self.parameters.resolution)
     }
 
     /// Whether wear is computed.

@@ -5,6 +5,7 @@ use super::{FrettingContact, SlipState};
 use crate::range::LEAST_RISE;
 use crate::surface::{Contact, Nodes, Slopes};
 use crate::transform;
+use nalgebra::Vector2;
 use std::f64::consts::PI;
 
 /// Relative distance at which a radius lies beside another, where the slope of the image jumps: at
@@ -24,20 +25,30 @@ impl FrettingContact {
     /// Tangential displacement U of the body in the contact, m; in cyclic loading its amplitude.
     /// Where there is a rig stiffness, [`Self::drive_displacement`] is that of the drive.
     pub fn displacement(&self) -> f64 {
-        self.state.displacement
+        self.state.place.x
     }
 
     /// Tangential force T = 2G* ∫ u dx along x that the moving body exerts on the substrate, N; |T|
     /// ≤ μF_N.
     pub fn tangential_force(&self) -> f64 {
-        if let Some(force) = self.force_in_plane() {
-            return force.x;
-        }
-        let force = 2.0
-            * self.model.constants.tangential_modulus
-            * self.state.springs.deflection_integral(self.state.displacement);
-        let limit = self.friction_limit();
-        force.clamp(-limit, limit)
+        self.force().x
+    }
+
+    /// Both components of the tangential force, N.
+    #[inline]
+    pub(super) fn force(&self) -> Vector2<f64> {
+        let integral = self.state.row.deflection_integral(self.model.axes.for_springs(self.state.place));
+        let force = 2.0 * self.model.constants.tangential_modulus * integral;
+        let (size, limit) = (force.x.hypot(force.y), self.friction_limit());
+        // of a size that is rounding, too
+        if size > limit { force / size * limit } else { force }
+    }
+
+    /// Elastic energy of the springs, J.
+    pub(super) fn stored_energy(&self) -> f64 {
+        let place = self.model.axes.for_springs(self.state.place);
+        let integral = self.state.row.energy_integral(place, self.model.axes.stiffness_ratio);
+        self.model.constants.tangential_modulus * integral
     }
 
     /// Most that friction can carry, μF_N, N.
@@ -73,11 +84,13 @@ impl FrettingContact {
         if let Some(standing) = self.standing() {
             return standing.stick_radius();
         }
-        self.state.springs.stick_radius(
-            &self.state.contact,
-            self.model.constants.bound_slope(),
-            self.state.displacement,
-        )
+        self.slip_zone().0
+    }
+
+    /// [`Row::slip_zone`] of the present row.
+    #[inline]
+    pub(super) fn slip_zone(&self) -> (f64, f64) {
+        self.state.row.slip_zone(&self.state.contact, self.model.bound_slope, self.state.place.x)
     }
 
     /// Work of friction so far, J.
@@ -124,10 +137,11 @@ impl FrettingContact {
     /// ∂T/∂U for going on in the direction of the last movement, N/m: 2G* times the length of
     /// springs that stick.
     pub fn tangential_stiffness(&self) -> f64 {
-        if let Some(stiffness) = self.stiffness_in_plane() {
-            return stiffness;
+        if self.state.row.is_plane() {
+            let ahead = self.state.direction;
+            return ahead.dot(&(self.tangent().stiffness * ahead));
         }
-        2.0 * self.model.constants.tangential_modulus * self.sticking(self.state.direction)
+        2.0 * self.model.constants.tangential_modulus * self.sticking(self.state.direction.x)
     }
 }
 
@@ -237,33 +251,37 @@ impl FrettingContact {
 
     /// Tangential traction τ at radius r, Pa, along x (eq. (17)).
     pub fn shear_traction_at(&self, r: f64) -> f64 {
-        if let Some(traction) = self.traction_in_plane(r) {
-            return traction.x;
-        }
+        self.traction_at(r).x
+    }
+
+    /// Both components of the traction, Pa. The deflection u is linear in g between the springs: τ
+    /// = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²).
+    pub(super) fn traction_at(&self, r: f64) -> Vector2<f64> {
         let (a, r) = (self.state.contact.radius, self.model.axes.inner(r));
         if r >= a {
-            return 0.0;
+            return Vector2::zeros();
         }
         let slopes = self.slopes(a);
         let r = self.off_the_apex(&slopes, r);
-        // u is linear in g between the knots: τ = −(G*/π) Σ (Δu/Δg) ∫ g' dx/√(x² − r²)
-        let mut sum = 0.0;
-        for pair in self.state.springs.knots().windows(2) {
-            let (inner, outer) = (&pair[0], &pair[1]);
-            let rise = outer.place.image - inner.place.image;
-            if outer.place.x <= r || rise <= LEAST_RISE || inner.origin == outer.origin {
-                continue;
+        let place = self.model.axes.for_springs(self.state.place);
+        let (mut sum, mut inner, mut inner_integral) = (Vector2::zeros(), None, 0.0);
+        for (outer, origin) in self.state.row.origins(place.y) {
+            let integral = if outer.x > r { slopes.integral(r, outer.x) } else { 0.0 };
+            if let Some((image, inner_origin)) = inner.replace((outer.image, origin))
+                && outer.x > r
+                && outer.image - image > LEAST_RISE
+                && origin != inner_origin
+            {
+                sum += (origin - inner_origin) / (outer.image - image) * (integral - inner_integral);
             }
-            let from = inner.place.x.max(r);
-            let integral = slopes.integral(r, outer.place.x) - slopes.integral(r, from);
-            sum += (outer.origin - inner.origin) / rise * integral;
+            inner_integral = integral;
         }
-        if let Some(edge) = self.state.springs.knots().last()
+        if let Some((_, edge)) = inner
             && a >= self.surface.profile().outer_radius()
         {
-            sum += (self.state.displacement - edge.origin) / transform::leg(a, r);
+            sum += (place - edge) / transform::leg(a, r);
         }
-        self.model.axes.stress(self.model.constants.tangential_modulus / PI * sum)
+        sum.map(|part| self.model.axes.stress(self.model.constants.tangential_modulus / PI * part))
     }
 
     /// Largest pressure, Pa: that on the axis, or the largest that is reached throughout a ring of

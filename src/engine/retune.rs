@@ -2,7 +2,7 @@
 
 use super::FrettingContact;
 use crate::error::Error;
-use crate::friction::{SlipPiece, Springs};
+use crate::friction::{Row, SlipPiece};
 use crate::parameters::Parameters;
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
@@ -74,8 +74,7 @@ impl FrettingContact {
             model.parameters = Arc::new(new);
             (model.constants, model.bound_slope) = (constants, bound_slope);
             // from the bound of before, which the springs keep to, however small the new one is
-            let half_work =
-                if this.state.planar.is_some() { this.slip_back_in_plane() } else { this.slip_back() };
+            let half_work = this.slip_back();
             this.keep_bound_slope();
             this.state.counters.spring_walks += 1;
             if let Some(wear) = &mut this.state.wear {
@@ -93,9 +92,9 @@ impl FrettingContact {
     /// Returns the work of friction over 2G*, m³.
     fn slip_back(&mut self) -> f64 {
         let mut slips = self.take_slips();
-        let path = self.path_to(self.state.contact, self.state.displacement);
-        let (springs, half_work) = self.state.springs.walk(&path, Springs::default(), slips.as_mut());
-        self.state.springs = springs;
+        let path = self.path_to(self.state.contact, self.state.place);
+        let (row, half_work) = self.state.row.walk(&path, Row::default(), slips.as_mut());
+        self.state.row = row;
         self.keep_slips(slips);
         half_work
     }

@@ -43,11 +43,12 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 impl FrettingContact {
     /// Displacement of the drive: U + T/k_rig, m. It is [`Self::displacement`] where the rig is
     /// rigid.
+    #[inline]
     pub fn drive_displacement(&self) -> f64 {
         if self.model.compliance == 0.0 {
-            return self.state.displacement;
+            return self.state.place.x;
         }
-        self.state.displacement + self.model.compliance * self.tangential_force()
+        self.state.place.x + self.model.compliance * self.tangential_force()
     }
 
     /// [`Self::advance_to`] with the displacement of a drive.
@@ -87,21 +88,13 @@ impl FrettingContact {
     fn walk_with_drive(&mut self, value: f64, drive: f64) -> Result<(), Error> {
         let start = self.drive_displacement();
         let still = (drive - start).abs() <= ROUNDING * (drive.abs() + start.abs());
-        let line = Line {
-            from: (self.state.contact.control, if still { drive } else { start }),
-            to: (value, drive),
-        };
-        for part in line.split_at(self.touch_control()).iter().flatten() {
-            let pieces = self.even_pieces(part);
-            for k in 1..=pieces {
-                let (value, drive) = part.at(k, pieces);
-                self.walk_piece(value, drive)?;
-            }
-        }
-        Ok(())
+        let from = self.place_at(if still { drive } else { start });
+        let line = Line { from: (self.state.contact.control, from), to: (value, self.place_at(drive)) };
+        self.walk_line(&line)
     }
 
-    fn walk_piece(&mut self, value: f64, drive: f64) -> Result<(), Error> {
+    /// Follows one piece of the drive's line.
+    pub(super) fn follow_drive_on_line(&mut self, value: f64, drive: f64) -> Result<(), Error> {
         let mut side = self.pull(drive).signum();
         if value != self.state.contact.control || self.state.contact.is_open() {
             let displacement = self.equilibrium(value, drive)?;
@@ -110,12 +103,13 @@ impl FrettingContact {
             if self.state.counters.profile_updates == updates {
                 return Ok(());
             }
-            side = self.state.direction;
+            side = self.state.direction.x;
         }
         for _ in 0..MOST_WALKS {
             let Some(target) = self.next_place(drive, side) else { return Ok(()) };
             // with the wear of an update the body goes on, maybe beyond that place
-            if self.update_is_due(side) {
+            let target = self.place_at(target);
+            if self.update_is_due(target) {
                 self.bounded(|this| this.update_before(value))?;
             } else {
                 self.walk(value, target, 1)?;
@@ -133,7 +127,7 @@ impl FrettingContact {
         if halvings > 0 && halfway > self.touch_control() && self.load_changes_much(value) {
             let half = 0.5 * (self.drive_displacement() + drive);
             let between = self.equilibrium(halfway, half)?;
-            let bent = (between - 0.5 * (self.state.displacement + displacement)).abs();
+            let bent = (between - 0.5 * (self.state.place.x + displacement)).abs();
             let near = self.straight_within(value)?;
             if bent > near {
                 // each half bends by a quarter of it, unless springs begin to slip there
@@ -143,7 +137,7 @@ impl FrettingContact {
                 return self.walk_evenly(to, displacement, halvings);
             }
         }
-        self.walk(value, displacement, 1)
+        self.walk(value, self.place_at(displacement), 1)
     }
 
     /// Whether a load (N, or a depth in m) differs much from the present one.
@@ -162,7 +156,7 @@ impl FrettingContact {
     /// How far the drive is ahead of equilibrium, D − U − T/k_rig, m; 0 where that is rounding.
     fn pull(&self, drive: f64) -> f64 {
         let limit = self.friction_limit();
-        self.pull_on((drive, self.state.displacement), self.tangential_force(), limit)
+        self.pull_on((drive, self.state.place.x), self.tangential_force(), limit)
     }
 
     fn pull_on(&self, (drive, displacement): (f64, f64), force: f64, limit: f64) -> f64 {
@@ -182,9 +176,9 @@ impl FrettingContact {
         let row_modulus = 2.0 * self.model.constants.tangential_modulus;
         let newton = pull / (1.0 + self.model.compliance * row_modulus * self.sticking(side));
         let limit = self.friction_limit();
-        let gross_slip = side * (drive - self.state.displacement) - self.model.compliance * limit;
-        let target = self.state.displacement + side * newton.max(gross_slip);
-        (target != self.state.displacement).then_some(target)
+        let gross_slip = side * (drive - self.state.place.x) - self.model.compliance * limit;
+        let target = self.state.place.x + side * newton.max(gross_slip);
+        (target != self.state.place.x).then_some(target)
     }
 
     /// Displacement of the body that balances the drive after a straight line to another load.
@@ -197,23 +191,23 @@ impl FrettingContact {
         let row_modulus = 2.0 * self.model.constants.tangential_modulus;
         let limit = self.model.constants.friction_coefficient * to.load * self.force_scale();
         let mut walks = 0;
-        let mut spare = std::mem::take(&mut self.memory.get().springs);
+        let mut spare = std::mem::take(&mut self.memory.get().row);
         let mut pull = |displacement: f64| {
-            let path = self.path_to(to, displacement);
-            let (row, _) = self.state.springs.walk(&path, std::mem::take(&mut spare), None);
+            let path = self.path_to(to, self.place_at(displacement));
+            let (row, _) = self.state.row.walk(&path, std::mem::take(&mut spare), None);
             walks += 1;
-            let force = row_modulus * row.deflection_integral(displacement);
+            let force = row_modulus * row.deflection_integral(path.end).x;
             spare = row;
             self.pull_on((drive, displacement), force, limit)
         };
-        let here = self.state.displacement;
+        let here = self.state.place.x;
         let first = pull(here);
         // all springs stick there at most, and none there
         let stiffest = row_modulus * to.radius.max(self.state.contact.radius);
         let ends = (here + first / (1.0 + self.model.compliance * stiffest), here + first);
         let displacement = if first == 0.0 { here } else { roots::of_falling(ends, pull) };
         self.state.counters.spring_walks += walks;
-        self.memory.get().springs = spare;
+        self.memory.get().row = spare;
         Ok(displacement)
     }
 

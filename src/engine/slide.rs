@@ -2,7 +2,8 @@
 //! of the profile is due.
 
 use super::FrettingContact;
-use nalgebra::Vector2;
+use crate::friction::{Row, SlipPiece};
+use std::mem::take;
 
 impl FrettingContact {
     /// Moves the body under an unchanged load if that takes no more than slip of its outer springs;
@@ -15,9 +16,9 @@ impl FrettingContact {
         {
             return false;
         }
-        let direction = self.direction_to(displacement);
-        let (wears, turns) = (self.state.wear.is_some(), direction != self.state.direction);
-        if wears && (turns || self.onset_of_long_slide(value, displacement).is_some()) {
+        let place = self.place_at(displacement);
+        let (wears, turns) = (self.state.wear.is_some(), self.turns(place));
+        if wears && (turns || self.onset_of_long_slide(value, place).is_some()) {
             return false;
         }
         if turns {
@@ -27,8 +28,7 @@ impl FrettingContact {
         let work = if wears {
             self.slide_with_slips(displacement, scales)
         } else {
-            let (springs, contact) = (&mut self.state.springs, &self.state.contact);
-            springs.slide(&self.surface, contact, self.model.bound_slope, displacement, scales, |_| ())
+            self.slide_gathering(displacement, scales, |_| ())
         };
         let Some(work) = work else {
             if turns {
@@ -38,10 +38,10 @@ impl FrettingContact {
         };
         if wears {
             let to = self.state.contact;
-            self.gather(work, &to, Vector2::new(direction, 0.0));
+            self.gather(work, &to, place - self.state.place);
         }
-        self.state.direction = direction;
-        self.state.displacement = displacement;
+        self.face(place);
+        self.state.place = place;
         self.add_work(work);
         self.state.counters.spring_walks += 1;
         true
@@ -49,10 +49,28 @@ impl FrettingContact {
 
     /// [`Springs::slide`](crate::friction::Springs::slide) whose slip is kept, to be gathered.
     fn slide_with_slips(&mut self, displacement: f64, scales: (f64, f64)) -> Option<f64> {
-        let (springs, contact) = (&mut self.state.springs, &self.state.contact);
-        let slips = &mut self.memory.get().slips;
+        let mut slips = take(&mut self.memory.get().slips);
         slips.clear();
-        let gather = |piece| slips.push(piece);
-        springs.slide(&self.surface, contact, self.model.bound_slope, displacement, scales, gather)
+        let work = self.slide_gathering(displacement, scales, |piece| slips.push(piece));
+        self.memory.get().slips = slips;
+        work
+    }
+
+    #[inline]
+    fn slide_gathering(
+        &mut self,
+        displacement: f64,
+        scales: (f64, f64),
+        gather: impl FnMut(SlipPiece),
+    ) -> Option<f64> {
+        let Row::Line(springs) = &mut self.state.row else { return None };
+        springs.slide(
+            &self.surface,
+            &self.state.contact,
+            self.model.bound_slope,
+            displacement,
+            scales,
+            gather,
+        )
     }
 }

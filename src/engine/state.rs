@@ -8,11 +8,10 @@
 use super::FrettingContact;
 use super::coating::Coating;
 use super::model::Model;
-use super::planar::Planar;
 use super::retune::FormerWear;
 use super::stroke::StrokeStart;
 use crate::counters::Counters;
-use crate::friction::Springs;
+use crate::friction::Row;
 use crate::surface::{Contact, Surface};
 use crate::wear::{Sliding, WearBacklog};
 use nalgebra::Vector2;
@@ -23,14 +22,12 @@ use std::sync::Arc;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct State {
     pub(super) contact: Contact,
-    pub(super) springs: Springs,
-    pub(super) displacement: f64,
-    /// Displacement along y, m.
-    pub(super) displacement_y: f64,
-    /// Present once the body has moved along y in contact; it then takes the place of `springs`.
-    pub(super) planar: Option<Box<Planar>>,
-    /// Sign of the last movement along x, 0 before the first.
-    pub(super) direction: f64,
+    /// That of a line until the body has moved along y in contact.
+    pub(super) row: Row,
+    /// Displacement along x and y, m.
+    pub(super) place: Vector2<f64>,
+    /// Direction of the last movement, a unit vector, or 0 before the first.
+    pub(super) direction: Vector2<f64>,
     /// Work of friction, J.
     pub(super) work: f64,
     /// The start of the present stroke.
@@ -78,11 +75,9 @@ impl State {
         let control = if model.constants.force_control { 0.0 } else { touch };
         Self {
             contact: Contact { control, depth: touch, radius: 0.0, load: 0.0 },
-            springs: Springs::default(),
-            displacement: 0.0,
-            displacement_y: 0.0,
-            planar: None,
-            direction: 0.0,
+            row: Row::default(),
+            place: Vector2::zeros(),
+            direction: Vector2::zeros(),
             work: 0.0,
             stroke: StrokeStart::default(),
             former: FormerWear::default(),
@@ -95,12 +90,17 @@ impl State {
 
     /// Takes over another state, in memory that is there already.
     fn copy_from(&mut self, other: &Self) {
-        let (mut springs, mut stroke) = (take(&mut self.springs), take(&mut self.stroke));
-        springs.copy_from(&other.springs);
+        let (mut row, mut stroke) = (take(&mut self.row), take(&mut self.stroke));
+        row.copy_from(&other.row);
         stroke.copy_from(&other.stroke);
-        let planar = copied(self.planar.take(), &other.planar, Planar::copy_from);
-        let wear = copied(self.wear.take(), &other.wear, WearState::copy_from);
-        *self = Self { springs, stroke, planar, wear, ..*other };
+        let wear = match (self.wear.take(), &other.wear) {
+            (Some(mut own), Some(other)) => {
+                own.copy_from(other);
+                Some(own)
+            }
+            (_, other) => other.clone(),
+        };
+        *self = Self { row, stroke, wear, ..*other };
     }
 }
 
@@ -115,17 +115,6 @@ impl WearState {
     /// The deferred work, at most so much, J.
     pub(super) fn deferred_share(&self, most: f64) -> f64 {
         self.deferred_work.max(-most).min(most)
-    }
-}
-
-/// What is in `from`, copied to memory that is there already.
-fn copied<T: Clone>(to: Option<Box<T>>, from: &Option<Box<T>>, copy: impl Fn(&mut T, &T)) -> Option<Box<T>> {
-    match (to, from) {
-        (Some(mut to), Some(from)) => {
-            copy(&mut to, from);
-            Some(to)
-        }
-        (_, from) => from.clone(),
     }
 }
 

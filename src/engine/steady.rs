@@ -3,9 +3,11 @@
 use super::FrettingContact;
 use super::history::MOST_PIECES;
 use crate::error::Error;
+use crate::friction::Row;
 use crate::parameters::NormalControl;
 use crate::surface::{FrontMotion, ROUNDING};
 use crate::wear::{self, Sliding, SlipAtDepth};
+use nalgebra::Vector2;
 
 /// Least share of the limit that an update is made with.
 const LEAST_SHARE: f64 = 1.0 / 64.0;
@@ -161,18 +163,21 @@ impl FrettingContact {
         let contact = self.state.contact;
         let (mut springs, _) = self.quarter(&contact, amplitude);
         let front = springs.stick_radius(&self.state.contact, self.model.constants.bound_slope(), amplitude);
-        springs.moved_by(self.state.direction, amplitude, self.state.displacement);
-        self.state.springs.take_outer(front.min(stick_before), &springs);
+        springs.moved_by(self.state.direction.x, amplitude, self.state.place.x);
+        if let Row::Line(row) = &mut self.state.row {
+            row.take_outer(front.min(stick_before), &springs);
+        }
     }
 
-    /// Displacement at which all springs slip, on a line at constant load that goes on so far
-    /// beyond it that the wear matters.
-    pub(super) fn onset_of_long_slide(&self, value: f64, displacement: f64) -> Option<f64> {
+    /// Place at which all springs slip, on a line at constant load that goes on so far beyond it
+    /// that the wear matters.
+    pub(super) fn onset_of_long_slide(&self, value: f64, place: Vector2<f64>) -> Option<Vector2<f64>> {
         self.state.wear.as_ref()?;
-        if value != self.state.contact.control || self.state.contact.is_open() {
+        let stays = value == self.state.contact.control && !self.state.contact.is_open();
+        if !(stays && self.is_on_line(place)) {
             return None;
         }
-        let move_on = displacement - self.state.displacement;
+        let move_on = place.x - self.state.place.x;
         let slack =
             2.0 * self.model.constants.bound_slope() * (self.state.contact.depth - self.surface.tip());
         // a body worn flat slips everywhere at once
@@ -181,19 +186,19 @@ impl FrettingContact {
         }
         let volume = self.model.constants.wear_per_work * self.friction_limit() * (move_on.abs() - slack);
         self.exceeds_limit(volume, &self.state.contact, 0.0)?;
-        Some(self.state.displacement + slack * move_on.signum())
+        Some(self.place_at(self.state.place.x + slack * move_on.signum()))
     }
 
     /// Slides on at constant load, all springs slipping already, to a displacement.
     pub(super) fn slide_on(&mut self, displacement: f64) -> Result<(), Error> {
         self.absorb_backlog()?;
         let value = self.state.contact.control;
-        let moved = displacement - self.state.displacement;
+        let moved = displacement - self.state.place.x;
         self.wear_steadily(value, Sliding::Onward, moved.abs())?;
         let to = self.state.contact;
         let (mut springs, _) = self.quarter(&to, 0.0);
         springs.follow_bound((0.0, moved.signum()), &to, self.model.constants.bound_slope(), displacement);
-        self.arrive(to, displacement, springs, 0.0);
+        self.arrive(to, self.place_at(displacement), Row::Line(springs), 0.0);
         Ok(())
     }
 }

@@ -8,7 +8,7 @@
 //! (2/π) ∫ s dx/√(r² − x²) from 0 to r.
 
 use super::FrettingContact;
-use crate::friction::Springs;
+use crate::friction::Row;
 use crate::parameters::Parameters;
 use crate::quadrature::GAUSS_3;
 use crate::surface::Surface;
@@ -21,8 +21,9 @@ use std::mem::{swap, take};
 /// exact to 1e-10 for the image of a smooth body.
 const PANEL: f64 = 0.1;
 
-/// Over the tolerance, the share of [`Springs::coarsen`] for rows of more than two knots a cell:
-/// over a thousand reversals T is at most 2e-5 μF_N off at the tolerance 1e-3.
+/// Over the tolerance, the share of [`Springs::coarsen`](crate::friction::Springs::coarsen) for
+/// rows of more than two knots a cell: over a thousand reversals T is at most 2e-5 μF_N off at the
+/// tolerance 1e-3.
 const SHARE: f64 = 3e-2;
 
 /// The springs at the beginning of a stroke.
@@ -59,40 +60,37 @@ impl StrokeStart {
 impl FrettingContact {
     /// A stroke begins where the body stands.
     pub(super) fn begin_stroke(&mut self) {
-        let mut springs = take(&mut self.state.springs);
-        self.bound_knots(&mut springs);
-        self.state.springs = springs;
-        let place = self.model.axes.for_springs(self.place());
+        let mut row = take(&mut self.state.row);
+        self.bound_knots(&mut row);
+        self.state.row = row;
+        let place = self.model.axes.for_springs(self.state.place);
         self.next_stroke(place);
         let mut origins = take(&mut self.state.stroke.origins);
-        self.origins_into(&mut origins);
+        origins.extend(self.origins());
         self.state.stroke.origins = origins;
     }
 
-    /// Appends radii with the present origins of their springs.
-    fn origins_into(&self, origins: &mut Vec<(f64, Vector2<f64>)>) {
-        match &self.state.planar {
-            Some(planar) => origins.extend(planar.row.knots().iter().map(|k| (k.place.x, k.origin))),
-            None => {
-                let y = self.model.axes.for_springs(self.place()).y;
-                let knots = self.state.springs.knots().iter();
-                origins.extend(knots.map(|k| (k.place.x, Vector2::new(k.origin, y))));
-            }
-        }
+    /// Radii with the present origins of their springs.
+    fn origins(&self) -> impl Iterator<Item = (f64, Vector2<f64>)> {
+        let y = self.model.axes.for_springs(self.state.place).y;
+        self.state.row.origins(y).map(|(place, origin)| (place.x, origin))
     }
 
-    /// Leaves out small kinks of a row of many knots. Each reversal leaves one where the next is
-    /// weaker or friction has changed: thousands while a vibration dies down or friction runs in.
-    pub(super) fn bound_knots(&self, springs: &mut Springs) {
+    /// Leaves out small kinks of a line's row of many knots. Each reversal leaves one where the
+    /// next is weaker or friction has changed: thousands while a vibration dies down or friction
+    /// runs in.
+    pub(super) fn bound_knots(&self, row: &mut Row) {
         let Parameters { resolution, tolerance, .. } = *self.model.parameters;
-        if springs.knots().len() > 2 * resolution {
+        if let Row::Line(springs) = row
+            && springs.knots().len() > 2 * resolution
+        {
             springs.coarsen(&self.state.contact, self.model.bound_slope, SHARE * tolerance);
         }
     }
 
     /// Steady cycles are given by their first quarter, from relaxed springs at displacement 0.
     pub(super) fn begin_quarter(&mut self) {
-        self.next_stroke(self.model.axes.for_springs(Vector2::new(0.0, self.state.displacement_y)));
+        self.next_stroke(self.model.axes.for_springs(Vector2::new(0.0, self.state.place.y)));
     }
 
     /// A stroke begins with relaxed springs. [`Self::undo_stroke`] takes that back.
@@ -121,15 +119,14 @@ impl FrettingContact {
         if self.state.contact.is_open() || r > self.state.contact.radius {
             return 0.0;
         }
-        let mut now = Vec::new();
-        self.origins_into(&mut now);
+        let now: Vec<_> = self.origins().collect();
         let start = &self.state.stroke;
         let nodes = self.surface.worn().map_or(&[][..], |nodes| nodes.x());
         let kinks = now.iter().chain(&start.origins).map(|knot| knot.0).chain(nodes.iter().copied());
         let mut angles: Vec<f64> =
             kinks.filter(|x| *x > 0.0 && *x < r).map(|x| (x / r).asin()).chain([0.0, FRAC_PI_2]).collect();
         angles.sort_by(f64::total_cmp);
-        let (now, start) = (Row::new(&self.surface, &now), Row::new(&self.surface, &start.origins));
+        let (now, start) = (Origins::new(&self.surface, &now), Origins::new(&self.surface, &start.origins));
         let slip = |x: f64| {
             let image = self.surface.image(x);
             let (end, begin) =
@@ -154,19 +151,19 @@ impl FrettingContact {
     fn touched_at(&self, image: f64) -> Vector2<f64> {
         let start = &self.state.stroke;
         let (place, rise) =
-            (self.model.axes.for_springs(self.place()), self.state.contact.depth - start.depth);
+            (self.model.axes.for_springs(self.state.place), self.state.contact.depth - start.depth);
         let share = if rise > 0.0 { ((image - start.depth) / rise).clamp(0.0, 1.0) } else { 0.0 };
         start.place + share * (place - start.place)
     }
 }
 
 /// Origins of springs, linear in the image between them.
-struct Row<'a> {
+struct Origins<'a> {
     origins: &'a [(f64, Vector2<f64>)],
     images: Vec<f64>,
 }
 
-impl<'a> Row<'a> {
+impl<'a> Origins<'a> {
     fn new(surface: &Surface, origins: &'a [(f64, Vector2<f64>)]) -> Self {
         Self { origins, images: origins.iter().map(|(x, _)| surface.image(*x)).collect() }
     }

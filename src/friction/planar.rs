@@ -21,7 +21,6 @@ mod walk;
 
 pub(crate) use reading::{Standing, Tangent};
 pub(crate) use sampling::{Resting, Samples};
-pub(crate) use walk::PlanarPath;
 
 use crate::surface::Place;
 use nalgebra::Vector2;

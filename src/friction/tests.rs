@@ -2,6 +2,7 @@ use super::*;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
 use crate::quadrature::composite;
+use nalgebra::Vector2;
 use rand::{RngExt, SeedableRng, rngs::StdRng};
 
 const M: f64 = 0.7;
@@ -20,9 +21,28 @@ fn at_depth(surface: &Surface, depth: f64) -> Contact {
     surface.contact(NormalControl::Indentation, depth, 1.0).expect("the profile carries any depth")
 }
 
+/// A line that is sampled as on 64 cells.
+fn line(surface: &Surface, control: NormalControl, from: (Contact, f64), to: (Contact, f64)) -> Path<'_> {
+    let place = |x| Vector2::new(x, 0.0);
+    let ((from, start), (to, end)) = ((from.0, place(from.1)), (to.0, place(to.1)));
+    let samples = Samples(128);
+    Path {
+        surface,
+        control,
+        bound_slope: M,
+        start_slope: M,
+        stiffness_ratio: 1.0,
+        from,
+        to,
+        start,
+        end,
+        samples,
+    }
+}
+
 fn path<'a>(surface: &'a Surface, from: Contact, to: Contact, start: f64, end: f64) -> Path<'a> {
     let control = NormalControl::Indentation;
-    Path { surface, control, bound_slope: M, start_slope: M, from, to, start, end, sampling: 1.0 / 64.0 }
+    line(surface, control, (from, start), (to, end))
 }
 
 /// A row pressed to `depth` at rest, and its contact.
@@ -314,8 +334,7 @@ fn work_of_lines(surface: &Surface, control: NormalControl, lines: &[(f64, f64)]
     let mut from = (at(lines[0].0), lines[0].1);
     let start = at(if control == NormalControl::Force { 0.0 } else { surface.image(0.0) });
     let walk = |row: Springs, (from, start): (Contact, f64), (to, end): (Contact, f64)| {
-        let path =
-            Path { surface, control, bound_slope: M, start_slope: M, from, to, start, end, sampling: 1e-4 };
+        let path = Path { samples: Samples(20_000), ..line(surface, control, (from, start), (to, end)) };
         row.walk(&path, Springs::default(), None)
     };
     let (mut row, _) = walk(Springs::default(), (start, from.1), from);

@@ -2,51 +2,15 @@
 //! slip where their bound is exceeded, and do work.
 
 use super::interval::Interval;
-use super::{Knot, Springs, interpolate};
-use crate::friction::SlipPiece;
+use super::{Knot, Path, SlipPiece, Springs, interpolate};
 use crate::parameters::NormalControl;
 use crate::surface::{Contact, Place, Surface};
 
-/// A straight line between two states of load and displacement.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Path<'a> {
-    pub(crate) surface: &'a Surface,
-    pub(crate) control: NormalControl,
-    /// m = μE*/G* at the end.
-    pub(crate) bound_slope: f64,
-    /// m at the start.
-    pub(crate) start_slope: f64,
-    pub(crate) from: Contact,
-    pub(crate) to: Contact,
-    pub(crate) start: f64,
-    pub(crate) end: f64,
-    /// Finest spacing of the samples of newly touching springs, as a share of the contact radius.
-    pub(crate) sampling: f64,
-}
-
-/// Share of a line between two contacts after which the spring at `place` comes into or leaves
-/// contact.
-pub(super) fn share_at_touch(control: NormalControl, (from, to): (&Contact, &Contact), place: &Place) -> f64 {
-    let level = match control {
-        NormalControl::Force => place.load,
-        NormalControl::Indentation => place.image,
-    };
-    let span = to.control - from.control;
-    if span == 0.0 { 1.0 } else { ((level - from.control) / span).clamp(0.0, 1.0) }
-}
-
 impl Path<'_> {
-    /// Displacement at the instant at which the spring at `place` comes into or leaves contact.
-    fn displacement_at_touch(&self, place: &Place) -> f64 {
-        let share = share_at_touch(self.control, (&self.from, &self.to), place);
-        // at the end to the bit, however long the way
-        if share == 1.0 { self.end } else { self.start + share * (self.end - self.start) }
-    }
-
     #[inline(always)]
-    fn touching(&self, x: f64) -> Knot {
+    fn knot_touching(&self, x: f64) -> Knot {
         let place = self.surface.place(x);
-        Knot { place, origin: self.displacement_at_touch(&place) }
+        Knot { place, origin: self.displacement_at_touch(&place).x }
     }
 
     /// B of the bound b(t) = b₀ + (b₁ − b₀) t + B t (1 − t) along the path, m. Under a prescribed
@@ -187,7 +151,7 @@ impl Springs {
         let mut row = spare.knots;
         row.clear();
         row.reserve(self.knots.len() + 4);
-        let rounding = rounding(path.bound_slope, &path.to, path.end);
+        let rounding = rounding(path.bound_slope, &path.to, path.end.x);
         let depths = (depth_in_contact(&path.from), depth_in_contact(&path.to));
         let mut walk = Walk { path, depths, row, rounding, bulge: path.bulge(), work: 0.0, slips };
         let mut last = None;
@@ -205,23 +169,23 @@ impl Springs {
         if new == old {
             take(&self.knots);
         } else if new > old {
-            let moved = path.start != path.end;
+            let moved = path.start.x != path.end.x;
             // along a line of depth the origin is linear in g
             let is_linear = !moved || path.control == NormalControl::Indentation;
             // divided by the radius first: a part of the smallest numbers may be none
             let samples = if is_linear {
                 1.0
             } else {
-                ((new - old) / new / (WITHIN_A_LINE * path.sampling)).ceil().max(1.0)
+                ((new - old) / new / (WITHIN_A_LINE * path.samples.cell())).ceil().max(1.0)
             };
-            let new_edge = path.touching(new);
+            let new_edge = path.knot_touching(new);
             match &self.knots[..] {
-                [] => take(&[path.touching(0.0)]),
+                [] => take(&[path.knot_touching(0.0)]),
                 // a ramp in many small steps would leave a knot at each former edge
                 [inner_knots @ .., edge]
                     if let Some(inner) = inner_knots.last()
                         && moved
-                        && new - inner.place.x <= path.sampling * new
+                        && new - inner.place.x <= path.samples.cell() * new
                         && is_smooth(inner, edge, &new_edge) =>
                 {
                     take(inner_knots);
@@ -229,7 +193,7 @@ impl Springs {
                 all => take(all),
             }
             for k in 1..samples as usize {
-                take(&[path.touching(old + (new - old) * k as f64 / samples)]);
+                take(&[path.knot_touching(old + (new - old) * k as f64 / samples)]);
             }
             take(&[new_edge]);
         } else if new < old
@@ -275,7 +239,7 @@ impl Walk<'_> {
     fn trial(&self, knot: Knot) -> Trial {
         let (path, (_, depth)) = (self.path, self.depths);
         let leaves = is_outside(&path.to, &knot.place);
-        let end = if leaves { path.displacement_at_touch(&knot.place) } else { path.end };
+        let end = if leaves { path.displacement_at_touch(&knot.place).x } else { path.end.x };
         let bound = bound(path.bound_slope, depth, knot.place.image);
         let mut trial = Trial::new(knot, end, bound, self.rounding);
         if trial.slips() {
@@ -292,13 +256,12 @@ impl Walk<'_> {
         let (place, side) = (&trial.knot.place, trial.side());
         let touches = is_outside(&path.from, place);
         let bound = bound(path.start_slope, depth, place.image);
-        let share = |place| share_at_touch(path.control, (&path.from, &path.to), place);
         // the part of the path on which it is in contact
         let (margin, part) = if touches {
-            (0.0, 1.0 - share(place))
+            (0.0, 1.0 - path.share_at_touch(place))
         } else {
-            let margin = (bound - side * (path.start - trial.knot.origin)).max(0.0);
-            (margin, if leaves { share(place) } else { 1.0 })
+            let margin = (bound - side * (path.start.x - trial.knot.origin)).max(0.0);
+            (margin, if leaves { path.share_at_touch(place) } else { 1.0 })
         };
         let bulge = self.bulge * part * part;
         let onset = onset(margin, trial.excess, bulge);
@@ -308,7 +271,7 @@ impl Walk<'_> {
         if bulge == 0.0 {
             return mean;
         }
-        let motion = side * (path.end - path.start) * part * left;
+        let motion = side * path.motion().x * part * left;
         mean + bulge * left * left * motion / (6.0 * trial.excess)
     }
 

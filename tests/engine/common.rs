@@ -60,7 +60,7 @@ pub(crate) fn sampled_sphere(points: usize) -> ProfileTable {
 /// Knots of the row of springs.
 pub(crate) fn knots(contact: &FrettingContact) -> usize {
     let saved = serde_json::to_value(contact.snapshot()).expect("a state is plain data");
-    saved.pointer("/state/springs/knots").and_then(|knots| knots.as_array()).expect("a row").len()
+    saved.pointer("/state/row/line/knots").and_then(|knots| knots.as_array()).expect("a row").len()
 }
 
 /// A profile without wear under force control.

@@ -289,7 +289,7 @@ fn springs_stay_within_their_bound_on_random_histories() {
                     continue;
                 }
                 let saved = serde_json::to_value(contact.snapshot()).unwrap();
-                let Some(knots) = saved.pointer("/state/planar/row/knots") else { continue };
+                let Some(knots) = saved.pointer("/state/row/plane/knots") else { continue };
                 for knot in knots.as_array().unwrap() {
                     let number = |path: &str| knot.pointer(path).unwrap().as_f64().unwrap();
                     let pull = [
@@ -454,7 +454,7 @@ fn y_of(contact: &FrettingContact) -> f64 {
 
 fn direction(contact: &FrettingContact) -> [f64; 2] {
     let saved = serde_json::to_value(contact.snapshot()).unwrap();
-    [0, 1].map(|k| saved.pointer(&format!("/state/planar/direction/{k}")).unwrap().as_f64().unwrap())
+    [0, 1].map(|k| saved.pointer(&format!("/state/direction/{k}")).unwrap().as_f64().unwrap())
 }
 
 /// Semi-axes and radii follow the load.

@@ -116,19 +116,19 @@ fn impossible_states_are_refused() {
     let mut contact = started(Parameters::default());
     contact.advance_to_planar(FORCE, [1e-6, 1e-6]).unwrap();
     let sound = serde_json::to_value(contact.snapshot()).unwrap();
-    let changes: [(&str, serde_json::Value); 5] = [
-        ("/state/planar/row/spacing", (-1.0).into()),
-        ("/state/planar/row/knots/3/origin/1", 1.0.into()),
-        ("/state/planar/row/knots/3/place/x", 1.0.into()),
-        ("/state/planar/row/knots/0/place/x", 1e-9.into()),
-        ("/state/planar/direction/0", 2.0.into()),
+    let changes: [(&str, serde_json::Value, &str); 5] = [
+        ("/state/row/plane/spacing", (-1.0).into(), "out of order"),
+        ("/state/row/plane/knots/3/origin/1", 1.0.into(), "beyond their friction bound"),
+        ("/state/row/plane/knots/3/place/x", 1.0.into(), "out of order"),
+        ("/state/row/plane/knots/0/place/x", 1e-9.into(), "out of order"),
+        ("/state/direction/0", 2.0.into(), "direction"),
     ];
-    for (place, value) in changes {
+    for (place, value, problem) in changes {
         let mut changed = sound.clone();
         *changed.pointer_mut(place).expect(place) = value;
         let changed: Snapshot = serde_json::from_value(changed).unwrap();
         let refused = contact.restore(&changed).unwrap_err();
-        assert!(refused.to_string().contains("plane"), "{place}: {refused}");
+        assert!(refused.to_string().contains(problem), "{place}: {refused}");
     }
     contact.restore(&serde_json::from_value(sound).unwrap()).unwrap();
 }

@@ -6,6 +6,7 @@
 
 use crate::engine::readout::ASIDE;
 use crate::engine::{FrettingContact, Gradient};
+use crate::friction::{PlanarRow, Row};
 use nalgebra::Vector2;
 
 /// Share of full slip, and of the load, over which the stiffness is differenced.
@@ -21,7 +22,7 @@ impl FrettingContact {
     /// slope r' there, dc = (K **n**·dU − m dd)/r'.
     pub(in crate::engine) fn stick_gradient_in_plane(&self) -> Option<Gradient> {
         let standing = self.standing()?;
-        let Some((fall, pull)) = standing.front_slope(self.direction_in_plane()) else {
+        let Some((fall, pull)) = standing.front_slope(self.state.direction) else {
             return Some(Gradient::default());
         };
         let stick = standing.stick_radius();
@@ -34,8 +35,8 @@ impl FrettingContact {
     /// By differences ahead: straight on, and between two ways that go on aside. A load that rises
     /// at rest would let all springs stick, so that it falls.
     pub(in crate::engine) fn stiffness_gradient_in_plane(&self) -> Option<Gradient> {
-        let (place, ahead) = (self.place(), self.direction_in_plane());
-        let planar = self.state.planar.as_ref()?;
+        let (place, ahead) = (self.state.place, self.state.direction);
+        let Row::Plane(row) = &self.state.row else { return None };
         let stiffness = |control: f64, moved: Vector2<f64>| {
             let to = if control == self.state.contact.control {
                 self.state.contact
@@ -43,8 +44,8 @@ impl FrettingContact {
                 self.solve_contact(control).ok()?
             };
             let end = place + moved;
-            let path = self.planar_path(to, end);
-            let (row, _) = planar.row.walk(&path, super::PlanarRow::default(), None);
+            let path = self.path_to(to, end);
+            let (row, _) = row.walk(&path, PlanarRow::default(), None);
             let tangent = self.standing_at(end, &row, &to).tangent(ahead);
             Some(2.0 * self.model.constants.tangential_modulus * ahead.dot(&(tangent.stiffness * ahead)))
         };
@@ -70,10 +71,10 @@ impl FrettingContact {
     /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest in the
     /// present direction.
     pub(in crate::engine) fn wear_depth_gradient_in_plane(&self) -> Option<Gradient> {
-        let (standing, ahead) = (self.standing()?, self.direction_in_plane());
+        let (standing, ahead) = (self.standing()?, self.state.direction);
         let per_work = if self.state.wear.is_some() { self.model.constants.wear_per_work } else { 0.0 };
         let rates = |r: f64| {
-            let traction = self.traction_in_plane(r).unwrap_or_default();
+            let traction = self.traction_at(r);
             let [x, y, depth] = standing.surface_slip(r, ahead).map(|slip| {
                 let rate = per_work * traction.dot(&slip);
                 if rate.is_finite() { rate } else { 0.0 }

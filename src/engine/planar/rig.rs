@@ -16,7 +16,7 @@ use crate::engine::history::MOST_PIECES;
 use crate::engine::rig::MOST_WALKS;
 use crate::engine::{FrettingContact, Gradient};
 use crate::error::Error;
-use crate::friction::PlanarRow;
+use crate::friction::Row;
 use crate::surface::Contact;
 use nalgebra::{Matrix2, Vector2};
 use std::mem::take;
@@ -63,23 +63,24 @@ impl FrettingContact {
     #[inline]
     pub fn drive_displacement_y(&self) -> f64 {
         if self.model.compliance == 0.0 {
-            return self.state.displacement_y;
+            return self.state.place.y;
         }
-        self.state.displacement_y + self.model.compliance * self.tangential_force_y()
+        self.state.place.y + self.model.compliance * self.tangential_force_y()
     }
 
     /// Where the drive stands, m.
+    #[inline]
     pub(in crate::engine) fn drive_place(&self) -> Vector2<f64> {
         Vector2::new(self.drive_displacement(), self.drive_displacement_y())
     }
 
     /// Follows one piece of the drive's line.
-    pub(super) fn follow_drive(&mut self, value: f64, drive: Vector2<f64>) -> Result<(), Error> {
+    pub(in crate::engine) fn follow_drive(&mut self, value: f64, drive: Vector2<f64>) -> Result<(), Error> {
         if self.state.contact.is_open() && value <= self.touch_control() {
-            return self.walk_in_plane(value, drive);
+            return self.walk(value, drive, 0);
         }
         self.enter_plane()?;
-        let found = self.balance(value, drive, Equilibrium::near(self.place()))?;
+        let found = self.balance(value, drive, Equilibrium::near(self.state.place))?;
         self.follow_to(value, drive, found, MOST_PIECES.ilog2())
     }
 
@@ -91,7 +92,7 @@ impl FrettingContact {
         found: Equilibrium,
         halvings: u32,
     ) -> Result<(), Error> {
-        let (from, here) = (self.drive_place(), self.place());
+        let (from, here) = (self.drive_place(), self.state.place);
         let halfway = 0.5 * (self.state.contact.control + value);
         let load_stays = value == self.state.contact.control;
         if halvings > 0 && halfway > self.touch_control() && !(load_stays && drive == from) {
@@ -114,25 +115,25 @@ impl FrettingContact {
             }
         }
         let updates = self.state.counters.profile_updates;
-        self.walk_in_plane(value, found.place)?;
+        self.walk(value, found.place, MOST_PIECES.ilog2())?;
         let off = drive - self.drive_place();
         if self.state.counters.profile_updates == updates
-            || self.state.planar.is_none()
-            || off.dot(&self.direction_in_plane()) <= 0.0
+            || !self.state.row.is_plane()
+            || off.dot(&self.state.direction) <= 0.0
         {
             return Ok(());
         }
         // the wear has changed the force; the body does not go back for that, within the accuracy
         // of an equilibrium, since a reversal would let all springs stick
-        let found = self.balance(value, drive, Equilibrium::near(self.place()))?;
-        let goes_on = (found.place - self.place()).dot(&self.direction_in_plane()) > 0.0;
-        if goes_on { self.walk_in_plane(value, found.place) } else { Ok(()) }
+        let found = self.balance(value, drive, Equilibrium::near(self.state.place))?;
+        let goes_on = (found.place - self.state.place).dot(&self.state.direction) > 0.0;
+        if goes_on { self.walk(value, found.place, MOST_PIECES.ilog2()) } else { Ok(()) }
     }
 
     /// Size of the lengths that are compared in an equilibrium, m.
     fn scale_of(&self, drive: Vector2<f64>, to: &Contact) -> f64 {
         let limit = self.model.constants.friction_coefficient * to.load * self.force_scale();
-        size(drive) + size(self.place()) + self.model.compliance * limit
+        size(drive) + size(self.state.place) + self.model.compliance * limit
     }
 
     /// Place of the body that balances the drive after a straight way to it and to another load,
@@ -155,7 +156,7 @@ impl FrettingContact {
             return Ok(Equilibrium::near(drive));
         }
         let least = distance.max(BALANCED * self.scale_of(drive, &to));
-        let mut spare = take(&mut self.memory.get().planar);
+        let mut spare = take(&mut self.memory.get().row);
         let ahead = drive - self.drive_place();
         let Equilibrium { mut place, slope } = guess;
         let mut off = drive - self.drive_after(place, &to, &mut spare);
@@ -187,28 +188,23 @@ impl FrettingContact {
             place = next;
         }
         self.state.counters.spring_walks += u64::from(walks);
-        self.memory.get().planar = spare;
+        self.memory.get().row = spare;
         Ok(Equilibrium { place, slope: Some(slope) })
     }
 
     /// Where the drive stands after a straight way of the body, **U** + **T**/k_rig, m, and the row
     /// then.
-    fn drive_after(&self, place: Vector2<f64>, to: &Contact, row: &mut PlanarRow) -> Vector2<f64> {
-        let path = self.planar_path(*to, place);
-        *row = self.walked_in_plane(&path, take(row), None).0;
-        let force = row.deflection_integral(self.model.axes.for_springs(place));
+    fn drive_after(&self, place: Vector2<f64>, to: &Contact, row: &mut Row) -> Vector2<f64> {
+        let path = self.path_to(*to, place);
+        *row = self.state.row.walk(&path, take(row), None).0;
+        let force = row.deflection_integral(path.end);
         place + self.compliance_of_row() * force
     }
 
     /// By how much the drive goes on with the body after that way, where it is `ahead` of the
     /// present: 1 + K/k_rig with the contact's stiffness K.
-    fn slope_after(
-        &self,
-        place: Vector2<f64>,
-        to: &Contact,
-        ahead: Vector2<f64>,
-        row: &PlanarRow,
-    ) -> Matrix2<f64> {
+    fn slope_after(&self, place: Vector2<f64>, to: &Contact, ahead: Vector2<f64>, row: &Row) -> Matrix2<f64> {
+        let Row::Plane(row) = row else { return Matrix2::identity() };
         let tangent = self.standing_at(place, row, to).tangent(ahead);
         Matrix2::identity() + self.compliance_of_row() * tangent.stiffness
     }

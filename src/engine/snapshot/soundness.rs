@@ -1,10 +1,9 @@
 //! Whether a saved state that may come from anywhere is one that a contact could be in.
 
 use super::Snapshot;
-use crate::engine::planar::Planar;
 use crate::engine::state::WearState;
 use crate::engine::{FrettingContact, ROUNDING};
-use crate::friction::{Knot, PlanarKnot, Springs};
+use crate::friction::Row;
 use crate::range;
 use crate::surface::{Contact, Place, Surface};
 use crate::wear::Sliding;
@@ -22,9 +21,9 @@ fn amount(value: f64) -> bool {
     value >= 0.0 && value.is_finite()
 }
 
-/// −1, 0 or 1.
-fn is_sign(value: f64) -> bool {
-    value == 0.0 || value.abs() == 1.0
+/// A unit vector, or 0.
+fn is_direction(vector: Vector2<f64>) -> bool {
+    vector == Vector2::zeros() || close(vector.x.hypot(vector.y), 1.0)
 }
 
 fn close(a: f64, b: f64) -> bool {
@@ -48,18 +47,6 @@ fn is_contact(contact: &Contact) -> bool {
     contact.control.is_finite() && contact.depth.is_finite() && amount(contact.radius) && amount(contact.load)
 }
 
-/// Knots from the axis outward, to the edge of the contact. They lie on the surface, but for
-/// rounding, on the scale of its values at the outermost radius that counts.
-fn is_row(row: &Springs, surface: &Surface, outermost: &Place, most: usize) -> bool {
-    let knots = row.knots();
-    let rises = knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x);
-    let placed = |knot: &Knot| knot.origin.is_finite() && is_placed(&knot.place, surface, outermost);
-    knots.len() <= most
-        && rises
-        && knots.first().is_none_or(|knot| knot.place.x == 0.0)
-        && knots.iter().all(placed)
-}
-
 /// Whether a place lies on the surface, except for rounding: also of its radius, for behind a front
 /// the image rises in a cell that may be as narrow as 1e-12 of that.
 fn is_placed(place: &Place, surface: &Surface, outermost: &Place) -> bool {
@@ -81,9 +68,8 @@ impl Snapshot {
         let resolution = target.model.parameters.resolution;
         let most = MOST_KNOTS * resolution;
         let numbers = amount(self.state.reach)
-            && self.state.displacement.is_finite()
-            && self.state.displacement_y.is_finite()
-            && is_sign(self.state.direction)
+            && self.state.place.iter().all(|part| part.is_finite())
+            && is_direction(self.state.direction)
             && amount(self.state.work)
             && self.state.former.volumes.iter().all(|volume| amount(*volume))
             && amount(self.state.former.work)
@@ -93,7 +79,7 @@ impl Snapshot {
             && self.state.reach <= target.surface.profile().outer_radius()
             && range::contact(self.state.reach, 0.0, 0.0, 0.0).is_ok())
         {
-            return Some("displacement, work or reach are out of range");
+            return Some("displacement, direction, work or reach are out of range");
         }
         if !self.state.stroke.is_sound(most) {
             return Some("the springs at the last reversal are out of order");
@@ -117,7 +103,7 @@ impl Snapshot {
         outermost.image = outermost.image.abs().max(depth.abs());
         outermost.load = outermost.load.abs().max(load);
         outermost.square = outermost.square.abs().max(depth * depth * self.state.reach);
-        if !is_row(&self.state.springs, &surface, &outermost, most) {
+        if !self.has_springs_on(&surface, &outermost, most) {
             return Some("springs are out of order or off the profile");
         }
         if !self.rests_on(&surface, target) {
@@ -125,16 +111,6 @@ impl Snapshot {
         }
         if !self.obeys_friction(target) {
             return Some("springs reach beyond their friction bound or the contact");
-        }
-        if !self
-            .state
-            .planar
-            .as_ref()
-            .is_none_or(|planar| self.is_planar(planar, &surface, (&outermost, most), target))
-        {
-            return Some(
-                "springs in the plane are out of order, off the profile or beyond their friction bound",
-            );
         }
         match &self.state.wear {
             Some(wear) if !wear.is_sound(self.state.reach) => Some("what is still to wear is out of range"),
@@ -159,49 +135,42 @@ impl Snapshot {
             && (contact.radius - saved.radius).abs() <= 1e-2 * contact.radius + CLOSE * self.state.reach
     }
 
-    fn is_planar(
-        &self,
-        planar: &Planar,
-        surface: &Surface,
-        (outermost, most): (&Place, usize),
-        target: &FrettingContact,
-    ) -> bool {
-        let Contact { depth, radius, .. } = self.state.contact;
-        let place = Vector2::new(self.state.displacement, self.state.displacement_y);
-        let place = target.model.axes.for_springs(place);
-        let knots = planar.row.knots();
-        let slope = target.bound_slope_after(self.state.work);
-        let slack = CLOSE * (slope * depth.abs() + place.x.abs() + place.y.abs());
-        let within = |knot: &PlanarKnot| {
-            let bound = slope * (depth - knot.place.image).max(0.0);
-            let [x, y] = (place - knot.origin).into();
-            x.hypot(y) <= bound + slack && is_placed(&knot.place, surface, outermost)
+    /// Whether the springs go from the axis outward. They lie on the surface, but for rounding, on
+    /// the scale of its values at the outermost radius that counts.
+    fn has_springs_on(&self, surface: &Surface, outermost: &Place, most: usize) -> bool {
+        let springs: Vec<_> = self.state.row.origins(0.0).collect();
+        let placed = |(place, origin): &(&Place, Vector2<f64>)| {
+            origin.iter().all(|part| part.is_finite()) && is_placed(place, surface, outermost)
         };
-        let [x, y] = planar.direction.into();
-        !self.state.contact.is_open()
-            && knots.len() <= most
-            && knots.windows(2).all(|pair| pair[0].place.x <= pair[1].place.x)
-            && knots.first().is_some_and(|knot| knot.place.x == 0.0)
-            && knots.last().is_some_and(|knot| close(knot.place.x, radius))
-            && knots.iter().all(within)
-            && planar.row.is_spaced()
-            && close(x.hypot(y), 1.0)
+        let is_row = match &self.state.row {
+            Row::Line(_) => true,
+            Row::Plane(row) => row.is_spaced() && !self.state.contact.is_open(),
+        };
+        is_row
+            && springs.len() <= most
+            && springs.windows(2).all(|pair| pair[0].0.x <= pair[1].0.x)
+            && springs.first().is_none_or(|(place, _)| place.x == 0.0)
+            && springs.iter().all(placed)
     }
 
+    /// Whether the springs reach to the edge of the contact, and none is beyond its bound.
     fn obeys_friction(&self, target: &FrettingContact) -> bool {
         let Contact { depth, radius, .. } = self.state.contact;
-        if self.state.contact.is_open() || self.state.planar.is_some() {
-            return self.state.springs.knots().is_empty();
+        let here = target.model.axes.for_springs(self.state.place);
+        let mut springs = self.state.row.origins(here.y);
+        if self.state.contact.is_open() {
+            return springs.next().is_none();
         }
         let slope = target.bound_slope_after(self.state.work);
-        let slack = CLOSE * (slope * depth.abs() + self.state.displacement.abs());
-        let within = |knot: &Knot| {
-            let bound = slope * (depth - knot.place.image).max(0.0);
-            knot.place.x <= radius * (1.0 + CLOSE)
-                && (self.state.displacement - knot.origin).abs() <= bound + slack
-        };
-        let reaches = self.state.springs.knots().last().is_some_and(|knot| close(knot.place.x, radius));
-        reaches && self.state.springs.knots().iter().all(within)
+        let slack = CLOSE * (slope * depth.abs() + here.x.abs() + here.y.abs());
+        let mut edge = f64::NAN;
+        let within = springs.all(|(place, origin)| {
+            edge = place.x;
+            let bound = slope * (depth - place.image).max(0.0);
+            let [x, y] = (here - origin).into();
+            place.x <= radius * (1.0 + CLOSE) && x.hypot(y) <= bound + slack
+        });
+        within && close(edge, radius)
     }
 }
 

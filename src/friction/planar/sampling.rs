@@ -9,8 +9,8 @@
 
 use super::reading::Standing;
 use super::spring::{along, norm};
-use super::{PlanarKnot, PlanarPath, PlanarRow};
-use crate::friction::{NEARLY, Springs};
+use super::{PlanarKnot, PlanarRow};
+use crate::friction::{NEARLY, Path, Springs};
 use crate::surface::{Contact, Place, Surface};
 use nalgebra::Vector2;
 
@@ -40,6 +40,11 @@ pub(crate) struct Resting<'a> {
 }
 
 impl Samples {
+    /// Width of a cell of two samples over the contact radius.
+    pub(in crate::friction) fn cell(self) -> f64 {
+        2.0 / self.0 as f64
+    }
+
     /// The distance of even samples for a contact radius, where it is another than at present.
     fn respaced(self, present: f64, radius: f64) -> Option<f64> {
         let (ratio, wanted) = (radius / present, self.0 as f64);
@@ -188,7 +193,7 @@ impl PlanarRow {
     }
 
     /// Springs that touch along a path take their places before it is walked.
-    pub(super) fn touch(&mut self, path: &PlanarPath) {
+    pub(super) fn touch(&mut self, path: &Path) {
         let radius = path.to.radius;
         if let Some(spacing) = path.samples.respaced(self.spacing, radius) {
             let edge = self.knots.last().map(|knot| knot.place.x);
@@ -212,7 +217,7 @@ impl PlanarRow {
     }
 
     /// Keeps the samples as close as asked for after the contact has shrunk.
-    pub(super) fn tidy(&mut self, path: &PlanarPath) {
+    pub(super) fn tidy(&mut self, path: &Path) {
         let radius = path.to.radius;
         if radius < path.from.radius
             && radius > 0.0

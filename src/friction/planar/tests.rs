@@ -50,7 +50,7 @@ impl Scene {
 
     fn walk(&mut self, value: f64, place: Vector2<f64>) {
         let to = at(&self.surface, self.control, value);
-        let path = PlanarPath {
+        let path = Path {
             surface: &self.surface,
             control: self.control,
             bound_slope: M,
@@ -113,11 +113,12 @@ impl Line {
             control: scene.control,
             bound_slope: M,
             start_slope: M,
+            stiffness_ratio: 1.0,
             from: self.contact,
             to,
-            start: self.place,
-            end: place,
-            sampling: 1.0 / 512.0,
+            start: Vector2::new(self.place, 0.0),
+            end: Vector2::new(place, 0.0),
+            samples: Samples(1024),
         };
         let (springs, work) = self.springs.walk(&path, Springs::default(), None);
         (self.springs, self.contact, self.place) = (springs, to, place);

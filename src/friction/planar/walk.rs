@@ -1,50 +1,18 @@
 //! The walk of the row along a straight line in load and displacement: springs touch and leave,
 //! stick and slip.
 
-use super::sampling::{Samples, interpolated};
+use super::sampling::interpolated;
 use super::spring::{Line, Moved, norm, unit};
 use super::{PlanarKnot, PlanarRow};
-use crate::friction::SlipPiece;
 use crate::friction::interval::Interval;
-use crate::friction::walk::share_at_touch;
-use crate::parameters::NormalControl;
-use crate::surface::{Contact, Place, Surface};
+use crate::friction::{Path, SlipPiece};
 use nalgebra::Vector2;
 
-/// A straight line between two states of load and displacement.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct PlanarPath<'a> {
-    pub(crate) surface: &'a Surface,
-    pub(crate) control: NormalControl,
-    /// m = μE*/G* at the end.
-    pub(crate) bound_slope: f64,
-    /// m at the start.
-    pub(crate) start_slope: f64,
-    /// G*_y/G*_x, by which `start` and `end` are multiplied along y.
-    pub(crate) stiffness_ratio: f64,
-    pub(crate) from: Contact,
-    pub(crate) to: Contact,
-    pub(crate) start: Vector2<f64>,
-    pub(crate) end: Vector2<f64>,
-    pub(crate) samples: Samples,
-}
-
-impl PlanarPath<'_> {
+impl Path<'_> {
     /// The spring that comes into contact at a radius along the line.
     pub(super) fn touching(&self, x: f64) -> PlanarKnot {
         let place = self.surface.place(x);
-        let share = self.share_at_touch(&place);
-        // at the end to the bit, however long the way
-        let origin = if share == 1.0 { self.end } else { self.start + self.motion() * share };
-        PlanarKnot { place, origin }
-    }
-
-    fn share_at_touch(&self, place: &Place) -> f64 {
-        share_at_touch(self.control, (&self.from, &self.to), place)
-    }
-
-    fn motion(&self) -> Vector2<f64> {
-        self.end - self.start
+        PlanarKnot { place, origin: self.displacement_at_touch(&place) }
     }
 }
 
@@ -54,7 +22,7 @@ impl PlanarRow {
     /// they are put there.
     pub(crate) fn walk(
         &self,
-        path: &PlanarPath,
+        path: &Path,
         mut spare: Self,
         mut slips: Option<&mut Vec<SlipPiece>>,
     ) -> (Self, f64) {

@@ -1,8 +1,9 @@
 use super::*;
-use crate::friction::{Path, Springs};
+use crate::friction::{Path, Samples, Springs};
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
 use crate::surface::Surface;
+use nalgebra::Vector2;
 
 const M: f64 = 0.7;
 const DEPTH: f64 = 3.5e-6;
@@ -19,9 +20,10 @@ fn strokes(ends: &[f64], steps: u32) -> WearBacklog {
         start_slope: M,
         from,
         to: contact,
-        start,
-        end,
-        sampling: 1.0 / 64.0,
+        stiffness_ratio: 1.0,
+        start: Vector2::new(start, 0.0),
+        end: Vector2::new(end, 0.0),
+        samples: Samples(128),
     };
     let (mut springs, _) = Springs::default().walk(&path(open, 0.0, 0.0), Springs::default(), None);
     let (mut backlog, mut place) = (WearBacklog::default(), 0.0);
