@@ -73,7 +73,7 @@ impl FrettingContact {
                 return Ok(());
             }
         }
-        self.walk_to(&Line { from: (self.state.contact.control, now), to: (value, place) }, on_line)
+        self.walk_to(&Line::new((self.state.contact.control, now), (value, place)), on_line)
     }
 
     /// Walks a line that takes more than slip of the outer springs.
@@ -107,27 +107,32 @@ impl FrettingContact {
         }
     }
 
-    /// Walks a line in pieces, cut where the bodies touch or part.
+    /// Walks a line in pieces, cut where the bodies touch or part. It goes to a place of the drive
+    /// where there is a rig stiffness.
     pub(super) fn walk_line(&mut self, line: &Line) -> Result<(), Error> {
+        let running_in = self.running_in_of_line();
         for part in line.split_at(self.touch_control()).iter().flatten() {
-            let pieces = self.pieces(part);
+            let (pieces, on_line) = (self.pieces(part), self.is_on_line(part.to.1));
+            let touches = !(self.state.contact.is_open() && part.to.0 <= self.touch_control());
+            if self.model.compliance > 0.0 && !on_line && touches {
+                self.follow_drive(part, 1.0 / f64::from(pieces), running_in)?;
+                continue;
+            }
+            let is_even = self.divides_evenly(part);
             for k in 1..=pieces {
-                let is_even = self.divides_evenly(part);
-                let (value, place) = if is_even { part.at(k, pieces) } else { part.at_root(k, pieces) };
-                self.walk_piece(value, place)?;
+                let share =
+                    if is_even { f64::from(k) / f64::from(pieces) } else { part.root_share(k, pieces) };
+                let (value, place) = part.at_share(share);
+                self.run_in_along(running_in, part.of_whole(share));
+                if self.model.compliance > 0.0 && on_line {
+                    self.follow_drive_on_line(value, place.x)?;
+                } else {
+                    self.walk(value, place, if on_line { 1 } else { MOST_PIECES.ilog2() })?;
+                }
+                self.keep_bound_slope_after(running_in);
             }
         }
         Ok(())
-    }
-
-    /// Walks a piece to a place, that of the drive where there is a rig stiffness.
-    fn walk_piece(&mut self, value: f64, place: Vector2<f64>) -> Result<(), Error> {
-        match (self.is_on_line(place), self.model.compliance > 0.0) {
-            (true, false) => self.walk(value, place, 1),
-            (true, true) => self.follow_drive_on_line(value, place.x),
-            (false, false) => self.walk(value, place, MOST_PIECES.ilog2()),
-            (false, true) => self.follow_drive(value, place),
-        }
     }
 
     /// Whether the body has moved along x alone, and does so on the way to a place.
@@ -208,7 +213,34 @@ impl FrettingContact {
     }
 
     fn walk_on(&mut self, value: f64, place: Vector2<f64>, splits: u32) -> Result<(), Error> {
-        let End { to, row, work } = self.try_walk(value, place)?;
+        let stays_open = self.state.contact.is_open() && value <= self.touch_control();
+        if place.y != self.state.place.y && !stays_open {
+            self.enter_plane()?;
+        }
+        let to = self.contact_for(value)?;
+        let end = self.try_walk(to, place);
+        self.settle(end, (value, place), splits)?;
+        self.state.counters.spring_walks += 1;
+        Ok(())
+    }
+
+    /// The contact at the end of a straight way.
+    pub(super) fn contact_for(&self, value: f64) -> Result<Contact, Error> {
+        if value == self.state.contact.control { Ok(self.state.contact) } else { self.solve_contact(value) }
+    }
+
+    /// Takes over the end of a straight way whose slip is the last that was kept.
+    pub(super) fn settle(
+        &mut self,
+        End { to, row, work }: End,
+        (value, place): (f64, Vector2<f64>),
+        splits: u32,
+    ) -> Result<(), Error> {
+        if !work.is_finite() {
+            let normal = if self.model.constants.force_control { value * self.force_scale() } else { value };
+            return Err(Error::NotFinite { what: "the work of friction", normal, displacement: place.x });
+        }
+        self.state.counters.contact_solutions += u64::from(value != self.state.contact.control);
         if self.state.wear.is_none() || work <= 0.0 {
             self.arrive(to, place, row, work);
             return Ok(());
@@ -251,10 +283,10 @@ impl FrettingContact {
         }
         if let Some(ratio) = ratio.filter(|_| splits > 0) {
             let pieces = ratio.ceil().min(f64::from(MOST_PIECES)) as u32;
-            let line = Line { from: (self.state.contact.control, self.state.place), to: (value, place) };
+            let line = Line::new((self.state.contact.control, self.state.place), (value, place));
             return self.transaction(|this| {
                 (1..=pieces).try_for_each(|k| {
-                    let (value, place) = line.at(k, pieces);
+                    let (value, place) = line.at_share(f64::from(k) / f64::from(pieces));
                     this.walk(value, place, splits - 1)
                 })?;
                 this.bounded(Self::absorb_backlog)
@@ -266,27 +298,14 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// Contact, row and work of friction (J) at the end of a straight way.
-    pub(super) fn try_walk(&mut self, value: f64, place: Vector2<f64>) -> Result<End, Error> {
-        let stays_open = self.state.contact.is_open() && value <= self.touch_control();
-        if place.y != self.state.place.y && !stays_open {
-            self.enter_plane()?;
-        }
-        let to =
-            if value == self.state.contact.control { self.state.contact } else { self.solve_contact(value)? };
+    /// Row and work of friction (J) at the end of a straight way.
+    pub(super) fn try_walk(&mut self, to: Contact, place: Vector2<f64>) -> End {
         let spare = take(&mut self.memory.get().row);
         let mut slips = self.take_slips();
         let path = self.path_to(to, place);
         let (row, half_work) = self.state.row.walk(&path, spare, slips.as_mut());
         self.keep_slips(slips);
-        self.state.counters.spring_walks += 1;
-        self.state.counters.contact_solutions += u64::from(value != self.state.contact.control);
-        let work = 2.0 * self.model.constants.tangential_modulus * half_work;
-        if !work.is_finite() {
-            let normal = if self.model.constants.force_control { value * self.force_scale() } else { value };
-            return Err(Error::NotFinite { what: "the work of friction", normal, displacement: place.x });
-        }
-        Ok(End { to, row, work })
+        End { to, row, work: 2.0 * self.model.constants.tangential_modulus * half_work }
     }
 
     /// The present contact or another one, whichever is loaded more.
@@ -369,7 +388,7 @@ impl FrettingContact {
 /// The end of a straight way.
 pub(super) struct End {
     to: Contact,
-    row: Row,
+    pub(super) row: Row,
     /// J.
-    work: f64,
+    pub(super) work: f64,
 }

@@ -89,7 +89,7 @@ impl FrettingContact {
         let start = self.drive_displacement();
         let still = (drive - start).abs() <= ROUNDING * (drive.abs() + start.abs());
         let from = self.place_at(if still { drive } else { start });
-        let line = Line { from: (self.state.contact.control, from), to: (value, self.place_at(drive)) };
+        let line = Line::new((self.state.contact.control, from), (value, self.place_at(drive)));
         self.walk_line(&line)
     }
 

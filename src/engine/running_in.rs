@@ -24,6 +24,15 @@ const ACCURACY: f64 = 1e-7;
 /// W_r is far less than the work of a line, and where a falling μ lets springs snap.
 const LEAST_PART: f64 = 1e-3;
 
+/// Share of the energy of a part for which its length is chosen.
+const AIM: f64 = 0.8;
+
+/// By how much a part may exceed its energy.
+const MOST_OVER: f64 = 1.1;
+
+/// By how much a part of a line may be longer than the one before.
+const GROWTH: f64 = 2.0;
+
 /// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds
 /// are halved instead.
 const MOST_ITERATIONS: u32 = 8;
@@ -85,6 +94,26 @@ impl FrettingContact {
         model.bound_slope = model.constants.bound_slope();
     }
 
+    /// Coefficients of friction at both ends of a line along which it changes.
+    pub(super) fn running_in_of_line(&self) -> Option<(f64, f64)> {
+        let last = self.model.constants.friction_coefficient;
+        let change = self.model.start_slope / self.model.bound_slope;
+        (change != 1.0 && change.is_finite()).then_some((change * last, last))
+    }
+
+    /// Takes the coefficient at a share of such a line for the end of a piece.
+    pub(super) fn run_in_along(&mut self, ends: Option<(f64, f64)>, share: f64) {
+        let Some((first, last)) = ends else { return };
+        self.set_friction(if share == 1.0 { last } else { first + share * (last - first) });
+    }
+
+    /// The next piece of such a line begins with the present bound.
+    pub(super) fn keep_bound_slope_after(&mut self, ends: Option<(f64, f64)>) {
+        if ends.is_some() {
+            self.keep_bound_slope();
+        }
+    }
+
     /// The next line begins with the present bound.
     pub(super) fn keep_bound_slope(&mut self) {
         let model = Arc::make_mut(&mut self.model);
@@ -119,30 +148,33 @@ impl FrettingContact {
     fn run_in_parts(&mut self, normal: f64, target: Vector2<f64>) -> Result<(), Error> {
         let scale = if self.model.constants.force_control { self.force_scale() } else { 1.0 };
         let start = (self.state.contact.control * scale, self.drive_place());
+        let mut rest = self.without_wear();
+        rest.advance_at_constant_friction(normal, target)?;
+        let work = rest.state.work - self.state.work;
+        let most = self.energy_of_part(ACCURACY);
+        // from rest the work rises at most with the third power of the path
+        let mut part = if work > most { (most / work).cbrt() } else { 1.0 };
         let mut done = 0.0;
         while done < 1.0 {
-            let mut rest = self.without_wear();
-            rest.advance_at_constant_friction(normal, target)?;
-            let work = rest.state.work - self.state.work;
             let most = self.energy_of_part(ACCURACY);
-            // from rest the work rises at most with the third power of the path
-            let mut part = if work > most { (1.0 - done) * (most / work).cbrt() } else { 1.0 };
             loop {
                 part = part.max(LEAST_PART);
                 // the last part ends at the target to the bit
                 let next = (done + part).min(1.0);
                 let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
                 let (control, place) = (at(start.0, normal), start.1.zip_map(&target, at));
-                // a part that is the whole rest has been walked once already
+                // a part that is the whole line has been walked once already
                 let walked = (done == 0.0 && next == 1.0).then_some(rest.state.work);
                 let end =
                     self.run_in_part(walked, |this| this.advance_at_constant_friction(control, place))?;
                 let gained = end.state.work - self.state.work;
-                if gained <= 2.0 * most || part == LEAST_PART {
+                let share = AIM * most / gained;
+                if gained <= MOST_OVER * most || part == LEAST_PART {
                     (*self, done) = (end, next);
+                    part *= share.min(GROWTH);
                     break;
                 }
-                part *= most / gained;
+                part *= share;
             }
             self.absorb_after_drift()?;
         }

@@ -70,7 +70,8 @@ impl Interval {
             // not by the reciprocal: on a punch worn flat, where the rise is rounding, it split one
             // line of the snapshot test into 15,000 profile updates
             let (df, dh) = ((f.1 - f.0) / self.rise, (h.1 - h.0) / self.rise);
-            f.0 * h.0 * self.width + (f.0 * dh + df * h.0) * self.first + df * dh * self.second
+            // the product of both slopes alone may be beyond all numbers
+            f.0 * h.0 * self.width + (f.0 * dh + df * h.0) * self.first + df * (dh * self.second)
         } else {
             self.width * (2.0 * f.0 * h.0 + 2.0 * f.1 * h.1 + f.0 * h.1 + f.1 * h.0) / 6.0
         }

@@ -203,6 +203,79 @@ fn a_step_may_be_split() {
     }
 }
 
+/// Long steps of the drive in any direction, while the load varies by half or falls to little: the
+/// count of walks, and the force and the work against steps cut into 40.
+#[test]
+fn long_steps_take_few_walks() {
+    for (profile, ratio, most) in
+        [(BALL, 0.02, 160), (BALL, 1.0, 40), (BALL, 20.0, 25), (PUNCH, 0.02, 160), (PUNCH, 1.0, 40)]
+    {
+        for swing in [0.5, 0.98] {
+            let (mut whole, _, compliance) = behind(&profile, (NormalControl::Force, ratio), unworn());
+            let mut split = whole.clone();
+            let reach = 1.2 * exact(&profile, FORCE).full_slip() + compliance * LIMIT;
+            let mut random = seeded(7);
+            let mut from = (FORCE, [0.0; 2]);
+            let mut worst = 0.0f64;
+            for _ in 0..24 {
+                let load = FORCE * (1.0 - swing * uniform(&mut random, 0.0, 1.0));
+                let place = polar(uniform(&mut random, 0.3, 1.0) * reach, uniform(&mut random, 0.0, TAU));
+                goes_to(&mut whole, load, place);
+                for part in 1..=40 {
+                    let share = f64::from(part) / 40.0;
+                    let mix = |a: f64, b: f64| if part == 40 { b } else { a + share * (b - a) };
+                    let between = [0, 1].map(|i| mix(from.1[i], place[i]));
+                    goes_to(&mut split, mix(from.0, load), between);
+                }
+                from = (load, place);
+                worst = worst.max(norm(difference(force(&whole), force(&split))) / LIMIT);
+            }
+            let work = whole.dissipated_energy() / split.dissipated_energy() - 1.0;
+            let walks = whole.counters().spring_walks / whole.counters().steps;
+            let what =
+                format!("{profile:?}, rig {ratio}, -{swing}: T {worst:.1e}, W {work:.1e}, {walks} walks");
+            println!("{what}");
+            assert!(walks <= most, "{what}");
+            assert!(worst < 5e-4 && work.abs() < 1e-3, "{what}");
+        }
+    }
+}
+
+/// While friction runs in, the bound goes on from piece to piece of a line of load and drive.
+#[test]
+fn a_step_may_be_split_while_friction_runs_in() {
+    for (control, ratio) in [(NormalControl::Force, 1.0), (NormalControl::Indentation, 20.0)] {
+        let (_, _, compliance) = behind(&BALL, (control, ratio), unworn());
+        let reach = 0.8 * exact(&BALL, FORCE).full_slip() + 0.8 * compliance * LIMIT;
+        let parameters = Parameters {
+            friction_coefficient_final: 0.9,
+            running_in_energy: 3.0 * LIMIT * exact(&BALL, FORCE).full_slip(),
+            ..unworn()
+        };
+        let (mut whole, normal, _) = behind(&BALL, (control, ratio), parameters);
+        let mut split = whole.clone();
+        let mut from = (normal, [0.0; 2]);
+        for k in 1..=30 {
+            let phase = TAU * f64::from(k) / 12.0;
+            let to = (normal * (1.0 + 0.3 * phase.sin()), polar(reach, phase));
+            goes_to(&mut whole, to.0, to.1);
+            for part in 1..=20 {
+                let share = f64::from(part) / 20.0;
+                let mix = |a: f64, b: f64| if part == 20 { b } else { a + share * (b - a) };
+                goes_to(&mut split, mix(from.0, to.0), [0, 1].map(|i| mix(from.1[i], to.1[i])));
+            }
+            from = to;
+        }
+        let work = whole.dissipated_energy() / split.dissipated_energy() - 1.0;
+        let off = norm(difference(force(&whole), force(&split))) / LIMIT;
+        println!(
+            "{control:?}, rig {ratio}: T {off:.1e}, W {work:.1e}, mu {}",
+            whole.friction_coefficient_now()
+        );
+        assert!(off < 1e-5 && work.abs() < 1e-4, "{control:?}, rig {ratio}: T {off:e}, W {work:e}");
+    }
+}
+
 /// An orbit with wear: the contact wears as where its own way is given without a rig, and one that
 /// is as good as rigid as without one.
 #[test]

@@ -46,7 +46,7 @@ impl FrettingContact {
             let end = place + moved;
             let path = self.path_to(to, end);
             let (row, _) = row.walk(&path, PlanarRow::default(), None);
-            let tangent = self.standing_at(end, &row, &to).tangent(ahead);
+            let tangent = self.standing_at(end, &row, &to).tangent(ahead, 0.0);
             Some(2.0 * self.model.constants.tangential_modulus * ahead.dot(&(tangent.stiffness * ahead)))
         };
         let control = self.state.contact.control;

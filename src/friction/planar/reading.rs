@@ -153,16 +153,17 @@ impl Standing<'_> {
         slip
     }
 
-    /// Tangents of half the row for going on in a direction: springs at their bound that the motion
-    /// grows on follow it.
-    pub(crate) fn tangent(&self, ahead: Vector2<f64>) -> Tangent {
+    /// Tangents of half the row for going on in a direction while the depth changes: springs at
+    /// their bound on which the motion grows faster than the bound follow it.
+    pub(crate) fn tangent(&self, ahead: Vector2<f64>, deeper: f64) -> Tangent {
+        let bound_rise = self.bound_slope * deeper;
         let part = |knot: &PlanarKnot| {
             let u = self.deflection(knot);
             let size = norm(u);
-            let slips = self.at_bound(knot) && size > 0.0 && self.stiffness_along(u).0.dot(&ahead) > 0.0;
+            let n = u / size;
+            let (along, square) = self.stiffness_along(n);
+            let slips = self.at_bound(knot) && size > 0.0 && along.dot(&ahead) > bound_rise;
             slips.then(|| {
-                let n = u / size;
-                let (along, square) = self.stiffness_along(n);
                 // K − K**n** K**n**/κ, without the difference
                 let share = self.stiffness_ratio / square;
                 let (bound, m) = (self.bound(knot) / square, self.bound_slope / square);
