@@ -382,11 +382,10 @@ impl SlipAtDepth {
 
     /// Image of the innermost spring that slips, m.
     pub(crate) fn front(&self) -> f64 {
-        if self.first != (0.0, 0.0) {
-            f64::NEG_INFINITY
-        } else {
-            self.knots.first().map_or(f64::INFINITY, |k| k.0)
-        }
+        let inmost = self.knots.first().map_or(f64::INFINITY, |knot| knot.0);
+        // what is rounding is no slip of the core
+        let core_slips = [0.0, inmost.min(self.depth)].iter().any(|image| self.behind(0, *image).0 > 0.0);
+        if core_slips { f64::NEG_INFINITY } else { inmost }
     }
 }
 

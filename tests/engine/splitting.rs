@@ -2,7 +2,7 @@
 //! which neither way is refused.
 
 use crate::common::*;
-use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile};
+use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
 use rand::RngExt;
 use rand::rngs::StdRng;
 use std::f64::consts::PI;
@@ -102,6 +102,53 @@ fn an_update_of_many_strokes_corrects_the_work_by_little() {
     let lines: Vec<Line> = (0..60).map(line).collect();
     let found = differences(&parameters, &lines);
     assert!(found.iter().all(|off| *off < 1e-3), "{found:?}");
+}
+
+/// A ball of 10 mm up to 0.47 mm whose image is rough: from point to point its rise varies by a
+/// factor of e^1.5, one standard deviation.
+fn rough_ball(random: &mut StdRng) -> ProfileTable {
+    let radii: Vec<f64> = (0..376).map(|i| 1.25e-6 * f64::from(i)).collect();
+    let mut image = vec![0.0];
+    for ends in radii.windows(2) {
+        let even = (ends[1] * ends[1] - ends[0] * ends[0]) / 0.01;
+        let normal = (0..12).map(|_| uniform(random, -0.5, 0.5)).sum::<f64>();
+        let rise = (1.5 * normal - 1.1).exp();
+        image.push(image[image.len() - 1] + even * rise);
+    }
+    let image_at = |x: f64| {
+        let place = (x / radii[1]).powi(2);
+        let inner = place.sqrt().floor().min(374.0);
+        let share = (place - inner * inner) / (2.0 * inner + 1.0);
+        image[inner as usize] + share * (image[inner as usize + 1] - image[inner as usize])
+    };
+    // f = (2/π) ∫ g dx/√(r² − x²) from 0 to r
+    let height = |r: f64| {
+        let angles = (0..4000).map(|k| (f64::from(k) + 0.5) * PI / 8000.0);
+        angles.map(|angle| image_at(r * angle.sin())).sum::<f64>() / 4000.0
+    };
+    ProfileTable::new(radii.iter().map(|r| (*r, height(*r))).collect()).unwrap()
+}
+
+/// Short strokes on rough bodies at a constant depth. Springs that stick differ by rounding, and
+/// that is no slip: the nodes stay where springs slip.
+#[test]
+fn strokes_on_rough_tables_may_be_split() {
+    let mut random = seeded(3);
+    for body in 0..30 {
+        let parameters = Parameters {
+            profile: Profile::Table(rough_ball(&mut random)),
+            wear_coefficient: 0.7,
+            normal_control: NormalControl::Indentation,
+            ..Parameters::default()
+        };
+        let depth = 3.5e-6;
+        let lines: Vec<Line> =
+            (0..200).map(|_| (depth, [uniform(&mut random, -0.56e-6, 0.56e-6), 0.0])).collect();
+        let [one, two, four] = [1, 2, 4].map(|steps| walked(&parameters, &lines, steps));
+        for split in [two, four] {
+            close_to(split.wear_volume(), one.wear_volume(), 0.06, &format!("worn volume of body {body}"));
+        }
+    }
 }
 
 /// Strokes in gross slip, each walked in so many steps, leave the profile of as many cycles in one

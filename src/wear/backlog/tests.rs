@@ -154,6 +154,19 @@ fn the_slip_of_an_orbit_keeps_its_shape_in_the_bins_of_the_plane() {
     assert!(plane < 0.3 * line && plane < 0.03, "{line} {plane}");
 }
 
+/// The core slips by no rounding that strokes have left there.
+#[test]
+fn rounding_inside_a_front_is_no_slip() {
+    let law = |rounding: f64, steepness: f64| {
+        let (front, slope) = (0.8 * DEPTH, 4.0 * M);
+        SlipAtDepth::new(DEPTH, (steepness, rounding), vec![(front, slope, -slope * front)])
+    };
+    assert_eq!(law(1e-15 * DEPTH, 0.0).front(), 0.8 * DEPTH);
+    assert_eq!(law(0.0, 1e-15).front(), 0.8 * DEPTH);
+    assert_eq!(law(1e-6 * DEPTH, 0.0).front(), f64::NEG_INFINITY);
+    assert_eq!(law(0.0, 1e-6).front(), f64::NEG_INFINITY);
+}
+
 /// Gross slip to and fro: every spring slips, the innermost least.
 #[test]
 fn gross_slip_has_no_front() {
