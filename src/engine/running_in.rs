@@ -27,12 +27,6 @@ const LEAST_PART: f64 = 1e-3;
 /// Share of the energy of a part for which its length is chosen.
 const AIM: f64 = 0.8;
 
-/// By how much a part may exceed its energy.
-const MOST_OVER: f64 = 1.1;
-
-/// By how much a part of a line may be longer than the one before.
-const GROWTH: f64 = 2.0;
-
 /// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds
 /// are halved instead.
 const MOST_ITERATIONS: u32 = 8;
@@ -158,7 +152,7 @@ impl FrettingContact {
         while done < 1.0 {
             let most = self.energy_of_part(ACCURACY);
             loop {
-                part = part.max(LEAST_PART);
+                part = part.max(LEAST_PART).min(1.0 - done);
                 // the last part ends at the target to the bit
                 let next = (done + part).min(1.0);
                 let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
@@ -169,9 +163,9 @@ impl FrettingContact {
                     self.run_in_part(walked, |this| this.advance_at_constant_friction(control, place))?;
                 let gained = end.state.work - self.state.work;
                 let share = AIM * most / gained;
-                if gained <= MOST_OVER * most || part == LEAST_PART {
+                if gained <= most || part <= LEAST_PART {
                     (*self, done) = (end, next);
-                    part *= share.min(GROWTH);
+                    part *= share;
                     break;
                 }
                 part *= share;
