@@ -144,7 +144,10 @@ impl Snapshot {
         };
         let is_row = match &self.state.row {
             Row::Line(_) => true,
-            Row::Plane(row) => row.is_spaced() && !self.state.contact.is_open(),
+            Row::Plane(row) => {
+                let has_moved = self.state.direction != Vector2::zeros();
+                row.is_spaced() && has_moved && !self.state.contact.is_open()
+            }
         };
         is_row
             && springs.len() <= most
@@ -162,7 +165,8 @@ impl Snapshot {
             return springs.next().is_none();
         }
         let slope = target.bound_slope_after(self.state.work);
-        let slack = CLOSE * (slope * depth.abs() + here.x.abs() + here.y.abs());
+        let aside = if self.state.row.is_plane() { here.y.abs() } else { 0.0 };
+        let slack = CLOSE * (slope * depth.abs() + here.x.abs() + aside);
         let mut edge = f64::NAN;
         let within = springs.all(|(place, origin)| {
             edge = place.x;
