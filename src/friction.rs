@@ -255,10 +255,10 @@ pub(crate) fn bound_square((inner, outer): (&Place, &Place), depth: f64, bound_s
 /// `None` if ∫ |Δe| dx would exceed `most`, m², or if the intervals differ much.
 fn replacement(knots: &[Knot], most: f64) -> Option<Knot> {
     let (first, middle, last) = (&knots[0], &knots[knots.len() / 2], &knots[knots.len() - 1]);
-    let integral = |p: &Knot, q: &Knot| Interval::between(&p.place, &q.place).linear(p.origin, q.origin);
+    let integral = |p: &Knot, q: &Knot| Interval::between_near(&p.place, &q.place).linear(p.origin, q.origin);
     let wanted: f64 = knots.windows(2).map(|pair| integral(&pair[0], &pair[1])).sum();
-    let inner = Interval::between(&first.place, &middle.place);
-    let outer = Interval::between(&middle.place, &last.place);
+    let inner = Interval::between_near(&first.place, &middle.place);
+    let outer = Interval::between_near(&middle.place, &last.place);
     let of_ends = inner.linear(first.origin, 0.0) + outer.linear(0.0, last.origin);
     let weight = inner.linear(0.0, 1.0) + outer.linear(1.0, 0.0);
     let knot = Knot { origin: (wanted - of_ends) / weight, ..*middle };

@@ -98,6 +98,23 @@ fn moments_agree_with_quadrature_down_to_narrow_intervals() {
     }
 }
 
+/// Where a difference of integrals is all rounding, the first moment of an interval as between
+/// two kinks of cycles that hardly differ still has five digits.
+#[test]
+fn first_moments_keep_their_digits_in_the_narrowest_intervals() {
+    for profile in profiles() {
+        let surface = Surface::new(profile.clone());
+        for share in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-9] {
+            let (x, width) = (2e-4, share * 2e-4);
+            let interval = Interval::between_near(&surface.place(x), &surface.place(x + width));
+            // in units of the rise that the interval has: that loses digits of its own
+            let rise = profile.image(x + width) - profile.image(x);
+            let off = interval.first / interval.rise * rise / moment(&profile, x, width, 1) - 1.0;
+            assert!(off.abs() < 2e-5, "{profile:?}, {share}: {off:e}");
+        }
+    }
+}
+
 #[test]
 fn products_and_integrals_of_functions_linear_in_the_image_are_those_of_quadrature() {
     for profile in profiles() {
