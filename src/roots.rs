@@ -4,12 +4,6 @@
 /// Most steps of [`of_rising`]; halving the interval alone needs 60 from ends of one magnitude.
 const MOST_STEPS: u32 = 200;
 
-/// Most steps of [`of_falling`]; halving alone would need 52 from ends of one magnitude.
-const MOST_TRIALS: u32 = 100;
-
-/// Every so many steps [`of_falling`] halves the interval.
-const HALVING: u32 = 8;
-
 /// Most steps of [`from_below`].
 const MOST_PASSES: u32 = 50;
 
@@ -39,41 +33,6 @@ pub(crate) fn of_rising(mut low: f64, mut high: f64, f: impl Fn(f64) -> (f64, f6
         x = next;
     }
     x
-}
-
-/// The root of a continuous falling function without a known slope, to the last digits: regula
-/// falsi that halves the value at an end that stays (Dowell & Jarratt 1971, "Illinois"), and
-/// bisection at every eighth step. At a kink it is slow: where the slope changes by a factor of 50
-/// or more, the most steps leave an error of up to 1e-7 of the interval. The ends come in either
-/// order; an end, where there is no root between them.
-pub(crate) fn of_falling((mut low, mut high): (f64, f64), mut f: impl FnMut(f64) -> f64) -> f64 {
-    if low > high {
-        (low, high) = (high, low);
-    }
-    let (mut at_low, mut at_high) = (f(low), f(high));
-    if at_low <= 0.0 {
-        return low;
-    }
-    if at_high >= 0.0 {
-        return high;
-    }
-    let mut last = 0.0;
-    for k in 1..=MOST_TRIALS {
-        let share = if k % HALVING == 0 { 0.5 } else { at_low / (at_low - at_high) };
-        let middle = low + share * (high - low);
-        let value = f(middle);
-        if value == 0.0 || middle <= low || middle >= high || !value.is_finite() {
-            return middle;
-        }
-        let stays = if value * last > 0.0 { 0.5 } else { 1.0 };
-        if value > 0.0 {
-            (low, at_low, at_high) = (middle, value, stays * at_high);
-        } else {
-            (high, at_high, at_low) = (middle, value, stays * at_low);
-        }
-        last = value;
-    }
-    low
 }
 
 /// The root of a concave, falling function from a place below it. `step` returns the step of
@@ -106,28 +65,6 @@ mod tests {
         // a root at either end
         assert!(of_rising(0.0, 1.0, |x| (x, 1.0)).abs() < 1e-50);
         assert!((of_rising(0.0, 1.0, |x| (x - 1.0, 1.0)) - 1.0).abs() < 4.0 * f64::EPSILON);
-    }
-
-    #[test]
-    fn roots_without_a_slope_are_found_to_the_last_digits_in_few_steps() {
-        let mut calls = 0;
-        let root = of_falling((0.0, 10.0), |x| {
-            calls += 1;
-            2.0 - x * x * x
-        });
-        assert!((root - 2f64.cbrt()).abs() < 4.0 * f64::EPSILON, "{root}");
-        assert!(calls <= 25, "{calls} calls");
-        assert_eq!(of_falling((10.0, 0.0), |x| 2.0 - x * x * x), root, "ends in the other order");
-        for (steeper, allowed) in [(10.0, 1e-15), (50.0, 1e-9), (1e6, 1e-7)] {
-            let kink = of_falling((0.0, 1.0), |x| (0.3 - x) * if x < 0.3 { 1.0 } else { steeper });
-            assert!((kink - 0.3).abs() < allowed, "{steeper}: {kink}");
-        }
-    }
-
-    #[test]
-    fn a_falling_function_without_a_root_gives_the_nearer_end() {
-        assert_eq!(of_falling((1.0, 2.0), |x| -x), 1.0);
-        assert_eq!(of_falling((1.0, 2.0), |x| 3.0 - x), 2.0);
     }
 
     /// 1 + x − x² is concave, falls from x = ½ on, and has the root (1 + √5)/2.

@@ -58,35 +58,30 @@ impl FrettingContact {
     /// The same for a value of the control, m² of load or m, that is checked, as x is.
     #[inline]
     pub(super) fn advance_by_value(&mut self, value: f64, place: Vector2<f64>) -> Result<(), Error> {
+        let has_rig = self.model.compliance > 0.0;
         let now = self.drive_place();
-        if value == self.state.contact.control && place == now {
+        let is_still =
+            place == now || has_rig && self.ahead_of_drive(place, &self.state.contact) == Vector2::zeros();
+        let is_direct = !has_rig && self.is_on_line(place);
+        if value == self.state.contact.control && is_still || is_direct && self.slides_to(value, place.x) {
             self.state.counters.steps += 1;
             return Ok(());
         }
-        let on_line = !self.state.row.is_plane() && place.y == now.y;
-        if on_line {
-            if self.model.compliance > 0.0 {
-                return self.advance_drive(value, place.x);
-            }
-            if self.slides_to(value, place.x) {
-                self.state.counters.steps += 1;
-                return Ok(());
-            }
-        }
-        self.walk_to(&Line::new((self.state.contact.control, now), (value, place)), on_line)
+        let from = if is_still { place } else { now };
+        self.walk_to(&Line::new((self.state.contact.control, from), (value, place)), is_direct)
     }
 
     /// Walks a line that takes more than slip of the outer springs.
-    fn walk_to(&mut self, line: &Line, on_line: bool) -> Result<(), Error> {
+    fn walk_to(&mut self, line: &Line, is_direct: bool) -> Result<(), Error> {
         let (value, place) = line.to;
-        let walked = if on_line && self.pieces(line) == 1 {
+        let walked = if is_direct && self.pieces(line) == 1 {
             self.walk(value, place, 1)
         } else {
             range::input(range::Y, place.y)?;
             // a load that the profile cannot carry is refused with the caller's number, not with
             // that of a piece: before a body wears on the way, else where a piece is refused
             if self.state.wear.is_some() {
-                self.solve_contact(value)?;
+                self.contact_for(value)?;
             }
             self.transaction(|this| this.walk_line(line))
                 .map_err(|error| self.solve_contact(value).err().unwrap_or(error))
@@ -112,23 +107,19 @@ impl FrettingContact {
     pub(super) fn walk_line(&mut self, line: &Line) -> Result<(), Error> {
         let running_in = self.running_in_of_line();
         for part in line.split_at(self.touch_control()).iter().flatten() {
-            let (pieces, on_line) = (self.pieces(part), self.is_on_line(part.to.1));
+            let pieces = self.pieces(part);
             let touches = !(self.state.contact.is_open() && part.to.0 <= self.touch_control());
-            if self.model.compliance > 0.0 && !on_line && touches {
+            if self.model.compliance > 0.0 && touches {
                 self.follow_drive(part, 1.0 / f64::from(pieces), running_in)?;
                 continue;
             }
-            let is_even = self.divides_evenly(part);
+            let (on_line, is_even) = (self.is_on_line(part.to.1), self.divides_evenly(part));
             for k in 1..=pieces {
                 let share =
                     if is_even { f64::from(k) / f64::from(pieces) } else { part.root_share(k, pieces) };
                 let (value, place) = part.at_share(share);
                 self.run_in_along(running_in, part.of_whole(share));
-                if self.model.compliance > 0.0 && on_line {
-                    self.follow_drive_on_line(value, place.x)?;
-                } else {
-                    self.walk(value, place, if on_line { 1 } else { MOST_PIECES.ilog2() })?;
-                }
+                self.walk(value, place, if on_line { 1 } else { MOST_PIECES.ilog2() })?;
                 self.keep_bound_slope_after(running_in);
             }
         }

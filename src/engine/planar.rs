@@ -9,9 +9,6 @@
 mod reading;
 
 mod derivatives;
-mod rig;
-
-pub(super) use rig::BALANCED;
 
 use super::FrettingContact;
 use crate::error::Error;

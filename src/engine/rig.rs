@@ -1,43 +1,129 @@
 //! A spring in series with the contact: what holds the body, and what a measured displacement
-//! contains of it.
+//! contains of it. It is as stiff along y as along x.
 //!
-//! The drive stands at D, the body at U, and both carry the same force,
+//! The drive stands at **D**, the body at **U**, and both carry the same force,
 //!
-//! k_rig (D − U) = T(U).
+//! k_rig (**D** − **U**) = **T**(**U**),
 //!
-//! **At constant load** T is a concave function of the way that the body has gone since its last
-//! reversal, since springs that slip go on slipping (Popov & Heß, chapter 5), and |T| ≤ μF_N. So
-//! Newton's method, and the place U = D ∓ μF_N/k_rig of gross slip, both end short of the solution
-//! or in it. The body is simply walked to them in turn: no motion is tried in vain, and wear sees a
-//! single stroke. Stick and gross slip take one walk, partial slip a few.
+//! where **T** is that at the end of a straight way of the body. Trials of such ways find **U**
+//! ([`equilibrium`]).
 //!
-//! **Where the load changes** T at the end depends on how body and load went there. The line of
-//! load and drive is walked in pieces like any other, the body goes straight in each, and its end
-//! is found by regula falsi over trial walks: D − U − T/k_rig falls with U. Where springs touch or
-//! leave during that, a piece has an error of second order in its change of load.
+//! At constant load a line of the drive is one way of the body, as long as it moves along x alone.
+//! In the plane, springs that slip let the body give way sideways, so that it goes along a curve
+//! while the drive goes straight, and where the load changes, **T** at the end depends on how body
+//! and load went there. The drive's line is divided into pieces in which the body, halfway, is near
+//! the chord: with the curvature κ of its path it is off by h²κ/8 in a piece of length h. The
+//! curvature follows from the chords of two pieces, in the first one from the tangents at both
+//! ends. The tangents serve there only: at the end of a chord the outer springs point along it, so
+//! that they turn by more than the path. Between two ends of the line the body need not be nearer
+//! to equilibrium than to the chord, since the next piece makes up for it.
 //!
-//! Nothing is kept: D follows from U and T. What an update of the worn profile changes in T is made
-//! up for with the motion that follows, so that it is never a reversal of its own.
+//! Nothing is kept: **D** follows from **U** and **T**. What an update of the worn profile changes
+//! in **T** is made up for by going on, never back.
 
 mod cycles;
+mod equilibrium;
 
-use super::FrettingContact;
 use super::history::MOST_PIECES;
 use super::line::Line;
+use super::{FrettingContact, Gradient};
 use crate::error::Error;
-use crate::roots;
+use crate::surface::Contact;
+use equilibrium::{Trial, size, solved};
+use nalgebra::{Matrix2, Vector2};
 
-/// Ratio of two loads between which the way of the body is checked half way. With 2 the friction
-/// work of punches that are lifted off is 9 % off. At every change of load an orbit behind a rig
-/// takes 72 walks a step, more than the 50 that its test allows.
+/// Ratio of two loads from which on the body may be late or early on a straight way. With 2 the
+/// friction work of punches that are lifted off is 9 % off. At every change of load an orbit behind
+/// a rig takes 72 walks a step, more than the 50 that its test allows.
 const MUCH: f64 = 1.5;
-
-/// Most walks for one equilibrium. Newton's method takes 3 to 6; a bisection in its place would
-/// take 52.
-pub(super) const MOST_WALKS: u32 = 100;
 
 /// How far from equilibrium counts as none, relative to the lengths that are compared.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Share of a piece by which a line may be longer than its pieces.
+const ROUNDED: f64 = 1e-6;
+
+/// A piece of the drive's line, from where the body stands.
+struct Piece {
+    /// Load (N, or a depth in m) and place of the drive (m) at its end.
+    value: f64,
+    drive: Vector2<f64>,
+    to: Contact,
+    /// Its share of the line.
+    share: f64,
+    /// Way of the drive along it, m.
+    way: Vector2<f64>,
+    /// How far the drive is ahead of the line at its start, m.
+    behind: Vector2<f64>,
+    /// How far the body may be from the chord halfway, m.
+    near: f64,
+    /// How far from equilibrium the body may be at its end, m.
+    within: f64,
+    divisible: bool,
+}
+
+/// The way of the body that has been found for a piece.
+struct Found {
+    trial: Trial,
+    /// By how much the drive goes on with the body.
+    slope: Matrix2<f64>,
+    /// How far from the chord the body is halfway, m.
+    bent: f64,
+    /// Whether there is no equilibrium at the end.
+    missed: bool,
+}
+
+/// The piece before, by which the next one is guessed.
+#[derive(Debug, Clone, Copy)]
+struct Former {
+    /// Way of the body per share of the line.
+    rate: Vector2<f64>,
+    /// Change of the rate per share of the line.
+    curvature: Vector2<f64>,
+    share: f64,
+    slope: Matrix2<f64>,
+}
+
+impl Former {
+    fn new(before: Option<Self>, way: Vector2<f64>, share: f64, slope: Matrix2<f64>) -> Self {
+        let rate = way / share;
+        let curvature =
+            before.map_or(Vector2::zeros(), |before| 2.0 * (rate - before.rate) / (share + before.share));
+        Self { rate, curvature, share, slope }
+    }
+
+    /// Way of the body in the next piece.
+    fn way_on(&self, share: f64) -> Vector2<f64> {
+        share * (self.rate + 0.5 * (share + self.share) * self.curvature)
+    }
+
+    /// How far from the chord a body on a parabola is halfway.
+    fn bend(&self, way: Vector2<f64>, share: f64) -> Vector2<f64> {
+        share * share / (4.0 * (share + self.share)) * (way / share - self.rate)
+    }
+}
+
+/// What tells how the path of the body bends.
+enum Ahead {
+    Former(Former),
+    /// Ways of a piece in the directions at its start and its end.
+    Tangents([Vector2<f64>; 2]),
+}
+
+impl Ahead {
+    /// How far from the chord the body is halfway, sideways, or at all where it may be late or
+    /// early.
+    fn bend(&self, way: Vector2<f64>, share: f64, late: bool) -> f64 {
+        let aside = |off: Vector2<f64>| {
+            let length = size(way);
+            if late || length == 0.0 { size(off) } else { (way.perp(&off) / length).abs() }
+        };
+        match self {
+            Self::Former(former) => aside(former.bend(way, share)),
+            Self::Tangents(ways) => (aside(ways[0] - way) + aside(ways[1] - way)) / 8.0,
+        }
+    }
+}
 
 /// Behind a rig.
 impl FrettingContact {
@@ -51,198 +137,223 @@ impl FrettingContact {
         self.state.place.x + self.model.compliance * self.tangential_force()
     }
 
-    /// [`Self::advance_to`] with the displacement of a drive.
-    pub(super) fn advance_drive(&mut self, value: f64, drive: f64) -> Result<(), Error> {
-        if !(value == self.state.contact.control && self.slides_after(drive)) {
-            if value != self.state.contact.control {
-                // refused with the caller's number, not with that of a piece
-                self.solve_contact(value)?;
-            }
-            self.transaction(|this| this.walk_with_drive(value, drive))?;
+    /// Displacement of the drive along y: U_y + T_y/k_rig, m. It is [`Self::displacement_y`] where
+    /// the rig is rigid.
+    #[inline]
+    pub fn drive_displacement_y(&self) -> f64 {
+        if self.model.compliance == 0.0 {
+            return self.state.place.y;
         }
-        self.state.counters.steps += 1;
-        Ok(())
+        self.state.place.y + self.model.compliance * self.tangential_force_y()
     }
 
-    /// Follows the drive under an unchanged load by slip of outer springs alone; `false`, with
-    /// nothing changed, if it takes a walk.
-    fn slides_after(&mut self, drive: f64) -> bool {
-        if self.state.contact.is_open() {
-            return false;
-        }
-        let value = self.state.contact.control;
-        let side = self.pull(drive).signum();
-        let followed = self.transaction(|this| {
-            for _ in 0..MOST_WALKS {
-                match this.next_place(drive, side) {
-                    None => return Ok(()),
-                    Some(target) if this.slides_to(value, target) => {}
-                    Some(_) => break,
+    /// Where the drive stands, m.
+    #[inline]
+    pub(super) fn drive_place(&self) -> Vector2<f64> {
+        Vector2::new(self.drive_displacement(), self.drive_displacement_y())
+    }
+
+    /// Follows a line of the drive on which the bodies touch, while friction runs in. No piece
+    /// takes more than a given share.
+    pub(super) fn follow_drive(
+        &mut self,
+        line: &Line,
+        most: f64,
+        running_in: Option<(f64, f64)>,
+    ) -> Result<(), Error> {
+        let least = most / f64::from(MOST_PIECES);
+        let (mut done, mut length, mut trials) = (0.0, most, 0);
+        let mut former: Option<Former> = None;
+        while done < 1.0 {
+            // the pieces that are left are even
+            let left = ((1.0 - done) / length - ROUNDED).ceil();
+            let next = if left > 1.0 { done + (1.0 - done) / left } else { 1.0 };
+            let share = next - done;
+            let divisible = share > least && trials < MOST_PIECES;
+            trials += 1;
+            self.run_in_along(running_in, line.of_whole(next));
+            if self.update_on_the_way(line.at_share(next))? {
+                former = None;
+            }
+            let piece = self.piece(line, (done, next), divisible)?;
+            let (found, here) = (self.find_way(&piece, former), self.state.place);
+            let factor = 0.9 * (piece.near / found.bent).sqrt();
+            if divisible && (found.missed || found.bent > piece.near) {
+                self.memory.get().row = found.trial.end.row;
+                if !found.missed {
+                    length = share * factor.clamp(0.1, 0.7);
+                } else if former.take().is_none() {
+                    length = 0.25 * share;
                 }
+                continue;
             }
-            Err(())
-        });
-        followed.is_ok()
-    }
-
-    fn walk_with_drive(&mut self, value: f64, drive: f64) -> Result<(), Error> {
-        let start = self.drive_displacement();
-        let still = (drive - start).abs() <= ROUNDING * (drive.abs() + start.abs());
-        let from = self.place_at(if still { drive } else { start });
-        let line = Line::new((self.state.contact.control, from), (value, self.place_at(drive)));
-        self.walk_line(&line)
-    }
-
-    /// Follows one piece of the drive's line.
-    pub(super) fn follow_drive_on_line(&mut self, value: f64, drive: f64) -> Result<(), Error> {
-        let mut side = self.pull(drive).signum();
-        if value != self.state.contact.control || self.state.contact.is_open() {
-            let displacement = self.equilibrium(value, drive)?;
-            let updates = self.state.counters.profile_updates;
-            self.walk_evenly((value, drive), displacement, MOST_PIECES.ilog2())?;
-            if self.state.counters.profile_updates == updates {
-                return Ok(());
+            let (place, slope) = (found.trial.place, found.slope);
+            let updated = self.take_way(found.trial, piece.value)?;
+            self.keep_bound_slope_after(running_in);
+            former = if updated { None } else { Some(Former::new(former, place - here, share, slope)) };
+            if updated && next == 1.0 {
+                self.go_on(piece.value, piece.drive)?;
             }
-            side = self.state.direction.x;
-        }
-        for _ in 0..MOST_WALKS {
-            let Some(target) = self.next_place(drive, side) else { return Ok(()) };
-            // with the wear of an update the body goes on, maybe beyond that place
-            let target = self.place_at(target);
-            if self.update_is_due(target) {
-                self.bounded(|this| this.update_before(value))?;
-            } else {
-                self.walk(value, target, 1)?;
-            }
+            length =
+                if trials < MOST_PIECES { (share * factor.clamp(0.2, 4.0)).clamp(least, most) } else { most };
+            done = next;
         }
         Ok(())
     }
 
-    /// Walks to another load and place of the drive, at which the body is found at a displacement.
-    /// Where the load changes by much the line is halved until the body, halfway, is near the
-    /// middle.
-    fn walk_evenly(&mut self, to: (f64, f64), displacement: f64, halvings: u32) -> Result<(), Error> {
-        let (value, drive) = to;
-        let halfway = 0.5 * (self.state.contact.control + value);
-        if halvings > 0 && halfway > self.touch_control() && self.load_changes_much(value) {
-            let half = 0.5 * (self.drive_displacement() + drive);
-            let between = self.equilibrium(halfway, half)?;
-            let bent = (between - 0.5 * (self.state.place.x + displacement)).abs();
-            let near = self.straight_within(value)?;
-            if bent > near {
-                // each half bends by a quarter of it, unless springs begin to slip there
-                let halvings = if bent > 4.0 * near { halvings - 1 } else { 0 };
-                self.walk_evenly((halfway, half), between, halvings)?;
-                let displacement = self.equilibrium(value, drive)?;
-                return self.walk_evenly(to, displacement, halvings);
-            }
+    /// Lets the profile follow where that is due before the body goes on to a load and a place of
+    /// the drive; says whether it has.
+    fn update_on_the_way(&mut self, (value, drive): (f64, Vector2<f64>)) -> Result<bool, Error> {
+        self.enter_plane_for(drive)?;
+        let due = self.update_is_due(self.state.place + self.ahead_of_drive(drive, &self.state.contact));
+        if due {
+            self.update_before(value)?;
+            // the body may have worn free
+            self.enter_plane_for(drive)?;
         }
-        self.walk(value, self.place_at(displacement), 1)
+        Ok(due)
+    }
+
+    /// [`Self::enter_plane`], where the drive moves along y.
+    fn enter_plane_for(&mut self, drive: Vector2<f64>) -> Result<(), Error> {
+        if drive.y == self.state.place.y { Ok(()) } else { self.enter_plane() }
+    }
+
+    /// The piece between two shares of a line.
+    fn piece(&self, line: &Line, (done, next): (f64, f64), divisible: bool) -> Result<Piece, Error> {
+        let (value, drive) = line.at_share(next);
+        let to = self.contact_for(value)?;
+        let near = self.straight_within(value)? + self.rounding_of((drive, self.state.place), &to);
+        Ok(Piece {
+            value,
+            drive,
+            to,
+            share: next - done,
+            way: (next - done) * (line.to.1 - line.from.1),
+            behind: line.at_share(done).1 - self.drive_place(),
+            near,
+            within: if next == 1.0 { 0.0 } else { near },
+            divisible,
+        })
+    }
+
+    /// Finds the way of the body in a piece.
+    fn find_way(&mut self, piece: &Piece, former: Option<Former>) -> Found {
+        let (here, to) = (self.state.place, (piece.to, piece.drive));
+        let late = self.load_changes_much(piece.value);
+        let (mut trial, mut slope, ahead) = match former {
+            Some(former) => {
+                let behind = solved(&former.slope, piece.behind).unwrap_or_default();
+                let trial = self.try_drive(to, here + former.way_on(piece.share) + behind);
+                (trial, former.slope, Ahead::Former(former))
+            }
+            None => {
+                let (trial, slope, ways) = self.try_tangent(piece);
+                (trial, slope, Ahead::Tangents(ways))
+            }
+        };
+        let bent = |place: Vector2<f64>| ahead.bend(place - here, piece.share, late);
+        let first = solved(&slope, trial.off).unwrap_or_default();
+        let guess = bent(trial.place + first);
+        if piece.divisible && guess > piece.near {
+            return Found { trial, slope, bent: guess, missed: false };
+        }
+        self.balance(&mut trial, &mut slope, to, piece.within);
+        if size(trial.off) > piece.near && former.is_none() {
+            // a body that sticks as the load rises may slip at the first guess
+            self.memory.get().row = trial.end.row;
+            trial = self.try_drive(to, here);
+            slope = self.going_in((here, &trial.end.row, &piece.to), trial.off, 0.0).slope;
+            self.balance(&mut trial, &mut slope, to, piece.within);
+        }
+        let missed = size(trial.off) > piece.near || !trial.end.work.is_finite();
+        let bent = bent(trial.place);
+        Found { trial, slope, bent, missed }
+    }
+
+    /// Tries the way in the present direction of the body. Returns the slope there, and the ways in
+    /// the directions at both ends, the last one for the way of the drive.
+    fn try_tangent(&mut self, piece: &Piece) -> (Trial, Matrix2<f64>, [Vector2<f64>; 2]) {
+        let change = piece.value - self.state.contact.control;
+        let [first, last] =
+            [&self.state.contact, &piece.to].map(|contact| change * self.depth_per_control(contact));
+        let ahead = self.ahead_of_drive(piece.drive, &piece.to);
+        let straight = self.going_from(ahead, first).with(ahead, first);
+        let trial = self.try_drive((piece.to, piece.drive), self.state.place + straight);
+        if piece.to.is_open() {
+            return (trial, Matrix2::identity(), [straight; 2]);
+        }
+        let end = self.going_in((trial.place, &trial.end.row, &piece.to), straight, last);
+        let onward = end.with(piece.way, last);
+        (trial, end.slope, [straight, onward])
+    }
+
+    /// Takes the way that has been tried, and says whether the profile was updated on it.
+    fn take_way(&mut self, trial: Trial, value: f64) -> Result<bool, Error> {
+        let updates = self.state.counters.profile_updates;
+        if trial.is_last {
+            self.settle(trial.end, (value, trial.place), MOST_PIECES.ilog2())?;
+        } else {
+            self.memory.get().row = trial.end.row;
+            self.walk(value, trial.place, MOST_PIECES.ilog2())?;
+        }
+        Ok(self.state.counters.profile_updates != updates)
+    }
+
+    /// Makes up for what wear has changed in the force. The body does not go back for that, within
+    /// the accuracy of an equilibrium, since a reversal would let all springs stick.
+    fn go_on(&mut self, value: f64, drive: Vector2<f64>) -> Result<(), Error> {
+        let to = self.state.contact;
+        let off = self.ahead_of_drive(drive, &to);
+        if off.dot(&self.state.direction) <= 0.0 {
+            return Ok(());
+        }
+        let mut going = self.going_from(off, 0.0);
+        let mut trial = self.try_drive((to, drive), self.state.place + going.with(off, 0.0));
+        self.balance(&mut trial, &mut going.slope, (to, drive), 0.0);
+        self.memory.get().row = trial.end.row;
+        let goes_on = (trial.place - self.state.place).dot(&self.state.direction) > 0.0;
+        if goes_on { self.walk(value, trial.place, MOST_PIECES.ilog2()) } else { Ok(()) }
     }
 
     /// Whether a load (N, or a depth in m) differs much from the present one.
-    pub(super) fn load_changes_much(&self, value: f64) -> bool {
+    fn load_changes_much(&self, value: f64) -> bool {
         let [now, then] = [self.state.contact.control, value].map(|value| value - self.touch_control());
         MUCH * now.min(then) < now.max(then)
     }
 
     /// How far the body may be from the middle of a straight way to a load (N, or a depth in m), m.
-    pub(super) fn straight_within(&self, value: f64) -> Result<f64, Error> {
+    fn straight_within(&self, value: f64) -> Result<f64, Error> {
         let depth = self.state.contact.depth.abs();
         let deeper = if self.load_changes_much(value) { self.solve_contact(value)?.depth.abs() } else { 0.0 };
         Ok(self.model.tuning.bent * self.model.bound_slope * depth.max(deeper))
     }
 
-    /// How far the drive is ahead of equilibrium, D − U − T/k_rig, m; 0 where that is rounding.
-    fn pull(&self, drive: f64) -> f64 {
-        let limit = self.friction_limit();
-        self.pull_on((drive, self.state.place.x), self.tangential_force(), limit)
-    }
-
-    fn pull_on(&self, (drive, displacement): (f64, f64), force: f64, limit: f64) -> f64 {
-        let pull = drive - displacement - self.model.compliance * force;
-        let scale = drive.abs() + displacement.abs() + self.model.compliance * limit;
-        if pull.abs() <= ROUNDING * scale { 0.0 } else { pull }
-    }
-
-    /// A place nearer to equilibrium on one side of where the body stands, and not beyond it;
-    /// `None` in equilibrium.
-    fn next_place(&self, drive: f64, side: f64) -> Option<f64> {
-        let pull = side * self.pull(drive);
-        let moves = pull > 0.0 && pull.is_finite();
-        if !moves {
-            return None;
+    /// By how much the depth changes with the control.
+    fn depth_per_control(&self, contact: &Contact) -> f64 {
+        match (self.model.constants.force_control, contact.is_open()) {
+            (_, true) => 0.0,
+            (true, false) => 1.0 / contact.radius,
+            (false, false) => 1.0,
         }
-        let row_modulus = 2.0 * self.model.constants.tangential_modulus;
-        let newton = pull / (1.0 + self.model.compliance * row_modulus * self.sticking(side));
-        let limit = self.friction_limit();
-        let gross_slip = side * (drive - self.state.place.x) - self.model.compliance * limit;
-        let target = self.state.place.x + side * newton.max(gross_slip);
-        (target != self.state.place.x).then_some(target)
     }
 
-    /// Displacement of the body that balances the drive after a straight line to another load.
-    fn equilibrium(&mut self, value: f64, drive: f64) -> Result<f64, Error> {
-        let to = self.solve_contact(value)?;
-        self.state.counters.contact_solutions += 1;
-        if to.is_open() {
-            return Ok(drive);
-        }
-        let row_modulus = 2.0 * self.model.constants.tangential_modulus;
-        let limit = self.model.constants.friction_coefficient * to.load * self.force_scale();
-        let mut walks = 0;
-        let mut spare = std::mem::take(&mut self.memory.get().row);
-        let mut pull = |displacement: f64| {
-            let path = self.path_to(to, self.place_at(displacement));
-            let (row, _) = self.state.row.walk(&path, std::mem::take(&mut spare), None);
-            walks += 1;
-            let force = row_modulus * row.deflection_integral(path.end).x;
-            spare = row;
-            self.pull_on((drive, displacement), force, limit)
-        };
-        let here = self.state.place.x;
-        let first = pull(here);
-        // all springs stick there at most, and none there
-        let stiffest = row_modulus * to.radius.max(self.state.contact.radius);
-        let ends = (here + first / (1.0 + self.model.compliance * stiffest), here + first);
-        let displacement = if first == 0.0 { here } else { roots::of_falling(ends, pull) };
-        self.state.counters.spring_walks += walks;
-        self.memory.get().row = spare;
-        Ok(displacement)
-    }
-
-    /// Amplitude of the drive (m) in steady cycles of the contact itself at the present load: U₀ +
-    /// T₀/k_rig.
-    pub(super) fn drive_amplitude(&mut self, own: f64) -> f64 {
+    /// The derivatives of a quantity by the drive where those by the body are given: d**U** = (1 +
+    /// K/k_rig)⁻¹ (d**D** − ∂**T**/∂n dn/k_rig).
+    pub(super) fn behind_the_rig(&self, of: Gradient) -> Gradient {
         if self.model.compliance == 0.0 {
-            return own;
+            return of;
         }
-        let contact = self.state.contact;
-        let (springs, _) = self.quarter(&contact, own);
-        own + self.model.compliance
-            * 2.0
-            * self.model.constants.tangential_modulus
-            * springs.deflection_integral(own)
-    }
-
-    /// Amplitude of the contact itself in steady cycles of a drive (m) at the present load: the
-    /// same law from rest.
-    pub(super) fn own_amplitude(&mut self, drive: f64) -> f64 {
-        if self.model.compliance == 0.0 || self.state.contact.is_open() {
-            return drive;
+        let tangent = self.tangent_running_in();
+        let matrix = Matrix2::identity() + self.model.compliance * tangent.stiffness;
+        let right = Vector2::new(of.displacement, of.displacement_y);
+        let by_place = solved(&matrix.transpose(), right).unwrap_or_default();
+        let by_normal = self.model.compliance * tangent.by_depth * self.depth_per_normal();
+        Gradient {
+            normal: of.normal - by_place.x * by_normal.x - by_place.y * by_normal.y,
+            displacement: by_place.x,
+            displacement_y: by_place.y,
+            ..of
         }
-        let contact = self.state.contact;
-        let row_modulus = 2.0 * self.model.constants.tangential_modulus;
-        let limit = self.friction_limit();
-        roots::from_below((drive - self.model.compliance * limit).max(0.0), |amplitude| {
-            let (mut force, mut stick) = (0.0, contact.radius);
-            if amplitude > 0.0 {
-                let (springs, _) = self.quarter(&contact, amplitude);
-                force = row_modulus * springs.deflection_integral(amplitude);
-                stick = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
-            }
-            let pull = self.pull_on((drive, amplitude), force, limit);
-            pull / (1.0 + self.model.compliance * row_modulus * stick)
-        })
     }
 }

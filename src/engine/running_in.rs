@@ -9,7 +9,6 @@
 //! What the constants were measured by is in docs/decisions/running_in.md.
 
 use super::history::MOST_PIECES;
-use super::planar::BALANCED;
 use super::{FrettingContact, Gradient};
 use crate::error::Error;
 use crate::parameters::Parameters;
@@ -26,6 +25,9 @@ const LEAST_PART: f64 = 1e-3;
 
 /// Share of the energy of a part for which its length is chosen.
 const AIM: f64 = 0.8;
+
+/// How far from the solution of an iteration counts as none, relative.
+const BALANCED: f64 = 1e-13;
 
 /// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds
 /// are halved instead.

@@ -30,7 +30,7 @@ impl FrettingContact {
     }
 
     /// A row in another contact and place.
-    pub(super) fn standing_at<'a>(
+    pub(in crate::engine) fn standing_at<'a>(
         &'a self,
         place: Vector2<f64>,
         row: &'a PlanarRow,

@@ -5,15 +5,54 @@
 //! a mesh that begins at the front sees too late: there the cycles are run in stretches of constant
 //! amplitude, and so they are where the integrator cannot follow.
 
-use super::super::FrettingContact;
-use super::super::history::MOST_PIECES;
+use super::ROUNDING;
+use crate::engine::FrettingContact;
+use crate::engine::history::MOST_PIECES;
 use crate::error::Error;
+use crate::roots;
 use crate::wear::Sliding;
 
 /// Share of the tolerance that the amplitude may be wrong by at the end of a stretch, relative.
 const SHARE: f64 = 0.1;
 
 impl FrettingContact {
+    /// Amplitude of the drive (m) in steady cycles of the contact itself at the present load: U₀ +
+    /// T₀/k_rig.
+    pub(in crate::engine) fn drive_amplitude(&mut self, own: f64) -> f64 {
+        if self.model.compliance == 0.0 {
+            return own;
+        }
+        let contact = self.state.contact;
+        let (springs, _) = self.quarter(&contact, own);
+        own + self.model.compliance
+            * 2.0
+            * self.model.constants.tangential_modulus
+            * springs.deflection_integral(own)
+    }
+
+    /// Amplitude of the contact itself in steady cycles of a drive (m) at the present load: the
+    /// same law from rest.
+    pub(in crate::engine) fn own_amplitude(&mut self, drive: f64) -> f64 {
+        if self.model.compliance == 0.0 || self.state.contact.is_open() {
+            return drive;
+        }
+        let contact = self.state.contact;
+        let row_modulus = 2.0 * self.model.constants.tangential_modulus;
+        let limit = self.friction_limit();
+        roots::from_below((drive - self.model.compliance * limit).max(0.0), |amplitude| {
+            let (mut force, mut stick) = (0.0, contact.radius);
+            if amplitude > 0.0 {
+                let (springs, _) = self.quarter(&contact, amplitude);
+                force = row_modulus * springs.deflection_integral(amplitude);
+                stick = springs.stick_radius(&contact, self.model.bound_slope, amplitude);
+            }
+            let pull = drive - amplitude - self.model.compliance * force;
+            let scale = drive + amplitude + self.model.compliance * limit;
+            let pull = if pull.abs() <= ROUNDING * scale { 0.0 } else { pull };
+            pull / (1.0 + self.model.compliance * row_modulus * stick)
+        })
+    }
+
     /// Wears the surface by cycles of a drive at constant load; returns the amplitude of the
     /// contact itself at their end, m.
     ///
