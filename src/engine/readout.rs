@@ -3,7 +3,7 @@
 
 use super::{FrettingContact, SlipState};
 use crate::range::LEAST_RISE;
-use crate::surface::{Contact, Nodes, Slopes};
+use crate::surface::{Contact, Nodes, Place, Slopes};
 use crate::transform;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -264,17 +264,16 @@ impl FrettingContact {
         let slopes = self.slopes(a);
         let r = self.off_the_apex(&slopes, r);
         let place = self.model.axes.for_springs(self.state.place);
-        let (mut sum, mut inner, mut inner_integral) = (Vector2::zeros(), None, 0.0);
+        let (mut sum, mut inner) = (Vector2::zeros(), None);
         for (outer, origin) in self.state.row.origins(place.y) {
-            let integral = if outer.x > r { slopes.integral(r, outer.x) } else { 0.0 };
-            if let Some((image, inner_origin)) = inner.replace((outer.image, origin))
+            if let Some((Place { x, image, .. }, inner_origin)) = inner.replace((outer, origin))
                 && outer.x > r
                 && outer.image - image > LEAST_RISE
                 && origin != inner_origin
             {
-                sum += (origin - inner_origin) / (outer.image - image) * (integral - inner_integral);
+                let integral = slopes.integral_between(r, (x.max(r), outer.x));
+                sum += (origin - inner_origin) / (outer.image - image) * integral;
             }
-            inner_integral = integral;
         }
         if let Some((_, edge)) = inner
             && a >= self.surface.profile().outer_radius()

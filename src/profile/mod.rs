@@ -337,40 +337,62 @@ impl Profile {
     /// smooth part of the unworn profile is p = E* J/π. Infinite at the apex of a cone and at the
     /// rim of a blunted sphere's flat.
     pub fn pressure_integral(&self, r: f64, a: f64) -> f64 {
-        if r >= a {
+        self.pressure_integral_between(r, (r, a))
+    }
+
+    /// The part of [`Self::pressure_integral`] between two radii that are r or more. It is no
+    /// difference of two integrals, so that it keeps its digits over a short interval, and on the
+    /// axis.
+    pub(crate) fn pressure_integral_between(&self, r: f64, (from, to): (f64, f64)) -> f64 {
+        if from >= to {
             return 0.0;
         }
+        let ends = || {
+            let (near, far) = (leg(from, r), leg(to, r));
+            // the difference of both, without loss of digits
+            (near, far, (to - from) * ((to + from) / (near + far)))
+        };
+        // ∫ dx/√(x² − r²) = ln (x + √(x² − r²))
+        let logarithm = || {
+            let (near, _, rise) = ends();
+            ((to - from + rise) / (from + near)).ln_1p()
+        };
         match self {
-            Self::Parabola { radius } => 2.0 / radius * leg(a, r),
-            Self::Cone { slope } => PI / 2.0 * slope.tan() * (leg(a, r) / r).asinh(),
+            Self::Parabola { radius } => 2.0 / radius * ends().2,
+            Self::Cone { slope } => PI / 2.0 * slope.tan() * logarithm(),
             Self::PowerLaw { exponent: n, .. } => {
-                // x = r cosh u turns dx/√(x² − r²) into du
-                let end = (leg(a, r) / r).asinh();
-                // at the axis, and so near to it that the quotient is lost
+                let end = logarithm();
+                // from the axis, and from so near to it that the quotient is lost
                 if end.is_infinite() {
-                    return if *n > 1.0 { n / (n - 1.0) * self.image(a) / a } else { f64::INFINITY };
+                    return if *n > 1.0 { n / (n - 1.0) * self.image(to) / to } else { f64::INFINITY };
                 }
-                quadrature::composite(0.0, end, |u| self.image_slope(r * u.cosh()))
+                let start = from + ends().0;
+                let integral = quadrature::of_slow(0.0, end, |u| {
+                    let sum = start * u.exp();
+                    (0.5 * (sum + r * (r / sum)) / to).powf(n - 1.0)
+                });
+                self.image_slope(to) * integral
             }
             Self::BluntedSphere { flat_radius: b, .. } | Self::RoundedPunch { flat_radius: b, .. } => {
-                let inner = r.max(*b);
-                if inner >= a {
+                let (inner, from) = (r.max(*b), from.max(*b));
+                if from >= to {
                     return 0.0;
                 }
-                if r == *b && matches!(self, Self::BluntedSphere { .. }) {
+                if r == *b && from == *b && matches!(self, Self::BluntedSphere { .. }) {
                     return f64::INFINITY;
                 }
                 // x² = inner² + (δ sinh u)² with δ² = |r² − b²|: both square roots of the integrand
                 // become smooth
                 let delta = leg(r.max(*b), r.min(*b)).max(1e-12 * b);
-                quadrature::composite(0.0, (leg(a, inner) / delta).asinh(), |u| {
+                let [start, end] = [from, to].map(|x| (leg(x, inner) / delta).asinh());
+                quadrature::of_slow(start, end, |u| {
                     let x = inner.hypot(delta * u.sinh());
                     if x > *b { self.image_slope(x) * leg(x, *b) / x } else { self.rim_limit() }
                 })
             }
             Self::FlatPunch { .. } => 0.0,
-            Self::Table(table) => table.pressure_integral(r, a),
-            Self::Ellipse { .. } => self.of_revolution().pressure_integral(r, a),
+            Self::Table(table) => table.pressure_integral(r, (from, to)),
+            Self::Ellipse { .. } => self.of_revolution().pressure_integral_between(r, (from, to)),
         }
     }
 

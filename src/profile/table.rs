@@ -252,11 +252,11 @@ impl ProfileTable {
         self.0.square[j] + piece.square(x)
     }
 
-    /// Nothing beyond the last radius.
-    pub(super) fn pressure_integral(&self, r: f64, a: f64) -> f64 {
+    /// Between two radii that are r or more; nothing beyond the last point.
+    pub(super) fn pressure_integral(&self, r: f64, (from, to): (f64, f64)) -> f64 {
         let last = self.0.radii.len() - 1;
-        let pieces = (self.piece(r).0..last).map(|j| self.nth(j)).take_while(|piece| piece.x0 < a);
-        pieces.map(|piece| piece.pressure(r, a)).sum()
+        let pieces = (self.piece(from).0..last).map(|j| self.nth(j)).take_while(|piece| piece.x0 < to);
+        pieces.map(|piece| piece.pressure(r, (from, to))).sum()
     }
 
     /// The radius at which the image takes the value `depth`, where there is one only.
@@ -336,9 +336,9 @@ impl Piece {
         2.0 / 3.0 * self.slope() * delta * (x * x + x * self.x0 + self.x0 * self.x0)
     }
 
-    /// ∫ g' dξ/√(ξ² − r²) over what lies between r and a.
-    fn pressure(&self, r: f64, a: f64) -> f64 {
-        let (x0, x1) = (self.x0.max(r), self.x1.min(a));
+    /// ∫ g' dξ/√(ξ² − r²) over what lies between two radii.
+    fn pressure(&self, r: f64, (from, to): (f64, f64)) -> f64 {
+        let (x0, x1) = (self.x0.max(from), self.x1.min(to));
         if x1 <= x0 {
             return 0.0;
         }

@@ -134,6 +134,31 @@ fn central_pressures_match_their_closed_forms() {
     assert!(Profile::RoundedPunch { radius, flat_radius: b }.pressure_integral(b, a).is_finite());
 }
 
+/// Over parts of any length the pressure integral is the integral over these parts alone.
+#[test]
+fn parts_of_the_pressure_integral_keep_their_digits() {
+    let table = ProfileTable::new((0..40).map(|i| (1e-5 * f64::from(i), 5e-10 * f64::from(i * i))).collect());
+    let mut profiles = analytic();
+    profiles.push((Profile::Table(table.unwrap()), 3e-4));
+    for (profile, a) in profiles {
+        for r in [0.0, 0.3, 0.8].map(|share: f64| share * a) {
+            let from = r.max(profile.flat_radius()) + 0.05 * a;
+            let middle = from + 0.4 * (a - from);
+            let part = |from: f64, to: f64| profile.pressure_integral_between(r, (from, to));
+            let (whole, parts) = (part(from, a), part(from, middle) + part(middle, a));
+            assert!((parts / whole - 1.0).abs() < 1e-13, "{profile:?}, {r:e}: {parts:e} {whole:e}");
+            let difference = profile.pressure_integral(r, a) - profile.pressure_integral(r, from);
+            let finite = difference.is_finite();
+            assert!(!finite || (difference / whole - 1.0).abs() < 1e-12, "{profile:?}, {r:e}");
+            // of so short a part the midpoint rule knows all digits, and the difference two
+            let (short, width) = (part(middle, middle * (1.0 + 1e-7)), 1e-7 * middle);
+            let x = middle * (1.0 + 0.5e-7);
+            let exact = profile.image_slope(x) * width / leg(x, r);
+            assert!((short / exact - 1.0).abs() < 1e-8, "{profile:?}, {r:e}: {short:e} {exact:e}");
+        }
+    }
+}
+
 #[test]
 fn the_rounded_punch_is_smooth_where_series_and_closed_form_meet() {
     let (radius, b) = (0.01, 1e-4);
@@ -450,12 +475,12 @@ fn heights_and_pressures_of_a_table_are_those_of_its_pieces() {
                 "height at {r:e}: {found:e} {direct:e}"
             );
             for a in [0.5 * r, r, r * (1.0 + 1e-6), 1.1 * r, 0.3 * outer, outer, 2.0 * outer] {
-                let (found, direct) = (table.pressure_integral(r, a), integral(r, a));
+                let (found, direct) = (table.pressure_integral(r, (r, a)), integral(r, a));
                 assert!((found - direct).abs() < 1e-12 * scale, "{r:e} to {a:e}: {found:e} {direct:e}");
             }
         }
     }
-    assert_eq!(table.pressure_integral(2.0 * outer, 3.0 * outer), 0.0);
+    assert_eq!(table.pressure_integral(2.0 * outer, (2.0 * outer, 3.0 * outer)), 0.0);
 }
 
 #[test]

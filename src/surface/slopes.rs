@@ -7,9 +7,6 @@ use super::{Nodes, Surface};
 use crate::transform::pressure_weight;
 use std::f64::consts::PI;
 
-/// Radius over that of a place so far out that it counts as 0 there.
-const AXIS: f64 = 1e-7;
-
 /// The slope of an image up to a radius.
 #[derive(Debug)]
 pub(crate) struct Slopes {
@@ -43,41 +40,36 @@ impl Slopes {
 
     /// ∫ g' dx/√(x² − r²) from r to a radius within them.
     pub(crate) fn integral(&self, r: f64, end: f64) -> f64 {
-        if end <= r {
+        self.integral_between(r, (r, end))
+    }
+
+    /// The part of [`Self::integral`] between two radii that are r or more.
+    pub(crate) fn integral_between(&self, r: f64, (from, to): (f64, f64)) -> f64 {
+        let of_body = |from: f64, to: f64| self.surface.profile().pressure_integral_between(r, (from, to));
+        if to <= from {
             return 0.0;
         }
         if self.surface.worn().is_none() {
-            return self.surface.profile().pressure_integral(r, end);
+            return of_body(from, to);
         }
-        let first = self.cells.partition_point(|cell| cell.end <= r);
-        let inside = self.cells[first..].iter().take_while(|cell| cell.start < end);
+        let first = self.cells.partition_point(|cell| cell.end <= from);
+        let inside = self.cells[first..].iter().take_while(|cell| cell.start < to);
         let mut sum = 0.0;
         // of the body, where it counts by itself from a radius on
         let mut exact_from = None;
         for cell in inside {
-            let (start, end) = (cell.start.max(r), cell.end.min(end));
+            let (start, end) = (cell.start.max(from), cell.end.min(to));
             sum += PI * cell.slope * (end - start) * (end + start) * pressure_weight(start, end, r);
             match (cell.is_levelled, exact_from) {
                 (false, None) => exact_from = Some(start),
                 (true, Some(from)) => {
-                    sum += self.of_body(r, from, start);
+                    sum += of_body(from, start);
                     exact_from = None;
                 }
                 _ => {}
             }
         }
-        sum + exact_from.map_or(0.0, |from| self.of_body(r, from, end))
-    }
-
-    /// The part of the unworn body between two radii.
-    fn of_body(&self, r: f64, from: f64, to: f64) -> f64 {
-        let profile = self.surface.profile();
-        if from <= r {
-            return profile.pressure_integral(r, to);
-        }
-        // at the axis both may be infinite; so near to it their difference is the same
-        let r = r.max(AXIS * from);
-        profile.pressure_integral(r, to) - profile.pressure_integral(r, from)
+        sum + exact_from.map_or(0.0, |from| of_body(from, to))
     }
 }
 
