@@ -72,12 +72,12 @@ impl FrettingContact {
         self.memory.get().slips.clear();
     }
 
-    /// Whether the profile has to follow before the body goes on to a place. That is asked before a
-    /// motion, not after it: so T at the end of a step does not jump where a master tries another
-    /// end.
-    pub(super) fn update_is_due(&self, place: Vector2<f64>) -> bool {
+    /// Whether the profile has to follow before the body goes on to a place and does some more
+    /// work, J. That is asked before a motion, not after it: so T at the end of a step does not
+    /// jump where a master tries another end.
+    pub(super) fn update_is_due(&self, place: Vector2<f64>, work: f64) -> bool {
         let Some(wear) = &self.state.wear else { return false };
-        let volume = self.model.constants.wear_per_work * wear.backlog.work;
+        let volume = self.model.constants.wear_per_work * (wear.backlog.work + work);
         if wear.limit == 0.0 || volume <= wear.limit {
             return false;
         }
@@ -95,6 +95,12 @@ impl FrettingContact {
             .wear
             .as_ref()
             .map_or(f64::MAX, |wear| wear.limit / self.model.constants.wear_per_work - wear.backlog.work)
+    }
+
+    /// Work (J) whose wear may wait for the next update from now on.
+    pub(super) fn work_of_update(&self) -> f64 {
+        let wears = self.state.wear.is_some();
+        if wears { self.update_limit() / self.model.constants.wear_per_work } else { f64::MAX }
     }
 
     /// Finds how much may wear before the profile follows, where that is not known yet.

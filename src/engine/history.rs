@@ -174,7 +174,7 @@ impl FrettingContact {
                 this.bounded(|this| this.slide_on(place.x))
             });
         }
-        if !self.update_is_due(place) {
+        if !self.update_is_due(place, 0.0) {
             return self.walk_on(value, place, splits);
         }
         self.transaction(|this| {
@@ -250,7 +250,11 @@ impl FrettingContact {
             let middle = 0.5 * (self.state.place + place);
             if far && splits > 0 && middle != place && middle != self.state.place {
                 let between = 0.5 * (self.state.contact.control + value);
+                let running_in = self.running_in_of_line();
+                self.run_in_along(running_in, 0.5);
                 self.walk(between, middle, splits - 1)?;
+                self.keep_bound_slope_after(running_in);
+                self.run_in_along(running_in, 1.0);
                 return self.walk(value, place, splits - 1);
             }
             self.gather(work, &to, place - self.state.place);
@@ -275,10 +279,15 @@ impl FrettingContact {
         if let Some(ratio) = ratio.filter(|_| splits > 0) {
             let pieces = ratio.ceil().min(f64::from(MOST_PIECES)) as u32;
             let line = Line::new((self.state.contact.control, self.state.place), (value, place));
+            let running_in = self.running_in_of_line();
             return self.transaction(|this| {
                 (1..=pieces).try_for_each(|k| {
-                    let (value, place) = line.at_share(f64::from(k) / f64::from(pieces));
-                    this.walk(value, place, splits - 1)
+                    let share = f64::from(k) / f64::from(pieces);
+                    let (value, place) = line.at_share(share);
+                    this.run_in_along(running_in, share);
+                    this.walk(value, place, splits - 1)?;
+                    this.keep_bound_slope_after(running_in);
+                    Ok(())
                 })?;
                 this.bounded(Self::absorb_backlog)
             });

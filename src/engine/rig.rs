@@ -205,7 +205,7 @@ impl FrettingContact {
     /// the drive; says whether it has.
     fn update_on_the_way(&mut self, (value, drive): (f64, Vector2<f64>)) -> Result<bool, Error> {
         self.enter_plane_for(drive)?;
-        let due = self.update_is_due(self.state.place + self.ahead_of_drive(drive, &self.state.contact));
+        let due = self.update_is_due(self.state.place + self.ahead_of_drive(drive, &self.state.contact), 0.0);
         if due {
             self.update_before(value)?;
             // the body may have worn free

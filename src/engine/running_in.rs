@@ -1,12 +1,14 @@
 //! Friction that runs in: μ(W) = μ_end − (μ_end − μ₀) e^(−W/W_r), W the dissipated energy.
 //!
-//! A line is divided so that μ changes little in each part. The bound of a spring goes from m₀ (d₀
-//! − g) to m₁ (d₁ − g) there, m₁ that of the work at the end: the implicit trapezoidal rule, whose
-//! solution is found by iteration on copies of the contact. A call that fails has changed nothing.
+//! A line is divided into parts ([`line`]). In a part the bound of a spring goes from m₀ (d₀ − g)
+//! to m₁ (d₁ − g), m₁ that of the work at the end, which is found by iteration on a copy of the
+//! contact. A call that fails has changed nothing.
 //!
 //! Many cycles in one call are divided in the same way, each part at the coefficient of its middle.
 //! With wear, a part is as long as its halves agree with it.
 //! What the constants were measured by is in docs/decisions/running_in.md.
+
+mod line;
 
 use super::history::MOST_PIECES;
 use super::{FrettingContact, Gradient};
@@ -16,15 +18,8 @@ use crate::wear::Constants;
 use nalgebra::Vector2;
 use std::sync::Arc;
 
-/// Relative error of μ in a part of a line, or of cycles, at most.
+/// Relative error of the work of a line, or of μ in cycles, at most.
 const ACCURACY: f64 = 1e-7;
-
-/// Least part of a line: within less of it μ may change as it likes. That bounds the parts where
-/// W_r is far less than the work of a line, and where a falling μ lets springs snap.
-const LEAST_PART: f64 = 1e-3;
-
-/// Share of the energy of a part for which its length is chosen.
-const AIM: f64 = 0.8;
 
 /// How far from the solution of an iteration counts as none, relative.
 const BALANCED: f64 = 1e-13;
@@ -116,8 +111,8 @@ impl FrettingContact {
         model.start_slope = model.bound_slope;
     }
 
-    /// Energy (J) that a part of a line may dissipate: x = ΔW/W_r of (μ_end − μ) x²/12 = ε μ, the
-    /// error of the trapezoidal rule.
+    /// Energy (J) over which μ may go evenly: x = ΔW/W_r of (μ_end − μ) x²/12 = ε μ, the error of
+    /// the trapezoidal rule.
     fn energy_of_part(&self, accuracy: f64) -> f64 {
         let mu = self.model.constants.friction_coefficient;
         let difference = (self.model.parameters.friction_coefficient_final - mu).abs() / mu;
@@ -140,95 +135,54 @@ impl FrettingContact {
         Ok(())
     }
 
-    /// Walks a line in parts in each of which the coefficient changes little.
-    fn run_in_parts(&mut self, normal: f64, target: Vector2<f64>) -> Result<(), Error> {
-        let scale = if self.model.constants.force_control { self.force_scale() } else { 1.0 };
-        let start = (self.state.contact.control * scale, self.drive_place());
-        let mut rest = self.without_wear();
-        rest.advance_at_constant_friction(normal, target)?;
-        let work = rest.state.work - self.state.work;
-        let most = self.energy_of_part(ACCURACY);
-        // from rest the work rises at most with the third power of the path
-        let mut part = if work > most { (most / work).cbrt() } else { 1.0 };
-        let mut done = 0.0;
-        while done < 1.0 {
-            let most = self.energy_of_part(ACCURACY);
-            loop {
-                part = part.max(LEAST_PART).min(1.0 - done);
-                // the last part ends at the target to the bit
-                let next = (done + part).min(1.0);
-                let at = |from: f64, to: f64| if next < 1.0 { from + next * (to - from) } else { to };
-                let (control, place) = (at(start.0, normal), start.1.zip_map(&target, at));
-                // a part that is the whole line has been walked once already
-                let walked = (done == 0.0 && next == 1.0).then_some(rest.state.work);
-                let end =
-                    self.run_in_part(walked, |this| this.advance_at_constant_friction(control, place))?;
-                let gained = end.state.work - self.state.work;
-                let share = AIM * most / gained;
-                if gained <= most || part <= LEAST_PART {
-                    (*self, done) = (end, next);
-                    part *= share;
-                    break;
-                }
-                part *= share;
-            }
-            self.absorb_after_drift()?;
-        }
-        Ok(())
-    }
-
     /// The contact after a part of a step, with the coefficient of friction of its end: that of its
-    /// work, found by the secant method. It lies between that of the start and the final one.
-    /// `walked` is the work after the part at the coefficient of the start, J, where it is known.
+    /// work, to a relative accuracy, found by the secant method from an expected work, J, which may
+    /// be known for the coefficient of the start. It lies between that and the final one.
     fn run_in_part(
         &self,
-        walked: Option<f64>,
-        advance: impl Fn(&mut Self) -> Result<(), Error>,
+        (expected, is_known): (f64, bool),
+        accuracy: f64,
+        mut advance: impl FnMut(&mut Self) -> Result<(), Error>,
     ) -> Result<Self, Error> {
         let parameters = &self.model.parameters;
         let first = self.model.constants.friction_coefficient;
         let last = parameters.friction_coefficient_final;
         let (mut low, mut high) = (first.min(last), first.max(last));
-        // a coefficient, and that of the work that it leads to
-        let mut former = walked.map(|work| (first, parameters.friction_coefficient_after(work)));
-        let mut coefficient = former.map_or(first, |(_, found)| found);
+        let mut coefficient = parameters.friction_coefficient_after(self.state.work + expected);
+        // a coefficient, and what that of the work that it leads to has beyond it
+        let mut former = is_known.then_some((first, coefficient - first));
         let mut iterations = 0;
+        let mut next = self.clone();
         loop {
-            let mut next = self.clone();
             next.set_friction(coefficient);
             advance(&mut next)?;
             let found = parameters.friction_coefficient_after(next.state.work);
+            let residual = found - coefficient;
             iterations += 1;
-            if (found - coefficient).abs() <= BALANCED * found || high - low <= BALANCED * high {
+            if residual.abs() <= accuracy * found || high - low <= BALANCED * high {
                 next.follow_running_in();
                 return Ok(next);
             }
-            if found > coefficient {
+            if residual > 0.0 {
                 low = coefficient;
             } else {
                 high = coefficient;
             }
-            let secant = former.map_or(found, |(before, after)| {
-                let (residual, former) = (found - coefficient, after - before);
-                coefficient - residual * (coefficient - before) / (residual - former)
-            });
-            former = Some((coefficient, found));
+            let slope = match former {
+                Some((before, residual_before)) => (residual - residual_before) / (coefficient - before),
+                // in gross slip the work goes with the mean of both ends
+                None => {
+                    let x = (next.state.work - self.state.work) / parameters.running_in_energy;
+                    x * (last - found) / (first + coefficient) - 1.0
+                }
+            };
+            let secant = coefficient - residual / slope;
+            former = Some((coefficient, residual));
             let is_between = |guess: &f64| iterations < MOST_ITERATIONS && low < *guess && *guess < high;
             coefficient = [secant, found].into_iter().find(is_between).unwrap_or(0.5 * (low + high));
+            (next.model, next.surface) = (self.model.clone(), self.surface.clone());
+            next.take_state(&self.state);
         }
-    }
-
-    /// Wears the backlog off where it spans too much of the running in: it is worn at one
-    /// coefficient.
-    fn absorb_after_drift(&mut self) -> Result<(), Error> {
-        let Some(wear) = &self.state.wear else { return Ok(()) };
-        let before = self.model.parameters.friction_coefficient_after(self.state.work - wear.backlog.work);
-        if (self.model.constants.friction_coefficient / before - 1.0).abs() <= self.model.tuning.drift {
-            return Ok(());
-        }
-        self.bounded(Self::absorb_backlog)?;
-        self.follow_running_in();
-        Ok(())
     }
 
     /// [`Self::advance_cycles`] with friction that runs in.
@@ -283,7 +237,12 @@ impl FrettingContact {
         advance: impl Fn(&mut Self, f64) -> Result<(), Error>,
     ) -> Result<Self, Error> {
         let half = |half: &mut Self| advance(half, 0.5 * cycles);
-        let middle = self.without_wear().run_in_part(None, half)?.model.constants.friction_coefficient;
+        let middle = self
+            .without_wear()
+            .run_in_part((0.0, false), BALANCED, half)?
+            .model
+            .constants
+            .friction_coefficient;
         let mut next = self.clone();
         next.set_friction(middle);
         next.keep_bound_slope();
@@ -318,7 +277,8 @@ mod tests {
                 iterations.set(iterations.get() + 1);
                 this.advance_at_constant_friction(100.0, place)
             };
-            contact = contact.run_in_part(Some(rest.state.work), walk).unwrap();
+            let expected = rest.state.work - contact.state.work;
+            contact = contact.run_in_part((expected, true), BALANCED, walk).unwrap();
         }
         assert!(contact.friction_coefficient_now() > 0.22, "{}", contact.friction_coefficient_now());
         assert!(iterations.get() <= 3 * steps, "{} for {steps} steps", iterations.get());

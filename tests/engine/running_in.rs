@@ -56,6 +56,8 @@ fn sliding_dissipates_the_closed_energy_in_any_number_of_steps() {
         let mut contact = started(running_in(ENERGY));
         in_steps(&mut contact, (FORCE, 0.0), (FORCE, 0.02), steps);
         close_to(contact.dissipated_energy(), tabulated, 1e-3, "the springs store next to nothing");
+        let walks = contact.counters().spring_walks;
+        assert!(walks <= 50 + 10 * steps as u64, "{walks} walks in {steps} steps");
         let at = displacement_after(contact.dissipated_energy());
         close(at, 0.02, 1e-6 * 0.02, &format!("{steps} steps"));
         close_to(contact.tangential_force(), contact.friction_coefficient_now() * FORCE, 1e-12, "T = mu F");
