@@ -8,6 +8,7 @@ mod ellipse;
 mod end_of_the_table;
 mod ends;
 mod fields;
+mod flat_with_ring;
 mod interface_coating;
 mod interface_derivatives;
 mod interface_elastic;

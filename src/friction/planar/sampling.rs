@@ -24,6 +24,11 @@ pub(crate) struct Samples(pub(crate) usize);
 /// orbit would take 4.5 instead of 3.6 µs.
 const GRADED: f64 = 0.125;
 
+/// Rise of the unworn image over a cell, over that of a cone over an even one of two samples, above
+/// which the cell is halved. Spheres and r^4 rise less; next to the rim of a flat the image of a
+/// narrow ring would rise from 0 to its largest value within one cell.
+const STEEP: f64 = 2.0;
+
 /// Share of their distance at which two samples are one.
 const SAME: f64 = 1e-6;
 
@@ -87,11 +92,9 @@ impl Samples {
         // a spacing that is lost to underflow leaves the edge alone
         let most = if spacing > 0.0 { self.number(to / spacing) } else { 0.0 };
         let mut k = if spacing > 0.0 { self.number(from / spacing).floor() } else { 1.0 };
-        while k < most {
-            k += 1.0;
-            let fixed = self.radius(k) * spacing;
+        let mut sample = |fixed: f64| {
             if fixed <= from * (1.0 + SAME) || fixed >= to - SAME * spacing {
-                continue;
+                return;
             }
             while let Some(node) = nodes.next_if(|node| *node < fixed - SAME * spacing) {
                 sink(node);
@@ -99,9 +102,36 @@ impl Samples {
             if nodes.peek().is_none_or(|node| *node > fixed + SAME * spacing) {
                 sink(fixed);
             }
+        };
+        let place = |x: f64| (x, surface.profile().image(x));
+        let edge = place(spacing * self.0 as f64).1;
+        let mut inner = place(self.radius(k) * spacing);
+        while k < most {
+            k += 1.0;
+            let outer = place(self.radius(k) * spacing);
+            halve(&place, (inner, outer), STEEP * self.cell() * outer.1.max(edge), &mut sample);
+            sample(outer.0);
+            inner = outer;
         }
         nodes.for_each(&mut sink);
         sink(to);
+    }
+}
+
+/// Calls `sink` with the radii that halve a cell, given by radius and image at its ends (m), until
+/// the image rises by no more than `most` over any part.
+fn halve(
+    place: &impl Fn(f64) -> (f64, f64),
+    (inner, outer): ((f64, f64), (f64, f64)),
+    most: f64,
+    sink: &mut impl FnMut(f64),
+) {
+    let x = 0.5 * (inner.0 + outer.0);
+    if outer.1 - inner.1 > most && inner.0 < x && x < outer.0 {
+        let middle = place(x);
+        halve(place, (inner, middle), most, sink);
+        sink(x);
+        halve(place, (middle, outer), most, sink);
     }
 }
 
