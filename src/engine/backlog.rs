@@ -4,7 +4,7 @@ use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Resting, Row, SlipPiece};
 use crate::parameters::Parameters;
-use crate::surface::{Contact, FrontMotion, Nodes, Surface};
+use crate::surface::{Contact, FrontMotion, Nodes, ROUNDING, Surface};
 use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -115,7 +115,11 @@ impl FrettingContact {
 
     /// Volume that may wear before the profile follows, m³.
     pub(super) fn update_limit(&self) -> f64 {
-        let inner = self.stick_radius().min(self.model.widest_stick(&self.state.contact));
+        let stick = self.stick_radius();
+        // not on a line: a stroke goes on in gross slip with the limit that was found while all
+        // stuck, and that of a narrow ring would ask for an update at every turn
+        let slips = if self.state.row.is_plane() { stick } else { 0.0 };
+        let inner = stick.min(self.model.widest_stick(&self.state.contact, slips));
         wear::update_limit(self.model.parameters.tolerance, &self.surface, &self.state.contact, inner)
     }
 
@@ -358,10 +362,12 @@ impl FrettingContact {
     /// Radius up to which springs stuck (m) while others slipped in contacts up to a radius (m),
     /// from the image (m) of the innermost that slipped.
     pub(super) fn radius_of_front(&self, front: f64, radius: f64) -> f64 {
-        if front <= self.surface.tip() {
+        let (tip, edge) = (self.surface.tip(), self.surface.image(radius));
+        if front < tip - ROUNDING * (edge - tip) {
             0.0
-        } else if front < self.surface.image(radius) {
-            self.surface.radius_of_image(front, 0.0, radius)
+        } else if front < edge {
+            // all of a flat sticks where its edge does
+            self.surface.radius_of_image(front.max(tip), 0.0, radius)
         } else {
             radius
         }

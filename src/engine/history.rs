@@ -246,7 +246,8 @@ impl FrettingContact {
                 return Err(Error::WearOutrun { from: self.state.place.x, displacement: place.x });
             }
             let larger = self.larger_contact(&to);
-            let far = self.exceeds_limit(volume, &larger, self.model.widest_stick(&larger)).is_some();
+            let inner = self.innermost_slip(larger.radius);
+            let far = self.exceeds_limit(volume, &larger, self.model.widest_stick(&larger, inner)).is_some();
             let middle = 0.5 * (self.state.place + place);
             if far && splits > 0 && middle != place && middle != self.state.place {
                 let between = 0.5 * (self.state.contact.control + value);
@@ -296,6 +297,19 @@ impl FrettingContact {
         self.arrive(to, place, row, work);
         self.set_limit();
         Ok(())
+    }
+
+    /// Radius (m), within a contact of some radius, outside which the springs of a line have
+    /// slipped.
+    fn innermost_slip(&mut self, radius: f64) -> f64 {
+        let tip = self.surface.tip();
+        match self.memory.get().slips.first() {
+            Some(piece) if piece.slip.0 == 0.0 || piece.image.0 > tip => {
+                let front = piece.image.0;
+                self.radius_of_front(front, radius)
+            }
+            _ => 0.0,
+        }
     }
 
     /// Row and work of friction (J) at the end of a straight way.

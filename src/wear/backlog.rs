@@ -199,7 +199,8 @@ impl WearBacklog {
         for (k, piece) in pieces.iter().take_while(|piece| piece.image.0 < edge).enumerate() {
             let ((g0, g1), (e0, e1)) = (piece.image, piece.slip);
             let next = if g1 - g0 > flat { (e1 - e0) / (g1 - g0) } else { 0.0 };
-            if k == 0 && g0 <= tip + flat {
+            // springs at the tip that stick, as all of a flat do, are a front
+            if k == 0 && g0 <= tip + flat && e0 > 0.0 {
                 at_depth.level.constant += e0 + next * (reference - g0);
                 at_depth.level.slope += next;
             } else {
