@@ -292,10 +292,10 @@ impl FrettingContact {
     fn take_way(&mut self, trial: Trial, value: f64) -> Result<bool, Error> {
         let updates = self.state.counters.profile_updates;
         if trial.is_last {
-            self.settle(trial.end, (value, trial.place), MOST_PIECES.ilog2())?;
+            self.settle(trial.end, (value, trial.place), true)?;
         } else {
             self.memory.get().row = trial.end.row;
-            self.walk(value, trial.place, MOST_PIECES.ilog2())?;
+            self.walk(value, trial.place, true)?;
         }
         Ok(self.state.counters.profile_updates != updates)
     }
@@ -313,7 +313,7 @@ impl FrettingContact {
         self.balance(&mut trial, &mut going.slope, (to, drive), 0.0);
         self.memory.get().row = trial.end.row;
         let goes_on = (trial.place - self.state.place).dot(&self.state.direction) > 0.0;
-        if goes_on { self.walk(value, trial.place, MOST_PIECES.ilog2()) } else { Ok(()) }
+        if goes_on { self.walk(value, trial.place, true) } else { Ok(()) }
     }
 
     /// Whether a load (N, or a depth in m) differs much from the present one.
