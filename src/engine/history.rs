@@ -346,9 +346,12 @@ impl FrettingContact {
         self.take_contact(to);
     }
 
-    /// Takes the direction of the way to a place for that of the last movement.
+    /// Takes the direction of the way to a place for that of the last movement, on a line that of
+    /// its part along x.
     pub(super) fn face(&mut self, place: Vector2<f64>) {
-        if let Some(direction) = (place - self.state.place).try_normalize(0.0) {
+        let moved = place - self.state.place;
+        let moved = if self.state.row.is_plane() { moved } else { Vector2::new(moved.x, 0.0) };
+        if let Some(direction) = moved.try_normalize(0.0) {
             self.state.direction = direction;
         }
     }
@@ -364,6 +367,8 @@ impl FrettingContact {
         self.state.reach = self.state.reach.max(to.radius);
         if to.is_open() && self.state.row.is_plane() {
             self.state.row = Row::default();
+            let along = Vector2::new(self.state.direction.x, 0.0);
+            self.state.direction = along.try_normalize(0.0).unwrap_or_default();
         }
     }
 
