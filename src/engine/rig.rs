@@ -291,11 +291,13 @@ impl FrettingContact {
     /// Takes the way that has been tried, and says whether the profile was updated on it.
     fn take_way(&mut self, trial: Trial, value: f64) -> Result<bool, Error> {
         let updates = self.state.counters.profile_updates;
-        if trial.is_last {
-            self.settle(trial.end, (value, trial.place), true)?;
+        let splits = self.splits_to(trial.place);
+        // a long slide is integrated, not divided
+        if trial.is_last && self.onset_of_long_slide(value, trial.place).is_none() {
+            self.settle(trial.end, (value, trial.place), splits)?;
         } else {
             self.memory.get().row = trial.end.row;
-            self.walk(value, trial.place, true)?;
+            self.walk(value, trial.place, splits)?;
         }
         Ok(self.state.counters.profile_updates != updates)
     }
@@ -313,7 +315,8 @@ impl FrettingContact {
         self.balance(&mut trial, &mut going.slope, (to, drive), 0.0);
         self.memory.get().row = trial.end.row;
         let goes_on = (trial.place - self.state.place).dot(&self.state.direction) > 0.0;
-        if goes_on { self.walk(value, trial.place, true) } else { Ok(()) }
+        let splits = self.splits_to(trial.place);
+        if goes_on { self.walk(value, trial.place, splits) } else { Ok(()) }
     }
 
     /// Whether a load (N, or a depth in m) differs much from the present one.
