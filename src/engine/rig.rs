@@ -279,6 +279,7 @@ impl FrettingContact {
             [&self.state.contact, &piece.to].map(|contact| change * self.depth_per_control(contact));
         let ahead = self.ahead_of_drive(piece.drive, &piece.to);
         let straight = self.going_from(ahead, first).with(ahead, first);
+        let straight = if change == 0.0 { self.farther(straight, piece) } else { straight };
         let trial = self.try_drive((piece.to, piece.drive), self.state.place + straight);
         if piece.to.is_open() {
             return (trial, Matrix2::identity(), [straight; 2]);
@@ -286,6 +287,15 @@ impl FrettingContact {
         let end = self.going_in((trial.place, &trial.end.row, &piece.to), straight, last);
         let onward = end.with(piece.way, last);
         (trial, end.slope, [straight, onward])
+    }
+
+    /// The way into gross slip under an unchanged load, in which friction holds the rig by its limit,
+    /// where that is farther than another one. As a concave function of the way, the force lets
+    /// neither pass the balance on a line.
+    fn farther(&self, straight: Vector2<f64>, piece: &Piece) -> Vector2<f64> {
+        let away = piece.drive - self.state.place;
+        let left = size(away) - self.model.compliance * self.friction_limit();
+        if left > size(straight) { away * (left / size(away)) } else { straight }
     }
 
     /// Takes the way that has been tried, and says whether the profile was updated on it.
