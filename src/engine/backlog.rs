@@ -97,8 +97,8 @@ impl FrettingContact {
             .map_or(f64::MAX, |wear| wear.limit / self.model.constants.wear_per_work - wear.backlog.work)
     }
 
-    /// Work (J) whose wear may wait for the next update from now on.
-    pub(super) fn work_of_update(&self) -> f64 {
+    /// Work (J) that may wait for the next update, from one to the next.
+    pub(super) fn work_per_update(&self) -> f64 {
         let wears = self.state.wear.is_some();
         if wears { self.update_limit() / self.model.constants.wear_per_work } else { f64::MAX }
     }

@@ -1,7 +1,7 @@
 //! Transient histories: straight lines in (load, displacement), and the wear that they bring.
 
 use super::FrettingContact;
-use super::line::Line;
+use super::line::{Line, Point};
 use crate::error::Error;
 use crate::friction::{Path, Row};
 use crate::range;
@@ -117,12 +117,22 @@ impl FrettingContact {
             for k in 1..=pieces {
                 let share =
                     if is_even { f64::from(k) / f64::from(pieces) } else { part.root_share(k, pieces) };
-                let (value, place) = part.at_share(share);
-                self.run_in_along(running_in, part.of_whole(share));
-                self.walk(value, place, splits)?;
-                self.keep_bound_slope_after(running_in);
+                self.walk_piece(part.at_share(share), (running_in, part.of_whole(share)), splits)?;
             }
         }
+        Ok(())
+    }
+
+    /// [`Self::walk`] for a piece that ends at a share of a line along which friction may run in.
+    fn walk_piece(
+        &mut self,
+        (value, place): Point,
+        (running_in, share): (Option<(f64, f64)>, f64),
+        splits: u32,
+    ) -> Result<(), Error> {
+        self.run_in_along(running_in, share);
+        self.walk(value, place, splits)?;
+        self.keep_bound_slope_after(running_in);
         Ok(())
     }
 
@@ -258,11 +268,8 @@ impl FrettingContact {
             if far && splits > 0 && middle != place && middle != self.state.place {
                 let between = 0.5 * (self.state.contact.control + value);
                 let running_in = self.running_in_of_line();
-                self.run_in_along(running_in, 0.5);
-                self.walk(between, middle, splits - 1)?;
-                self.keep_bound_slope_after(running_in);
-                self.run_in_along(running_in, 1.0);
-                return self.walk(value, place, splits - 1);
+                self.walk_piece((between, middle), (running_in, 0.5), splits - 1)?;
+                return self.walk_piece((value, place), (running_in, 1.0), splits - 1);
             }
             self.gather(work, &to, place - self.state.place);
             self.arrive(to, place, row, work);
@@ -290,11 +297,7 @@ impl FrettingContact {
             return self.transaction(|this| {
                 (1..=pieces).try_for_each(|k| {
                     let share = f64::from(k) / f64::from(pieces);
-                    let (value, place) = line.at_share(share);
-                    this.run_in_along(running_in, share);
-                    this.walk(value, place, splits - 1)?;
-                    this.keep_bound_slope_after(running_in);
-                    Ok(())
+                    this.walk_piece(line.at_share(share), (running_in, share), splits - 1)
                 })?;
                 this.bounded(Self::absorb_backlog)
             });

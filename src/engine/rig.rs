@@ -289,9 +289,9 @@ impl FrettingContact {
         (trial, end.slope, [straight, onward])
     }
 
-    /// The way into gross slip under an unchanged load, in which friction holds the rig by its limit,
-    /// where that is farther than another one. As a concave function of the way, the force lets
-    /// neither pass the balance on a line.
+    /// The way into gross slip under an unchanged load, in which friction holds the rig by its
+    /// limit, where that is farther than another one. As a concave function of the way, the force
+    /// lets neither pass the balance on a line.
     fn farther(&self, straight: Vector2<f64>, piece: &Piece) -> Vector2<f64> {
         let away = piece.drive - self.state.place;
         let left = size(away) - self.model.compliance * self.friction_limit();

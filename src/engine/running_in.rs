@@ -152,7 +152,7 @@ impl FrettingContact {
         // a coefficient, and what that of the work that it leads to has beyond it
         let mut former = is_known.then_some((first, coefficient - first));
         let mut iterations = 0;
-        let mut next = self.clone();
+        let (start, mut next) = (self.mark(), self.clone());
         loop {
             next.set_friction(coefficient);
             advance(&mut next)?;
@@ -180,8 +180,7 @@ impl FrettingContact {
             former = Some((coefficient, residual));
             let is_between = |guess: &f64| iterations < MOST_ITERATIONS && low < *guess && *guess < high;
             coefficient = [secant, found].into_iter().find(is_between).unwrap_or(0.5 * (low + high));
-            (next.model, next.surface) = (self.model.clone(), self.surface.clone());
-            next.take_state(&self.state);
+            next.return_to(&start);
         }
     }
 

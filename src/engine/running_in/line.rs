@@ -8,6 +8,7 @@
 //! and evenly on, and their mean is that of Simpson's rule: of fourth order.
 
 use super::{ACCURACY, BALANCED, FrettingContact};
+use crate::engine::line::Point;
 use crate::error::Error;
 use nalgebra::Vector2;
 
@@ -30,30 +31,29 @@ const AIM: f64 = 0.8;
 /// Most passes in which the middle of a part is found; one or two are usual.
 const MOST_PASSES: u32 = 4;
 
-/// A load (N, or a depth in m) and a place of the drive, m.
-type Point = (f64, Vector2<f64>);
-
-/// The rate of work along a line.
+/// The rate of work along a line, which changes evenly.
 #[derive(Debug, Clone, Copy)]
-struct Pace {
-    /// Work per share of the line, J.
-    power: f64,
+struct WorkRate {
+    /// Work per share of the line where a part begins, J.
+    start: f64,
     /// Its change per share of the line, J.
     rise: f64,
 }
 
-impl Pace {
-    /// That at the start of a part, from the work in its halves, J.
+impl WorkRate {
+    /// That of a part, from the work in its halves, J.
     fn of_halves([first, last]: [f64; 2], part: f64) -> Self {
-        Self { power: (3.0 * first - last) / part, rise: 4.0 * (last - first) / (part * part) }
+        Self { start: (3.0 * first - last) / part, rise: 4.0 * (last - first) / (part * part) }
     }
 
+    /// That of the part after one.
     fn after(&self, part: f64) -> Self {
-        Self { power: self.power + part * self.rise, ..*self }
+        Self { start: self.start + part * self.rise, ..*self }
     }
 
+    /// Work of a part, J.
     fn work(&self, part: f64) -> f64 {
-        (part * (self.power + 0.5 * part * self.rise)).max(0.0)
+        (part * (self.start + 0.5 * part * self.rise)).max(0.0)
     }
 }
 
@@ -78,23 +78,23 @@ impl FrettingContact {
         rest.advance_at_constant_friction(normal, target)?;
         let work = rest.state.work - self.state.work;
         let even = self.energy_of_part(ACCURACY);
-        let is_steady = self.checked(normal, target.x)?.0 == self.state.contact.control;
-        let in_halves = is_steady && work > MANY * even;
+        let (value, _) = self.checked(normal, target.x)?;
+        let in_halves = value == self.state.contact.control && work > MANY * even;
         // from rest the work rises at most with the third power of the path
         let mut part = (even / work).cbrt().min(1.0);
-        let mut pace = Pace { power: 0.0, rise: 2.0 * work * part };
+        let mut rate = WorkRate { start: 0.0, rise: 2.0 * work * part };
         let mut done = 0.0;
         while done < 1.0 {
-            let of_update = AIM * part * self.work_of_update() / pace.work(part);
+            let of_update = AIM * part * self.work_per_update() / rate.work(part);
             part = part.min(of_update).max(LEAST_PART).min(1.0 - done);
-            let ahead = if in_halves { 0.5 * pace.work(part) } else { 0.0 };
-            self.absorb_before(ahead, (normal, target))?;
+            let ahead = if in_halves { 0.5 * rate.work(part) } else { 0.0 };
+            self.absorb_before(ahead, (value, target))?;
             let next = (done + part).min(1.0);
             let (middle, end) = (point(0.5 * (done + next)), point(next));
             let accuracy = if next < 1.0 { ACCURACY } else { BALANCED };
             // where springs snap, the first solution from the coefficient of the start on
             let expected =
-                if part > LEAST_PART { [0.5, 1.0].map(|half| pace.work(half * part)) } else { [0.0; 2] };
+                if part > LEAST_PART { [0.5, 1.0].map(|half| rate.work(half * part)) } else { [0.0; 2] };
             let walked = if in_halves {
                 self.walk_in_halves((middle, end), expected, accuracy)?
             } else {
@@ -102,10 +102,10 @@ impl FrettingContact {
             };
             // next to a reversal the rate of work may have a kink that the halves do not show
             let (error, order) = self.error_of_part(&walked, in_halves && done > 0.0);
-            pace = Pace::of_halves(walked.halves, part);
+            rate = WorkRate::of_halves(walked.halves, part);
             if error <= ACCURACY || part <= LEAST_PART {
                 (*self, done) = (walked.contact, next);
-                pace = pace.after(part);
+                rate = rate.after(part);
             }
             part *= (AIM / (error / ACCURACY).powf(1.0 / order)).clamp(0.1, 4.0);
         }
@@ -151,7 +151,9 @@ impl FrettingContact {
             let share = (after(work[0]) - after(0.0)) / (after(work[1]) - after(0.0));
             if share.is_finite() { share } else { 0.5 }
         };
-        for pass in 1.. {
+        let mut passes = 0;
+        loop {
+            passes += 1;
             let (share, mut half) = (share_of(work), 0.0);
             let contact = self.run_in_part((work[1], false), accuracy, |this| {
                 let ends = this.running_in_of_line();
@@ -164,22 +166,20 @@ impl FrettingContact {
             })?;
             work = [half, contact.state.work - before];
             let missed = (share_of(work) - share).abs() * (after(work[1]) / after(0.0) - 1.0).abs();
-            if missed <= ACCURACY || pass == MOST_PASSES {
+            if missed <= ACCURACY || passes == MOST_PASSES {
                 return Ok(Walked { contact, halves: [work[0], work[1] - work[0]] });
             }
         }
-        unreachable!("the passes are counted")
     }
 
-    /// Wears the backlog off before a part of a line to a target, where the profile has to follow
-    /// before or after so much work (J), or where the backlog spans too much of the running in: it
-    /// is worn at one coefficient.
-    fn absorb_before(&mut self, work: f64, (normal, target): Point) -> Result<(), Error> {
+    /// Wears the backlog off before a part of a line that goes on to a value of the control and a
+    /// place, where the profile has to follow before or after so much work (J), or where the
+    /// backlog spans too much of the running in: it is worn at one coefficient.
+    fn absorb_before(&mut self, work: f64, (value, place): Point) -> Result<(), Error> {
         let Some(wear) = &self.state.wear else { return Ok(()) };
         let before = self.model.parameters.friction_coefficient_after(self.state.work - wear.backlog.work);
         let drift = (self.model.constants.friction_coefficient / before - 1.0).abs();
-        if drift > self.model.tuning.drift || self.update_is_due(target, work) {
-            let (value, _) = self.checked(normal, target.x)?;
+        if drift > self.model.tuning.drift || self.update_is_due(place, work) {
             self.bounded(|this| this.update_before(value))?;
             self.follow_running_in();
         }
