@@ -26,7 +26,8 @@ const GRADED: f64 = 0.125;
 
 /// Rise of the unworn image over a cell, over that of a cone over an even one of two samples, above
 /// which the cell is halved. Spheres and r^4 rise less; next to the rim of a flat the image of a
-/// narrow ring would rise from 0 to its largest value within one cell.
+/// narrow ring would rise from 0 to its largest value within one cell. Half of it and twice change
+/// the median error of V of 40 orbits of such rings from 0.65 to 0.69 and 0.72 %.
 const STEEP: f64 = 2.0;
 
 /// Share of their distance at which two samples are one.
