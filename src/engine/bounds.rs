@@ -8,9 +8,9 @@ use crate::surface::Contact;
 use crate::wear::annulus;
 use std::f64::consts::PI;
 
-/// Least share of the worn volume and of π a² d that may have found no place on the profile, the
-/// usual tolerance. What an update leaves for the next does not fall with a tighter one.
-const DEFERRED: f64 = 1e-3;
+/// The usual tolerance: the least share of the worn volume and of π a² d that may have found no
+/// place on the profile. What an update leaves for the next does not fall with a tighter one.
+pub(super) const USUAL_TOLERANCE: f64 = 1e-3;
 
 /// On coarse meshes, this over the square of the resolution: a volume computed cell by cell is of
 /// second order, and computed again where a mesh is left. At 64 cells it is the same.
@@ -109,7 +109,7 @@ impl FrettingContact {
     fn most_deferred(&self, contact: &Contact) -> f64 {
         let size = disc(contact).max(disc(&self.state.contact));
         let cells = self.model.parameters.resolution as f64;
-        let share = self.model.parameters.tolerance.max(DEFERRED).max(OF_CELLS / (cells * cells));
+        let share = self.model.parameters.tolerance.max(USUAL_TOLERANCE).max(OF_CELLS / (cells * cells));
         (share * (self.wear_volume() + size)).max(self.negligible_volume())
     }
 

@@ -61,7 +61,7 @@ impl FrettingContact {
             this.state.row = Row::default();
             this.state.contact =
                 Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
-            this.walk(contact.control, this.state.place, 1)
+            this.walk(contact.control, this.state.place, true)
         })
     }
 }

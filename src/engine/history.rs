@@ -1,6 +1,7 @@
 //! Transient histories: straight lines in (load, displacement), and the wear that they bring.
 
 use super::FrettingContact;
+use super::bounds::USUAL_TOLERANCE;
 use super::line::{Line, Point};
 use crate::error::Error;
 use crate::friction::{Path, Row};
@@ -75,7 +76,7 @@ impl FrettingContact {
     fn walk_to(&mut self, line: &Line, is_direct: bool) -> Result<(), Error> {
         let (value, place) = line.to;
         let walked = if is_direct && self.pieces(line) == 1 {
-            self.walk(value, place, 1)
+            self.walk(value, place, true)
         } else {
             range::input(range::Y, place.y)?;
             // a load that the profile cannot carry is refused with the caller's number, not with
@@ -113,11 +114,11 @@ impl FrettingContact {
                 self.follow_drive(part, 1.0 / f64::from(pieces), running_in)?;
                 continue;
             }
-            let (splits, is_even) = (self.splits_to(part.to.1), self.divides_evenly(part));
+            let is_even = self.divides_evenly(part);
             for k in 1..=pieces {
                 let share =
                     if is_even { f64::from(k) / f64::from(pieces) } else { part.root_share(k, pieces) };
-                self.walk_piece(part.at_share(share), (running_in, part.of_whole(share)), splits)?;
+                self.walk_piece(part.at_share(share), (running_in, part.of_whole(share)), true)?;
             }
         }
         Ok(())
@@ -128,10 +129,10 @@ impl FrettingContact {
         &mut self,
         (value, place): Point,
         (running_in, share): (Option<(f64, f64)>, f64),
-        splits: u32,
+        divisible: bool,
     ) -> Result<(), Error> {
         self.run_in_along(running_in, share);
-        self.walk(value, place, splits)?;
+        self.walk(value, place, divisible)?;
         self.keep_bound_slope_after(running_in);
         Ok(())
     }
@@ -139,12 +140,6 @@ impl FrettingContact {
     /// Whether the body has moved along x alone, and does so on the way to a place.
     pub(super) fn is_on_line(&self, place: Vector2<f64>) -> bool {
         !self.state.row.is_plane() && place.y == self.state.place.y
-    }
-
-    /// How often wear may divide a way to a place: on a line once, into even pieces, in the plane
-    /// into halves.
-    pub(super) fn splits_to(&self, place: Vector2<f64>) -> u32 {
-        if self.is_on_line(place) { 1 } else { MOST_PIECES.ilog2() }
     }
 
     /// Whether a line is divided at even changes of the load, and not of its root.
@@ -181,22 +176,22 @@ impl FrettingContact {
         ((to - from).abs() / to.max(from) / share).ceil().max(1.0) as u32
     }
 
-    /// Walks one straight way, after the profile has followed where that is due. `splits` > 0
-    /// allows wear to split it.
-    pub(super) fn walk(&mut self, value: f64, place: Vector2<f64>, splits: u32) -> Result<(), Error> {
+    /// Walks one straight way, after the profile has followed where that is due. A divisible one is
+    /// divided where it wears much.
+    pub(super) fn walk(&mut self, value: f64, place: Vector2<f64>, divisible: bool) -> Result<(), Error> {
         if let Some(onset) = self.onset_of_long_slide(value, place) {
             return self.transaction(|this| {
-                this.walk(value, onset, splits)?;
+                this.walk(value, onset, divisible)?;
                 this.bounded(|this| this.slide_on(place.x))
             });
         }
         if !self.update_is_due(place, 0.0) {
-            return self.walk_on(value, place, splits);
+            return self.walk_on(value, place, divisible);
         }
         self.transaction(|this| {
             this.bounded(|this| {
                 this.update_before(value)?;
-                this.walk_on(value, place, splits)
+                this.walk_on(value, place, divisible)
             })
         })
     }
@@ -219,14 +214,14 @@ impl FrettingContact {
         wear::exceeds_limit(volume, tolerance, &self.surface, contact, stick_radius)
     }
 
-    fn walk_on(&mut self, value: f64, place: Vector2<f64>, splits: u32) -> Result<(), Error> {
+    fn walk_on(&mut self, value: f64, place: Vector2<f64>, divisible: bool) -> Result<(), Error> {
         let stays_open = self.state.contact.is_open() && value <= self.touch_control();
         if place.y != self.state.place.y && !stays_open {
             self.enter_plane()?;
         }
         let to = self.contact_for(value)?;
         let end = self.try_walk(to, place);
-        self.settle(end, (value, place), splits)?;
+        self.settle(end, (value, place), divisible)?;
         self.state.counters.spring_walks += 1;
         Ok(())
     }
@@ -241,7 +236,7 @@ impl FrettingContact {
         &mut self,
         End { to, row, work }: End,
         (value, place): (f64, Vector2<f64>),
-        splits: u32,
+        divisible: bool,
     ) -> Result<(), Error> {
         if !work.is_finite() {
             let normal = if self.model.constants.force_control { value * self.force_scale() } else { value };
@@ -253,51 +248,31 @@ impl FrettingContact {
             return Ok(());
         }
         let volume = self.model.constants.wear_per_work * work;
-        if row.is_plane() {
-            if self.exceeds_wear_capacity(work, &to) {
-                if self.defer_if_little(work, 1.0) {
-                    self.arrive(to, place, row, work);
-                    return Ok(());
-                }
-                return Err(Error::WearOutrun { from: self.state.place.x, displacement: place.x });
-            }
-            let larger = self.larger_contact(&to);
-            let inner = self.innermost_slip(larger.radius);
-            let far = self.exceeds_limit(volume, &larger, self.model.widest_stick(&larger, inner)).is_some();
-            let middle = 0.5 * (self.state.place + place);
-            if far && splits > 0 && middle != place && middle != self.state.place {
-                let between = 0.5 * (self.state.contact.control + value);
-                let running_in = self.running_in_of_line();
-                self.walk_piece((between, middle), (running_in, 0.5), splits - 1)?;
-                return self.walk_piece((value, place), (running_in, 1.0), splits - 1);
-            }
-            self.gather(work, &to, place - self.state.place);
-            self.arrive(to, place, row, work);
-            self.set_limit();
-            return Ok(());
-        }
-        let (inner, _) = row.slip_zone(&to, self.model.bound_slope, place.x);
+        let inner = if row.is_plane() {
+            let slips = self.innermost_slip(to.radius);
+            self.model.widest_stick(&to, slips)
+        } else {
+            row.slip_zone(&to, self.model.bound_slope, place.x).0
+        };
         let mut ratio = self.exceeds_limit(volume, &to, inner);
-        if ratio.is_some_and(|ratio| ratio > f64::from(MOST_PIECES)) {
-            if self.exceeds_wear_capacity(work, &to) {
-                if self.defer_if_little(work, 1.0) {
-                    self.arrive(to, place, row, work);
-                    return Ok(());
-                }
-                if splits == 0 {
-                    return Err(Error::WearOutrun { from: self.state.place.x, displacement: place.x });
-                }
+        if ratio.is_some() && self.exceeds_wear_capacity(work, &to) {
+            if self.defer_if_little(work, 1.0) {
+                self.arrive(to, place, row, work);
+                return Ok(());
             }
+            return Err(Error::WearOutrun { from: self.state.place.x, displacement: place.x });
+        }
+        if ratio.is_some_and(|ratio| ratio > f64::from(MOST_PIECES)) {
             ratio = self.exceeds_limit(volume, &self.larger_contact(&to), inner);
         }
-        if let Some(ratio) = ratio.filter(|_| splits > 0) {
+        if let Some(ratio) = ratio.filter(|_| divisible) {
             let pieces = ratio.ceil().min(f64::from(MOST_PIECES)) as u32;
             let line = Line::new((self.state.contact.control, self.state.place), (value, place));
             let running_in = self.running_in_of_line();
             return self.transaction(|this| {
                 (1..=pieces).try_for_each(|k| {
                     let share = f64::from(k) / f64::from(pieces);
-                    this.walk_piece(line.at_share(share), (running_in, share), splits - 1)
+                    this.walk_piece(line.at_share(share), (running_in, share), false)
                 })?;
                 this.bounded(Self::absorb_backlog)
             });
@@ -337,12 +312,13 @@ impl FrettingContact {
     }
 
     /// Whether the wear of so much work (J) on the way to a contact is beyond all that the larger
-    /// of both could follow: under a load that falls to next to nothing slip is over before the
-    /// contact is small.
+    /// of both could follow, at the usual tolerance or a wider one: under a load that falls to next
+    /// to nothing slip is over before the contact is small.
     pub(super) fn exceeds_wear_capacity(&self, work: f64, to: &Contact) -> bool {
         let volume = self.model.constants.wear_per_work * work;
-        let ratio = self.exceeds_limit(volume, &self.larger_contact(to), 0.0);
-        ratio.is_some_and(|ratio| ratio > f64::from(MOST_PIECES))
+        let tolerance = self.model.parameters.tolerance.max(USUAL_TOLERANCE);
+        wear::exceeds_limit(volume, tolerance, &self.surface, &self.larger_contact(to), 0.0)
+            .is_some_and(|ratio| ratio > f64::from(MOST_PIECES))
     }
 
     /// The path from the present state to a contact and a place.

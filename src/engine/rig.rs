@@ -301,32 +301,34 @@ impl FrettingContact {
     /// Takes the way that has been tried, and says whether the profile was updated on it.
     fn take_way(&mut self, trial: Trial, value: f64) -> Result<bool, Error> {
         let updates = self.state.counters.profile_updates;
-        let splits = self.splits_to(trial.place);
         // a long slide is integrated, not divided
         if trial.is_last && self.onset_of_long_slide(value, trial.place).is_none() {
-            self.settle(trial.end, (value, trial.place), splits)?;
+            self.settle(trial.end, (value, trial.place), true)?;
         } else {
             self.memory.get().row = trial.end.row;
-            self.walk(value, trial.place, splits)?;
+            self.walk(value, trial.place, true)?;
         }
         Ok(self.state.counters.profile_updates != updates)
     }
 
     /// Makes up for what wear has changed in the force. The body does not go back for that, within
-    /// the accuracy of an equilibrium, since a reversal would let all springs stick.
+    /// the accuracy of an equilibrium, since a reversal would let all springs stick; its direction
+    /// stays that of the way before.
     fn go_on(&mut self, value: f64, drive: Vector2<f64>) -> Result<(), Error> {
-        let to = self.state.contact;
+        let (to, direction) = (self.state.contact, self.state.direction);
         let off = self.ahead_of_drive(drive, &to);
-        if off.dot(&self.state.direction) <= 0.0 {
+        if off.dot(&direction) <= 0.0 {
             return Ok(());
         }
         let mut going = self.going_from(off, 0.0);
         let mut trial = self.try_drive((to, drive), self.state.place + going.with(off, 0.0));
         self.balance(&mut trial, &mut going.slope, (to, drive), 0.0);
         self.memory.get().row = trial.end.row;
-        let goes_on = (trial.place - self.state.place).dot(&self.state.direction) > 0.0;
-        let splits = self.splits_to(trial.place);
-        if goes_on { self.walk(value, trial.place, splits) } else { Ok(()) }
+        if (trial.place - self.state.place).dot(&direction) > 0.0 {
+            self.walk(value, trial.place, true)?;
+            self.state.direction = direction;
+        }
+        Ok(())
     }
 
     /// Whether a load (N, or a depth in m) differs much from the present one.
