@@ -397,9 +397,7 @@ impl Surface {
         }
         if high.is_nan() {
             // beyond all knots the unworn profile rises without end: double until it is above
-            // from a knot, or from the flat tip of a body that has none
-            high = if low > 0.0 { low * 1.01 } else { 1.001 * self.profile.flat_radius() };
-            high = high.max(f64::MIN_POSITIVE);
+            high = (low * 1.01).max(f64::MIN_POSITIVE);
             while f(high) < value && high < outer && high < 1e300 {
                 low = high;
                 high *= 2.0;

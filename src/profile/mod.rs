@@ -30,7 +30,7 @@ use crate::range;
 use crate::transform::leg;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, SQRT_2};
 
 /// Shape of the unworn body 1, a body of revolution, as height above its tip.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -237,6 +237,10 @@ impl Profile {
                 let slope = self.image_slope(0.0);
                 radii.iter().map(|x| slope * x).collect()
             }
+            Self::PowerLaw { exponent, .. } => {
+                let factor = self.image(1.0);
+                radii.iter().map(|x| factor * x.powf(*exponent)).collect()
+            }
             _ => radii.iter().map(|x| self.image(*x)).collect(),
         }
     }
@@ -321,15 +325,27 @@ impl Profile {
         }
     }
 
-    /// Image, load integral and square integral at one radius, which a sphere has at the price of
-    /// one.
+    /// Image, load integral and square integral at one radius, at the price of one.
     #[inline]
     pub(crate) fn image_and_integrals(&self, x: f64) -> (f64, f64, f64) {
         if let Self::Parabola { radius } = self {
             let image = x * x / radius;
-            (image, 2.0 / 3.0 * x * image, 0.2 * x * (image * image))
-        } else {
-            (self.image(x), self.load_integral(x), self.square_integral(x))
+            return (image, 2.0 / 3.0 * x * image, 0.2 * x * (image * image));
+        }
+        self.other_image_and_integrals(x)
+    }
+
+    fn other_image_and_integrals(&self, x: f64) -> (f64, f64, f64) {
+        let image = || self.image(x);
+        let of_power =
+            |n: f64, image: f64| (image, n / (n + 1.0) * x * image, image * image * x / (2.0 * n + 1.0));
+        match self {
+            Self::Cone { .. } => of_power(1.0, image()),
+            Self::PowerLaw { exponent, .. } => of_power(*exponent, image()),
+            Self::RoundedPunch { radius, flat_radius } => {
+                rounded::image_and_integrals(x, *radius, *flat_radius)
+            }
+            _ => (image(), self.load_integral(x), self.square_integral(x)),
         }
     }
 
@@ -425,6 +441,9 @@ impl Profile {
                 let half = b * b / 2.0;
                 Some((half + half.hypot(radius * depth)).sqrt())
             }
+            Self::RoundedPunch { radius, flat_radius } => {
+                Some(rounded::radius_at_depth(depth, *radius, *flat_radius))
+            }
             Self::Table(table) => table.radius_at_depth(depth),
             _ => None,
         }
@@ -438,6 +457,14 @@ impl Profile {
             Self::Cone { slope } => Some((load / (PI / 4.0 * slope.tan())).sqrt()),
             Self::PowerLaw { exponent: n, coefficient } => {
                 Some((load * (n + 1.0) / (n * power_factor(*n) * coefficient)).powf(1.0 / (n + 1.0)))
+            }
+            Self::BluntedSphere { radius, flat_radius: b } => {
+                // 2v³ + 3b²v = 3Rφ for the leg v of x and b
+                let third = (1.5 * SQRT_2 * radius * load / (b * b * b)).asinh() / 3.0;
+                Some(b.hypot(SQRT_2 * b * third.sinh()))
+            }
+            Self::RoundedPunch { radius, flat_radius } => {
+                Some(rounded::radius_at_load(load, *radius, *flat_radius))
             }
             Self::Table(table) => table.radius_at_load(load),
             _ => None,
