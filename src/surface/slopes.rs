@@ -46,9 +46,6 @@ impl Slopes {
     /// The part of [`Self::integral`] between two radii that are r or more.
     pub(crate) fn integral_between(&self, r: f64, (from, to): (f64, f64)) -> f64 {
         let of_body = |from: f64, to: f64| self.surface.profile().pressure_integral_between(r, (from, to));
-        if to <= from {
-            return 0.0;
-        }
         if self.surface.worn().is_none() {
             return of_body(from, to);
         }

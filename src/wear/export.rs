@@ -62,11 +62,6 @@ pub(super) fn exported_nodes(
     x.pop();
     image.pop();
     let inner_depth = depth.pop().unwrap_or(0.0);
-    if x.is_empty() && patch.inner_radius > 0.0 {
-        x.push(0.0);
-        image.push(0.0);
-        depth.push(0.0);
-    }
     let first = x.len();
     let parts = parts(patch.mesh.cells, settings.cells);
     let radii = patch.radii_of(&patch.mesh.shares(parts), rate.radius_squared);

@@ -43,11 +43,8 @@ pub(super) fn solve(
         }
         let below = norm(&next);
         for (k, (cos, sin)) in rotations.iter().enumerate() {
-            (column[k], column[k + 1]) = if k + 1 < column.len() {
-                (cos * column[k] + sin * column[k + 1], cos * column[k + 1] - sin * column[k])
-            } else {
-                return None;
-            };
+            (column[k], column[k + 1]) =
+                (cos * column[k] + sin * column[k + 1], cos * column[k + 1] - sin * column[k]);
         }
         let length = column[step].hypot(below);
         if !(length.is_finite() && length > 0.0) {

@@ -236,15 +236,13 @@ impl Solver<'_> {
         let solved =
             krylov::solve(|x| system.apply(x), |r| levels.relax(r), residual, (REDUCTION, MOST_KRYLOV));
         let finite = solved.filter(|(correction, _)| correction.iter().all(|w| w.is_finite()));
-        let (correction, iterations) = finite.ok_or_else(|| not_finite(&self.present))?;
+        let normal = self.present.control;
+        let (correction, iterations) =
+            finite.ok_or(Error::NotFinite { what: "the worn depth", normal, displacement: 0.0 })?;
         update.systems += 1;
         update.iterations += iterations;
         Ok(correction)
     }
-}
-
-fn not_finite(contact: &Contact) -> Error {
-    Error::NotFinite { what: "the worn depth", normal: contact.control, displacement: 0.0 }
 }
 
 #[cfg(test)]
