@@ -59,15 +59,10 @@ impl FrettingContact {
             }
             wear.slip_direction = direction;
         }
-        if work > 0.0
-            && !wear.backlog.record(
-                &self.memory.get().slips,
-                (work, work / (modulus * bound_slope)),
-                (&from, to),
-                (tip, in_plane),
-            )
-        {
-            wear.deferred_work += work;
+        if work > 0.0 {
+            let pieces = &self.memory.get().slips;
+            let overlap_moment = work / (modulus * bound_slope);
+            wear.backlog.record(pieces, (work, overlap_moment), (&from, to), (tip, in_plane));
         }
         self.memory.get().slips.clear();
     }
@@ -127,7 +122,7 @@ impl FrettingContact {
     ///
     /// # Errors
     /// [`Error::WearOutrun`] where the integrator cannot follow; those of the normal contact.
-    pub(super) fn absorb_backlog(&mut self) -> Result<(), Error> {
+    pub(crate) fn absorb_backlog(&mut self) -> Result<(), Error> {
         let Some(wear) = &mut self.state.wear else { return Ok(()) };
         if wear.backlog.is_empty() {
             return Ok(());
@@ -149,7 +144,10 @@ impl FrettingContact {
         }
         let repeated = only.and_then(|law| law.repeated_motion(self.model.bound_slope, self.surface.tip()));
         if let Some(motion) = repeated.filter(|motion| self.is_followed(motion))
-            && let drive = self.drive_of(&motion)
+            && let drive = match motion.sliding {
+                Sliding::Cycles(own) => Some(self.drive_amplitude(own)),
+                Sliding::Onward => None,
+            }
             && self.absorb_motion(&motion, drive, backlog.work)?
         {
             let lost = self.rest_on_worn(&old, zone)?;
@@ -174,14 +172,6 @@ impl FrettingContact {
             self.expect(repeated);
         }
         Ok(())
-    }
-
-    /// Amplitude of the drive (m) of cycles.
-    fn drive_of(&mut self, motion: &RepeatedMotion) -> Option<f64> {
-        match motion.sliding {
-            Sliding::Cycles(own) => Some(self.drive_amplitude(own)),
-            Sliding::Onward => None,
-        }
     }
 
     /// Wears a motion off on the moving mesh, in place of the springs' work on the profile before,
@@ -309,11 +299,12 @@ impl FrettingContact {
         let work = work + taken;
         let (transforms, made) = self.memory.get().transforms.get(nodes);
         self.state.counters.transform_tables += u64::from(made);
-        let fields = SlipFields::of_law(&self.surface, &transforms, (law, work), &self.model.constants)?;
-        let Some(fields) = fields else {
+        let body = (&self.surface, nodes);
+        let fields = SlipFields::of_law(body, &transforms, (law, work), &self.model.constants)?;
+        if fields.slip_path.iter().all(|path| *path <= 0.0) {
             self.defer_law(work - taken);
             return Ok(true);
-        };
+        }
         if fields.are_free() {
             return Ok(false);
         }

@@ -150,8 +150,8 @@ impl WearBacklog {
             && self.levels().all(level)
     }
 
-    /// Adds the slip of a straight line between two contacts and its friction work, J; says whether
-    /// there was slip. `overlap_moment` is ∫ (d − g) e dx with d at the instant at which a spring
+    /// Adds the slip of a straight line between two contacts and its friction work, J, where there
+    /// was slip. `overlap_moment` is ∫ (d − g) e dx with d at the instant at which a spring
     /// slips, m³, which is the work over 2μE*; `tip` is the image at the axis, m. The first line of
     /// a backlog says whether its motion is `in_plane`.
     pub(crate) fn record(
@@ -160,10 +160,10 @@ impl WearBacklog {
         (work, overlap_moment): (f64, f64),
         (from, to): (&Contact, &Contact),
         (tip, in_plane): (f64, bool),
-    ) -> bool {
+    ) {
         let slip: f64 = pieces.iter().map(|piece| piece.integral).sum();
         if slip.is_nan() || slip <= 0.0 {
-            return false;
+            return;
         }
         self.work += work;
         let depth = if from.depth == to.depth {
@@ -215,7 +215,6 @@ impl WearBacklog {
         if !stays {
             at_depth.add_hinge(-slope, reference - end, bins);
         }
-        true
     }
 
     /// The slip path under each depth, m, as functions of g.

@@ -26,40 +26,35 @@ pub(crate) struct SlipFields {
 impl SlipFields {
     /// Fields of a slip law whose springs did friction work, J: A = Σ μ p(r; d_b) s_b and B = Σ s_b
     /// with s_b = D\[E_b\], over the depths d_b of the law. The work at the nodes is scaled to that
-    /// of the springs, which is exact; it is 0 where what slips has worn free. `None` where nothing
-    /// slips on the nodes.
+    /// of the springs, which is exact; it is 0 where what slips has worn free.
     ///
     /// # Errors
     /// Those of the normal contact.
     pub(crate) fn of_law(
-        surface: &Surface,
+        (surface, nodes): (&Surface, &Nodes),
         transforms: &NodeTransforms,
         (law, work): (&[SlipAtDepth], f64),
         constants: &Constants,
-    ) -> Result<Option<Self>, Error> {
-        let Some(nodes) = surface.worn() else { return Ok(None) };
+    ) -> Result<Self, Error> {
         let images: Vec<f64> = nodes.x().iter().map(|x| surface.image(*x)).collect();
-        let mut fields: Option<Self> = None;
-        let mut found = 0.0;
+        let (mut fields, mut found) = (Self::none(nodes.x().len()), 0.0);
         for law in law {
             let contact = surface.contact(NormalControl::Indentation, law.depth, 1.0)?;
             if contact.is_open() {
                 continue;
             }
-            let fields = fields.get_or_insert_with(|| Self::none(nodes.x().len(), contact));
             if contact.radius > fields.contact.radius {
                 fields.contact = contact;
             }
             found += fields.add(surface, nodes, transforms, (law, &images, &contact), constants);
         }
-        let Some(mut fields) = fields else { return Ok(None) };
         if constants.force_control {
             fields.contact.control = fields.contact.load;
         }
         let share = if found > 0.0 { work / found } else { 0.0 };
         fields.work_per_area.iter_mut().for_each(|gain| *gain *= share);
         fields.defect = (found - work).abs();
-        Ok(fields.slip_path.iter().any(|path| *path > 0.0).then_some(fields))
+        Ok(fields)
     }
 
     /// Whether what slips carries no load any more.
@@ -67,7 +62,8 @@ impl SlipFields {
         self.work_per_area.iter().all(|work| *work <= 0.0)
     }
 
-    fn none(count: usize, contact: Contact) -> Self {
+    fn none(count: usize) -> Self {
+        let contact = Contact { control: 0.0, depth: 0.0, radius: 0.0, load: 0.0 };
         let (work_per_area, slip_path) = (vec![0.0; count], vec![0.0; count]);
         Self { work_per_area, slip_path, contact, clipped: 0.0, defect: 0.0, transforms: 0 }
     }

@@ -133,9 +133,8 @@ fn laws_of_repeated_motion_make_their_fields() {
     let (surface, contact, tables) = scene(64, 0.4);
     let nodes = surface.worn().expect("the scene has nodes");
     let fields = |law: SlipAtDepth, work: f64| {
-        SlipFields::of_law(&surface, &tables, (&[law], work), &constants())
+        SlipFields::of_law((&surface, nodes), &tables, (&[law], work), &constants())
             .expect("the contact is found")
-            .expect("it slips")
     };
     let bound_slope = constants().bound_slope();
     let path = 1e-3;
@@ -167,9 +166,9 @@ fn slip_under_several_depths_adds_up() {
     let (surface, contact, tables) = scene(64, 0.0);
     let law = |depth: f64, path: f64| SlipAtDepth::of_motion(Sliding::Onward, path, depth, 1.0);
     let fields = |law: &[SlipAtDepth], work: f64| {
-        SlipFields::of_law(&surface, &tables, (law, work), &constants())
+        let nodes = surface.worn().expect("the scene has nodes");
+        SlipFields::of_law((&surface, nodes), &tables, (law, work), &constants())
             .expect("the contact is found")
-            .expect("it slips")
     };
     let all = fields(&[law(0.5 * DEPTH, 2e-3), law(DEPTH, 1e-3)], 1.0);
     let (shallow, deep) = (fields(&[law(0.5 * DEPTH, 2e-3)], 1.0), fields(&[law(DEPTH, 1e-3)], 1.0));
@@ -186,10 +185,13 @@ fn slip_under_several_depths_adds_up() {
 
 /// Under a contact that opens nothing slips.
 #[test]
-fn a_law_out_of_contact_has_no_fields() {
+fn a_law_out_of_contact_has_fields_of_zero() {
     let (surface, _, tables) = scene(16, 0.0);
     let law = SlipAtDepth::of_motion(Sliding::Onward, 1e-3, -1e-6, 1.0);
-    assert!(SlipFields::of_law(&surface, &tables, (&[law], 1.0), &constants()).expect("no error").is_none());
+    let nodes = surface.worn().expect("the scene has nodes");
+    let fields =
+        SlipFields::of_law((&surface, nodes), &tables, (&[law], 1.0), &constants()).expect("no error");
+    assert!(fields.are_free() && fields.slip_path.iter().all(|path| *path == 0.0));
 }
 
 #[test]
