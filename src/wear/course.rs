@@ -123,9 +123,6 @@ impl<'a> Course<'a> {
                     (state, rate) = (trial.state, trial.rate);
                     volume += trial.volume;
                     fresh = false;
-                    if patch.recedes(&rate) {
-                        return Err(edge_not_found(self.motion));
-                    }
                     let edge = state.radius_squared.sqrt();
                     if surface.reaches_falling_image(edge) {
                         let mut worn = surface.clone();

@@ -117,5 +117,5 @@ fn carried_outside(surface: &Surface, radius: f64, is_update: bool) -> Option<Ou
         return Some(Outside::default());
     };
     let reaches_rim = nodes.depth()[nodes.last()] > 0.0;
-    (!is_update && !reaches_rim).then(|| Outside::of(nodes, radius))
+    (!is_update && !reaches_rim).then(|| Outside::of(nodes))
 }

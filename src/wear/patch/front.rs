@@ -77,12 +77,6 @@ impl Patch {
         (0..=self.cells()).map(carries).sum::<f64>() < least
     }
 
-    /// Whether the contact has become smaller, so that it leaves what it has worn. While a body
-    /// sinks into what others have worn it grows: a mesh that has it shrink has lost its edge.
-    pub(crate) fn recedes(&self, rate: &Rate) -> bool {
-        self.outside.is_left_by(rate.radius_squared)
-    }
-
     /// Whether the contact edge has come to the end of the body.
     pub(crate) fn is_at_end_of_body(&self, rate: &Rate) -> bool {
         rate.radius_squared.sqrt() >= self.body.profile().outer_radius() * (1.0 - RIM)

@@ -9,18 +9,12 @@ use std::sync::Arc;
 /// wears very fast leaves so much there by an inexact contact edge.
 const FAINT: f64 = 1e-2;
 
-/// By how much the contact may be smaller than it was, in its area: where a mesh is made on a
-/// surface at rest, its edge is known to a cell.
-const RECEDING: f64 = 1e-2;
-
 /// Worn depth outside the contact, by monotone cubics in X = x²; 0 where nothing has worn there.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Outside(Option<Arc<Worn>>);
 
 #[derive(Debug)]
 struct Worn {
-    /// Square of the radius of the contact, m².
-    start: f64,
     nodes: Nodes,
     /// ∫ w dX from each node on, m³.
     beyond: Vec<f64>,
@@ -34,14 +28,14 @@ impl Outside {
         deepest(&nodes.depth()[beyond..]) > FAINT * deepest(nodes.depth())
     }
 
-    /// The wear outside a contact of some radius, m.
-    pub(crate) fn of(nodes: &Nodes, radius: f64) -> Self {
+    /// The wear outside a contact.
+    pub(crate) fn of(nodes: &Nodes) -> Self {
         let mut beyond = vec![0.0; nodes.x().len()];
         for j in (0..nodes.last()).rev() {
             let (start, end) = (nodes.x()[j].powi(2), nodes.x()[j + 1].powi(2));
             beyond[j] = beyond[j + 1] + integral(nodes, start, end);
         }
-        Self(Some(Arc::new(Worn { start: radius * radius, nodes: nodes.clone(), beyond })))
+        Self(Some(Arc::new(Worn { nodes: nodes.clone(), beyond })))
     }
 
     pub(crate) fn is_some(&self) -> bool {
@@ -63,12 +57,6 @@ impl Outside {
         let Some(Worn { nodes, beyond, .. }) = self.0.as_deref() else { return 0.0 };
         let Some(cell) = nodes.cell(square.sqrt()) else { return 0.0 };
         PI * (integral(nodes, square, nodes.x()[cell + 1].powi(2)) + beyond[cell + 1])
-    }
-
-    /// Whether the square of a radius is within the contact that it lies outside of: how much has
-    /// worn there is not known.
-    pub(super) fn is_left_by(&self, square: f64) -> bool {
-        self.0.as_ref().is_some_and(|worn| square < worn.start * (1.0 - RECEDING))
     }
 
     /// Appends it to the nodes of the contact.
@@ -99,7 +87,7 @@ mod tests {
             let x: Vec<f64> =
                 (0..=2 * cells).map(|k| END * (f64::from(k) / f64::from(cells)).powf(1.5)).collect();
             let depth = x.iter().map(|x| exact(x * x).powi(3)).collect();
-            let outside = Outside::of(&Nodes::holding((x.clone(), vec![0.0; x.len()], depth), 64, None), 1.0);
+            let outside = Outside::of(&Nodes::holding((x.clone(), vec![0.0; x.len()], depth), 64, None));
             let mut errors = [0.0_f64; 3];
             for k in 0..=300 {
                 let square = 1.0 + f64::from(k) * 0.012;

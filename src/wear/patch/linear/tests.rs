@@ -117,7 +117,7 @@ impl Scene {
 fn worn_outside(a: f64) -> Outside {
     let x: Vec<f64> = (0..=40).map(|k| a * f64::from(k) / 25.0).collect();
     let depth = x.iter().map(|x| 0.02 * DEPTH * (2.0 - (x / a).powi(2)).max(0.0).powi(2)).collect();
-    Outside::of(&Nodes::holding((x.clone(), vec![0.0; x.len()], depth), 25, None), a)
+    Outside::of(&Nodes::holding((x.clone(), vec![0.0; x.len()], depth), 25, None))
 }
 
 /// Depths of a state inside, from none at the inner edge, that go on smoothly as those.
