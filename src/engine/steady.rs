@@ -55,10 +55,6 @@ impl FrettingContact {
                 Err(other) => return Err(other),
             }
             while updates < next_trial && left > 0.0 {
-                // held in depth, a body may wear until it is free
-                if self.state.contact.is_open() {
-                    return Ok(());
-                }
                 if updates == MOST_PIECES {
                     return Err(refused(left, updates));
                 }

@@ -264,9 +264,6 @@ impl PlanarRow {
     /// them.
     pub(crate) fn rested(&self, resting: &Resting) -> Self {
         let (old, new) = resting.contacts;
-        if new.is_open() {
-            return Self::default();
-        }
         let spacing = resting.samples.respaced(self.spacing, new.radius).unwrap_or(self.spacing);
         let Resting { surface, bound_slope, displacement, .. } = *resting;
         // wear, after which this is called, knows bodies of revolution only
