@@ -108,9 +108,6 @@ impl FrettingContact {
             return;
         }
         let work = 2.0 * self.model.constants.tangential_modulus * half_work;
-        if self.exceeds_wear_capacity(work, &contact) {
-            return self.lose_to_friction(work);
-        }
         let slips = &mut self.memory.get().slips;
         let overlap = |piece: &SlipPiece| (contact.depth - piece.image.0) * piece.integral - piece.moment;
         let factor = half_work / (bound_slope * slips.iter().map(overlap).sum::<f64>());
