@@ -83,16 +83,10 @@ impl FrettingContact {
     /// a steady cycle's.
     pub(super) fn quarter(&mut self, contact: &Contact, amplitude: f64) -> (Springs, f64) {
         let path = Path {
-            surface: &self.surface,
-            control: self.model.parameters.normal_control,
-            bound_slope: self.model.bound_slope,
             start_slope: self.model.bound_slope,
             from: Contact { control: self.touch_control(), radius: 0.0, ..*contact },
-            to: *contact,
-            stiffness_ratio: 1.0,
             start: Vector2::zeros(),
-            end: Vector2::zeros(),
-            samples: self.model.samples(),
+            ..self.path_to(*contact, Vector2::zeros())
         };
         let (rest, _) = Springs::default().walk(&path, Springs::default(), None);
         let (springs, half_work) = rest.walk(
