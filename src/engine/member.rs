@@ -117,14 +117,6 @@ impl FrettingContact {
         self.sink_to(depth)
     }
 
-    /// Wears off what waits for the next update of the profile.
-    ///
-    /// # Errors
-    /// As [`Self::advance_to`].
-    pub(crate) fn update_profile(&mut self) -> Result<(), Error> {
-        self.absorb_backlog()
-    }
-
     /// [`Self::advance_to_planar`] under the load as it is, to the bit.
     ///
     /// # Errors

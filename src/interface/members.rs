@@ -278,7 +278,7 @@ impl Members {
     /// Updates the profile of every contact at the force that it carries.
     pub(super) fn update_profiles(&mut self, pose: &Pose) -> Result<(), Error> {
         let models = self.models.clone();
-        self.turn(pose, pose, |contact, _, _| contact.under_force(&models, FrettingContact::update_profile))
+        self.turn(pose, pose, |contact, _, _| contact.under_force(&models, FrettingContact::absorb_backlog))
     }
 
     /// Σ |∂F/∂d| |d − dᵢ − zᵢ|, N: what the depths of contacts that touch differ from a common
