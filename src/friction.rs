@@ -25,7 +25,7 @@ mod slip;
 mod walk;
 
 pub(crate) use path::Path;
-pub(crate) use planar::{PlanarRow, Resting, Samples, Standing, Tangent};
+pub(crate) use planar::{PlanarRow, Resting, Samples, Standing, Tangent, norm};
 pub(crate) use row::Row;
 
 use crate::surface::{Contact, Place, Surface};

@@ -2,6 +2,7 @@
 //! for.
 
 use super::{FrettingContact, SlipState};
+use crate::friction::norm;
 use crate::range::LEAST_RISE;
 use crate::surface::{Contact, Nodes, Place, Slopes};
 use crate::transform;
@@ -39,7 +40,7 @@ impl FrettingContact {
     pub(super) fn force(&self) -> Vector2<f64> {
         let integral = self.state.row.deflection_integral(self.model.axes.for_springs(self.state.place));
         let force = 2.0 * self.model.constants.tangential_modulus * integral;
-        let (size, limit) = (force.x.hypot(force.y), self.friction_limit());
+        let (size, limit) = (norm(force), self.friction_limit());
         // of a size that is rounding, too
         if size > limit { force / size * limit } else { force }
     }

@@ -28,8 +28,9 @@ use super::history::MOST_PIECES;
 use super::line::Line;
 use super::{FrettingContact, Gradient};
 use crate::error::Error;
+use crate::friction::norm;
 use crate::surface::Contact;
-use equilibrium::{Trial, size, solved};
+use equilibrium::{Trial, solved};
 use nalgebra::{Matrix2, Vector2};
 
 /// Ratio of two loads from which on the body may be late or early on a straight way. With 2 the
@@ -115,8 +116,8 @@ impl Ahead {
     /// early.
     fn bend(&self, way: Vector2<f64>, share: f64, late: bool) -> f64 {
         let aside = |off: Vector2<f64>| {
-            let length = size(way);
-            if late || length == 0.0 { size(off) } else { (way.perp(&off) / length).abs() }
+            let length = norm(way);
+            if late || length == 0.0 { norm(off) } else { (way.perp(&off) / length).abs() }
         };
         match self {
             Self::Former(former) => aside(former.bend(way, share)),
@@ -150,7 +151,10 @@ impl FrettingContact {
     /// Where the drive stands, m.
     #[inline]
     pub(super) fn drive_place(&self) -> Vector2<f64> {
-        Vector2::new(self.drive_displacement(), self.drive_displacement_y())
+        if self.model.compliance == 0.0 {
+            return self.state.place;
+        }
+        self.state.place + self.model.compliance * self.force()
     }
 
     /// Follows a line of the drive on which the bodies touch, while friction runs in. No piece
@@ -259,14 +263,14 @@ impl FrettingContact {
             return Found { trial, slope, bent: guess, missed: false };
         }
         self.balance(&mut trial, &mut slope, to, piece.within);
-        if size(trial.off) > piece.near && former.is_none() {
+        if norm(trial.off) > piece.near && former.is_none() {
             // a body that sticks as the load rises may slip at the first guess
             self.memory.get().row = trial.end.row;
             trial = self.try_drive(to, here);
             slope = self.going_in((here, &trial.end.row, &piece.to), trial.off, 0.0).slope;
             self.balance(&mut trial, &mut slope, to, piece.within);
         }
-        let missed = size(trial.off) > piece.near || !trial.end.work.is_finite();
+        let missed = norm(trial.off) > piece.near || !trial.end.work.is_finite();
         let bent = bent(trial.place);
         Found { trial, slope, bent, missed }
     }
@@ -294,8 +298,8 @@ impl FrettingContact {
     /// lets neither pass the balance on a line.
     fn farther(&self, straight: Vector2<f64>, piece: &Piece) -> Vector2<f64> {
         let away = piece.drive - self.state.place;
-        let left = size(away) - self.model.compliance * self.friction_limit();
-        if left > size(straight) { away * (left / size(away)) } else { straight }
+        let left = norm(away) - self.model.compliance * self.friction_limit();
+        if left > norm(straight) { away * (left / norm(away)) } else { straight }
     }
 
     /// Takes the way that has been tried, and says whether the profile was updated on it.

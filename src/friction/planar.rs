@@ -21,6 +21,7 @@ mod walk;
 
 pub(crate) use reading::{Standing, Tangent};
 pub(crate) use sampling::{Resting, Samples};
+pub(crate) use spring::norm;
 
 use crate::surface::Place;
 use nalgebra::Vector2;

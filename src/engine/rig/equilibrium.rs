@@ -3,7 +3,7 @@
 use super::ROUNDING;
 use crate::engine::FrettingContact;
 use crate::engine::history::End;
-use crate::friction::Row;
+use crate::friction::{Row, norm};
 use crate::surface::Contact;
 use nalgebra::{Matrix2, Vector2};
 use std::mem::replace;
@@ -16,10 +16,6 @@ pub(super) fn solved(of: &Matrix2<f64>, right: Vector2<f64>) -> Option<Vector2<f
     let adjugate = Matrix2::new(of.m22, -of.m12, -of.m21, of.m11);
     let solution = adjugate * right / of.determinant();
     solution.iter().all(|part| part.is_finite()).then_some(solution)
-}
-
-pub(super) fn size(vector: Vector2<f64>) -> f64 {
-    vector.x.hypot(vector.y)
 }
 
 /// A straight way of the body that has been tried.
@@ -51,13 +47,13 @@ impl FrettingContact {
     /// How far a place of the drive is ahead of where it stands, m; 0 where that is rounding.
     pub(in crate::engine) fn ahead_of_drive(&self, drive: Vector2<f64>, to: &Contact) -> Vector2<f64> {
         let ahead = drive - self.drive_place();
-        if size(ahead) < self.rounding_of((drive, self.state.place), to) { Vector2::zeros() } else { ahead }
+        if norm(ahead) < self.rounding_of((drive, self.state.place), to) { Vector2::zeros() } else { ahead }
     }
 
     /// What counts as none beside the places of drive and body and the stretch of the rig, m.
     pub(super) fn rounding_of(&self, (drive, place): (Vector2<f64>, Vector2<f64>), to: &Contact) -> f64 {
         let limit = self.model.constants.friction_coefficient * to.load * self.force_scale();
-        ROUNDING * (size(drive) + size(place) + self.model.compliance * limit)
+        ROUNDING * (norm(drive) + norm(place) + self.model.compliance * limit)
     }
 
     /// How the body goes on from where it stands, while the drive goes ahead and the depth changes.
@@ -102,7 +98,7 @@ impl FrettingContact {
         self.state.counters.spring_walks += 1;
         let force = end.row.deflection_integral(self.model.axes.for_springs(place));
         let off = drive - place - self.compliance_of_row() * force;
-        let off = if size(off) <= self.rounding_of((drive, place), &to) { Vector2::zeros() } else { off };
+        let off = if norm(off) <= self.rounding_of((drive, place), &to) { Vector2::zeros() } else { off };
         Trial { place, end, off, is_last: true }
     }
 
@@ -115,20 +111,20 @@ impl FrettingContact {
         (to, drive): (Contact, Vector2<f64>),
         within: f64,
     ) {
-        let rounding = 4.0 * f64::EPSILON * (size(trial.place) + size(self.state.place));
+        let rounding = 4.0 * f64::EPSILON * (norm(trial.place) + norm(self.state.place));
         let mut walks = 0;
-        while size(trial.off) > within && walks < MOST_WALKS {
+        while norm(trial.off) > within && walks < MOST_WALKS {
             let Some(step) = solved(slope, trial.off) else { break };
             let mut share = 1.0;
             let next = loop {
                 let next = self.try_drive((to, drive), trial.place + share * step);
                 walks += 1;
-                if size(next.off) < size(trial.off) {
+                if norm(next.off) < norm(trial.off) {
                     break Some(next);
                 }
                 self.memory.get().row = next.end.row;
                 share *= 0.5;
-                let far = share * size(step) > rounding && walks < MOST_WALKS;
+                let far = share * norm(step) > rounding && walks < MOST_WALKS;
                 if !far {
                     break None;
                 }
