@@ -30,6 +30,7 @@ use crate::range;
 use crate::transform::leg;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
+use std::cell::Cell;
 use std::f64::consts::{PI, SQRT_2};
 
 /// Shape of the unworn body 1, a body of revolution, as height above its tip.
@@ -85,9 +86,35 @@ pub enum Profile {
     },
 }
 
+/// The last value of a function that is slow to compute: all places of a contact ask for the same.
+struct Last(Cell<(f64, f64)>);
+
+impl Last {
+    fn or(&self, argument: f64, f: impl Fn(f64) -> f64) -> f64 {
+        let (last, value) = self.0.get();
+        if last == argument {
+            return value;
+        }
+        let value = f(argument);
+        self.0.set((argument, value));
+        value
+    }
+}
+
+thread_local! {
+    static POWER_FACTOR: Last = const { Last(Cell::new((f64::NAN, 0.0))) };
+    static TANGENT: Last = const { Last(Cell::new((f64::NAN, 0.0))) };
+}
+
 /// κₙ = √π Γ(n/2 + 1)/Γ((n + 1)/2), the factor between A rⁿ and its image.
 fn power_factor(n: f64) -> f64 {
-    PI.sqrt() * (libm::lgamma(n / 2.0 + 1.0) - libm::lgamma((n + 1.0) / 2.0)).exp()
+    let factor = |n| PI.sqrt() * (libm::lgamma(n / 2.0 + 1.0) - libm::lgamma((n + 1.0) / 2.0)).exp();
+    POWER_FACTOR.with(|last| last.or(n, factor))
+}
+
+/// Slope g' of the image of a cone of a slope (rad): κ₁ tan θ = π/2 tan θ.
+fn cone_slope(slope: f64) -> f64 {
+    PI / 2.0 * TANGENT.with(|last| last.or(slope, f64::tan))
 }
 
 impl Profile {
@@ -249,7 +276,7 @@ impl Profile {
     pub fn image(&self, x: f64) -> f64 {
         match self {
             Self::Parabola { radius } => x * x / radius,
-            Self::Cone { slope } => PI / 2.0 * slope.tan() * x,
+            Self::Cone { slope } => cone_slope(*slope) * x,
             Self::PowerLaw { exponent, coefficient } => {
                 power_factor(*exponent) * coefficient * x.powf(*exponent)
             }
@@ -271,7 +298,7 @@ impl Profile {
     pub fn image_slope(&self, x: f64) -> f64 {
         match self {
             Self::Parabola { radius } => 2.0 * x / radius,
-            Self::Cone { slope } => PI / 2.0 * slope.tan(),
+            Self::Cone { slope } => cone_slope(*slope),
             Self::PowerLaw { exponent: n, coefficient } => {
                 n * power_factor(*n) * coefficient * x.powf(n - 1.0)
             }
@@ -293,7 +320,7 @@ impl Profile {
     pub fn load_integral(&self, x: f64) -> f64 {
         match self {
             Self::Parabola { radius } => 2.0 / 3.0 * x * (x * x / radius),
-            Self::Cone { slope } => PI / 4.0 * slope.tan() * x * x,
+            Self::Cone { slope } => 0.5 * cone_slope(*slope) * x * x,
             Self::PowerLaw { exponent: n, .. } => n / (n + 1.0) * x * self.image(x),
             Self::BluntedSphere { radius, flat_radius: b } => {
                 (2.0 * x * x + b * b) * leg(x, *b) / (3.0 * radius)
@@ -375,7 +402,7 @@ impl Profile {
         };
         match self {
             Self::Parabola { radius } => 2.0 / radius * ends().2,
-            Self::Cone { slope } => PI / 2.0 * slope.tan() * logarithm(),
+            Self::Cone { slope } => cone_slope(*slope) * logarithm(),
             Self::PowerLaw { exponent: n, .. } => {
                 let end = logarithm();
                 // from the axis, and from so near to it that the quotient is lost
@@ -432,7 +459,7 @@ impl Profile {
 
     fn radius_of_other_at_depth(&self, depth: f64) -> Option<f64> {
         match self {
-            Self::Cone { slope } => Some(depth / (PI / 2.0 * slope.tan())),
+            Self::Cone { slope } => Some(depth / cone_slope(*slope)),
             Self::PowerLaw { exponent, coefficient } => {
                 Some((depth / (power_factor(*exponent) * coefficient)).powf(1.0 / exponent))
             }
@@ -454,7 +481,7 @@ impl Profile {
     pub(crate) fn radius_at_load(&self, load: f64) -> Option<f64> {
         match self {
             Self::Parabola { radius } => Some((1.5 * radius * load).cbrt()),
-            Self::Cone { slope } => Some((load / (PI / 4.0 * slope.tan())).sqrt()),
+            Self::Cone { slope } => Some((load / (0.5 * cone_slope(*slope))).sqrt()),
             Self::PowerLaw { exponent: n, coefficient } => {
                 Some((load * (n + 1.0) / (n * power_factor(*n) * coefficient)).powf(1.0 / (n + 1.0)))
             }
