@@ -30,8 +30,8 @@ use crate::range;
 use crate::transform::leg;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use std::cell::Cell;
 use std::f64::consts::{PI, SQRT_2};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Shape of the unworn body 1, a body of revolution, as height above its tip.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -87,34 +87,44 @@ pub enum Profile {
 }
 
 /// The last value of a function that is slow to compute: all places of a contact ask for the same.
-struct Last(Cell<(f64, f64)>);
+/// Threads share it. One number is the value, the other both value and argument (exclusive or), so
+/// that two of different calls are not taken for a pair. (A number of each thread would be memory
+/// that a library on Windows leaves behind.)
+struct Last {
+    value: AtomicU64,
+    pair: AtomicU64,
+}
 
 impl Last {
+    /// Of no number yet.
+    const fn new() -> Self {
+        Self { value: AtomicU64::new(0), pair: AtomicU64::new(f64::NAN.to_bits()) }
+    }
+
     fn or(&self, argument: f64, f: impl Fn(f64) -> f64) -> f64 {
-        let (last, value) = self.0.get();
-        if last == argument {
-            return value;
+        let value = self.value.load(Ordering::Relaxed);
+        if self.pair.load(Ordering::Relaxed) ^ value == argument.to_bits() {
+            return f64::from_bits(value);
         }
         let value = f(argument);
-        self.0.set((argument, value));
+        self.value.store(value.to_bits(), Ordering::Relaxed);
+        self.pair.store(value.to_bits() ^ argument.to_bits(), Ordering::Relaxed);
         value
     }
 }
 
-thread_local! {
-    static POWER_FACTOR: Last = const { Last(Cell::new((f64::NAN, 0.0))) };
-    static TANGENT: Last = const { Last(Cell::new((f64::NAN, 0.0))) };
-}
+static POWER_FACTOR: Last = Last::new();
+static TANGENT: Last = Last::new();
 
 /// κₙ = √π Γ(n/2 + 1)/Γ((n + 1)/2), the factor between A rⁿ and its image.
 fn power_factor(n: f64) -> f64 {
     let factor = |n| PI.sqrt() * (libm::lgamma(n / 2.0 + 1.0) - libm::lgamma((n + 1.0) / 2.0)).exp();
-    POWER_FACTOR.with(|last| last.or(n, factor))
+    POWER_FACTOR.or(n, factor)
 }
 
 /// Slope g' of the image of a cone of a slope (rad): κ₁ tan θ = π/2 tan θ.
 fn cone_slope(slope: f64) -> f64 {
-    PI / 2.0 * TANGENT.with(|last| last.or(slope, f64::tan))
+    PI / 2.0 * TANGENT.or(slope, f64::tan)
 }
 
 impl Profile {
