@@ -151,9 +151,12 @@ impl FrettingContact {
     /// Where the drive stands, m.
     #[inline]
     pub(super) fn drive_place(&self) -> Vector2<f64> {
-        if self.model.compliance == 0.0 {
-            return self.state.place;
-        }
+        if self.model.compliance == 0.0 { self.state.place } else { self.place_of_drive() }
+    }
+
+    // not a part of a step without a rig
+    #[inline(never)]
+    fn place_of_drive(&self) -> Vector2<f64> {
         self.state.place + self.model.compliance * self.force()
     }
 

@@ -3,6 +3,7 @@
 
 use super::FrettingContact;
 use crate::friction::{Row, SlipPiece};
+use std::mem::take;
 
 impl FrettingContact {
     /// Moves the body under an unchanged load if that takes no more than slip of its outer springs;
@@ -24,12 +25,11 @@ impl FrettingContact {
             self.begin_stroke();
         }
         let scales = (2.0 * self.model.constants.tangential_modulus, self.work_to_update());
-        let mut slips = self.take_slips();
-        let work = match &mut slips {
-            Some(slips) => self.slide_gathering(displacement, scales, |piece| slips.push(piece)),
-            None => self.slide_gathering(displacement, scales, |_| ()),
+        let work = if wears {
+            self.slide_with_slips(displacement, scales)
+        } else {
+            self.slide_gathering(displacement, scales, |_| ())
         };
-        self.keep_slips(slips);
         let Some(work) = work else {
             if turns {
                 self.undo_stroke();
@@ -47,7 +47,15 @@ impl FrettingContact {
         true
     }
 
-    /// [`Springs::slide`](crate::friction::Springs::slide) of the present row.
+    /// [`Springs::slide`](crate::friction::Springs::slide) whose slip is kept, to be gathered.
+    fn slide_with_slips(&mut self, displacement: f64, scales: (f64, f64)) -> Option<f64> {
+        let mut slips = take(&mut self.memory.get().slips);
+        slips.clear();
+        let work = self.slide_gathering(displacement, scales, |piece| slips.push(piece));
+        self.memory.get().slips = slips;
+        work
+    }
+
     #[inline]
     fn slide_gathering(
         &mut self,

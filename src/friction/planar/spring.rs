@@ -25,7 +25,11 @@ use nalgebra::Vector2;
 
 /// Length of a vector; [`f64::hypot`], which takes three times as long, where squares would not be
 /// numbers.
+#[inline]
 pub(crate) fn norm(a: Vector2<f64>) -> f64 {
+    if a.y == 0.0 {
+        return a.x.abs();
+    }
     let square = a.dot(&a);
     if (1e-280..1e280).contains(&square) { square.sqrt() } else { a.x.hypot(a.y) }
 }
