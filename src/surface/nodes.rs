@@ -43,15 +43,13 @@ pub(crate) struct Nodes {
 struct Integrals {
     /// ∫₀ ξ g' dξ of the whole profile less that of the body, m².
     worn_load: f64,
-    /// ∫₀ ξ g' dξ of the whole profile, m².
-    load: f64,
     /// ∫₀ g² dξ, m³.
     square: f64,
 }
 
 impl Integrals {
     /// Those of nodes that are being made.
-    const UNKNOWN: Self = Self { worn_load: f64::NAN, load: f64::NAN, square: f64::NAN };
+    const UNKNOWN: Self = Self { worn_load: f64::NAN, square: f64::NAN };
 }
 
 /// A mesh of the slipping region whose nodes are among those of a surface, from index `first` on.
@@ -135,18 +133,16 @@ impl Nodes {
         self.integrals.clear();
         self.integrals.reserve_exact(self.x.len());
         self.levelled = self.levelled_from_axis(profile);
-        let mut worn_load = 0.0;
-        let mut of_body = profile.load_integral(0.0);
+        let mut load = 0.0;
         for j in 0..self.x.len() {
-            self.integrals.push(Integrals { worn_load, load: of_body + worn_load, square: 0.0 });
+            self.integrals.push(Integrals { worn_load: load, square: 0.0 });
             if j < self.last() {
                 let (x0, x1) = (self.x[j], self.x[j + 1]);
-                let outer = profile.load_integral(x1);
-                worn_load += 2.0 / 3.0 * self.slope(j) * (x1 - x0) * (x1 * x1 + x1 * x0 + x0 * x0);
+                load += 2.0 / 3.0 * self.slope(j) * (x1 - x0) * (x1 * x1 + x1 * x0 + x0 * x0);
                 if j < self.levelled {
-                    worn_load += load_of_line(profile, (x0, x1)) - (outer - of_body);
+                    load += load_of_line(profile, (x0, x1))
+                        - (profile.load_integral(x1) - profile.load_integral(x0));
                 }
-                of_body = outer;
             }
         }
         // after the loads, of which the parts at a radius are made

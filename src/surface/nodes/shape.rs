@@ -157,7 +157,7 @@ impl Nodes {
     /// The outermost radius at which the load integral of the whole profile takes a value (m²),
     /// where a cell between two nodes holds it.
     pub(crate) fn radius_at_load(&self, profile: &Profile, load: f64) -> Option<f64> {
-        let up_to = |j: usize| self.integrals[j].load;
+        let up_to = |j: usize| profile.load_integral(self.x[j]) + self.integrals[j].worn_load;
         // beyond a last node of less load the integral falls at first, and rises to it further out
         let j = (0..=self.last()).rev().find(|j| up_to(*j) <= load).filter(|j| *j < self.last())?;
         self.root_in_cell(profile, j, (up_to(j), up_to(j + 1)), load, |x, line| {
