@@ -16,6 +16,9 @@ pub enum NormalControl {
     Indentation,
 }
 
+/// [`Parameters::tolerance`] where it is not given.
+pub(crate) const USUAL_TOLERANCE: f64 = 1e-3;
+
 /// The definition of one contact. Fixed for the life of a [`crate::FrettingContact`], but for what
 /// [`crate::FrettingContact::retune`] changes.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -88,7 +91,7 @@ impl Default for Parameters {
             normal_control: NormalControl::Force,
             rig_stiffness: f64::INFINITY,
             resolution: 64,
-            tolerance: 1e-3,
+            tolerance: USUAL_TOLERANCE,
         }
     }
 }

@@ -4,13 +4,10 @@
 use super::FrettingContact;
 use super::backlog::NEGLIGIBLE;
 use crate::error::Error;
+use crate::parameters::USUAL_TOLERANCE;
 use crate::surface::Contact;
 use crate::wear::annulus;
 use std::f64::consts::PI;
-
-/// The usual tolerance: the least share of the worn volume and of π a² d that may have found no
-/// place on the profile. What an update leaves for the next does not fall with a tighter one.
-pub(super) const USUAL_TOLERANCE: f64 = 1e-3;
 
 /// On coarse meshes, this over the square of the resolution: a volume computed cell by cell is of
 /// second order, and computed again where a mesh is left. At 64 cells it is the same.
@@ -105,7 +102,8 @@ impl FrettingContact {
         now <= limit || now - before <= NOT_AT_FAULT * limit
     }
 
-    /// The most that may be deferred, m³; a contact of before counts, too.
+    /// The most that may be deferred, m³; a contact of before counts, too. What an update leaves
+    /// does not fall with a tolerance tighter than the usual one.
     fn most_deferred(&self, contact: &Contact) -> f64 {
         let size = disc(contact).max(disc(&self.state.contact));
         let cells = self.model.parameters.resolution as f64;

@@ -1,10 +1,10 @@
 //! Transient histories: straight lines in (load, displacement), and the wear that they bring.
 
 use super::FrettingContact;
-use super::bounds::USUAL_TOLERANCE;
 use super::line::{Line, Point};
 use crate::error::Error;
 use crate::friction::{Path, Row};
+use crate::parameters::USUAL_TOLERANCE;
 use crate::range;
 use crate::surface::Contact;
 use crate::wear;

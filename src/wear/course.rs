@@ -6,9 +6,10 @@ use super::rosenbrock::{self, Trial};
 use super::settings::{Amount, IntegrationSettings};
 use crate::counters::Counters;
 use crate::error::Error;
+use crate::parameters::USUAL_TOLERANCE;
 use crate::surface::Surface;
 
-/// Most steps of one call at the usual tolerance of 1e-3: a whole life takes some fifty.
+/// Most steps of one call at the usual tolerance: a whole life takes some fifty.
 const MOST_STEPS: f64 = 500.0;
 
 /// And behind a rig: where a front hovers, stretches of constant amplitude come sooner to an end.
@@ -70,7 +71,7 @@ pub(super) struct End {
 
 impl<'a> Course<'a> {
     pub(super) fn new(motion: &'a Motion, amount: &'a Amount, settings: &'a IntegrationSettings) -> Self {
-        let tighter = (1e-3 / settings.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
+        let tighter = (USUAL_TOLERANCE / settings.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
         let most = match (amount.is_update, motion.rig) {
             (true, _) => MOST_STEPS_OF_AN_UPDATE,
             (false, Some(_)) => MOST_STEPS_BEHIND_A_RIG,
