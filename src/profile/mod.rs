@@ -86,22 +86,21 @@ pub enum Profile {
     },
 }
 
-/// The last value of a function that is slow to compute: all places of a contact ask for the same.
-/// Threads share it. One number is the value, the other both value and argument (exclusive or), so
-/// that two of different calls are not taken for a pair. (A number of each thread would be memory
-/// that a library on Windows leaves behind.)
-struct Last {
+/// Keeps the last value of a function that is slow to compute: all places of a contact ask for the
+/// same one. Threads share it, since memory of each thread stays behind when Windows unloads the
+/// library. `pair` holds the bits of value XOR argument: a value and a pair of different calls do
+/// not give the argument.
+struct LastValue {
     value: AtomicU64,
     pair: AtomicU64,
 }
 
-impl Last {
-    /// Of no number yet.
+impl LastValue {
     const fn new() -> Self {
         Self { value: AtomicU64::new(0), pair: AtomicU64::new(f64::NAN.to_bits()) }
     }
 
-    fn or(&self, argument: f64, f: impl Fn(f64) -> f64) -> f64 {
+    fn of(&self, argument: f64, f: impl Fn(f64) -> f64) -> f64 {
         let value = self.value.load(Ordering::Relaxed);
         if self.pair.load(Ordering::Relaxed) ^ value == argument.to_bits() {
             return f64::from_bits(value);
@@ -113,18 +112,28 @@ impl Last {
     }
 }
 
-static POWER_FACTOR: Last = Last::new();
-static TANGENT: Last = Last::new();
+static POWER_FACTOR: LastValue = LastValue::new();
+static TANGENT: LastValue = LastValue::new();
 
 /// κₙ = √π Γ(n/2 + 1)/Γ((n + 1)/2), the factor between A rⁿ and its image.
 fn power_factor(n: f64) -> f64 {
     let factor = |n| PI.sqrt() * (libm::lgamma(n / 2.0 + 1.0) - libm::lgamma((n + 1.0) / 2.0)).exp();
-    POWER_FACTOR.or(n, factor)
+    POWER_FACTOR.of(n, factor)
 }
 
 /// Slope g' of the image of a cone of a slope (rad): κ₁ tan θ = π/2 tan θ.
 fn cone_slope(slope: f64) -> f64 {
-    PI / 2.0 * TANGENT.or(slope, f64::tan)
+    PI / 2.0 * TANGENT.of(slope, f64::tan)
+}
+
+/// Load integral of an image that goes like xⁿ, m².
+fn load_of_power(n: f64, x: f64, image: f64) -> f64 {
+    n / (n + 1.0) * x * image
+}
+
+/// And its square integral, m³.
+fn square_of_power(n: f64, x: f64, image: f64) -> f64 {
+    image * image * x / (2.0 * n + 1.0)
 }
 
 impl Profile {
@@ -274,10 +283,6 @@ impl Profile {
                 let slope = self.image_slope(0.0);
                 radii.iter().map(|x| slope * x).collect()
             }
-            Self::PowerLaw { exponent, .. } => {
-                let factor = self.image(1.0);
-                radii.iter().map(|x| factor * x.powf(*exponent)).collect()
-            }
             _ => radii.iter().map(|x| self.image(*x)).collect(),
         }
     }
@@ -330,8 +335,8 @@ impl Profile {
     pub fn load_integral(&self, x: f64) -> f64 {
         match self {
             Self::Parabola { radius } => 2.0 / 3.0 * x * (x * x / radius),
-            Self::Cone { slope } => 0.5 * cone_slope(*slope) * x * x,
-            Self::PowerLaw { exponent: n, .. } => n / (n + 1.0) * x * self.image(x),
+            Self::Cone { .. } => load_of_power(1.0, x, self.image(x)),
+            Self::PowerLaw { exponent, .. } => load_of_power(*exponent, x, self.image(x)),
             Self::BluntedSphere { radius, flat_radius: b } => {
                 (2.0 * x * x + b * b) * leg(x, *b) / (3.0 * radius)
             }
@@ -346,8 +351,8 @@ impl Profile {
     pub fn square_integral(&self, x: f64) -> f64 {
         match self {
             Self::Parabola { .. } => 0.2 * x * self.image(x).powi(2),
-            Self::Cone { .. } => self.image(x).powi(2) * x / 3.0,
-            Self::PowerLaw { exponent: n, .. } => self.image(x).powi(2) * x / (2.0 * n + 1.0),
+            Self::Cone { .. } => square_of_power(1.0, x, self.image(x)),
+            Self::PowerLaw { exponent, .. } => square_of_power(*exponent, x, self.image(x)),
             Self::BluntedSphere { radius, flat_radius: b } => {
                 // ∫ξ²(ξ² − b²) from b to x, written in s = √(x² − b²) and δ = x − b so that nothing
                 // cancels near b
@@ -373,16 +378,17 @@ impl Profile {
     }
 
     fn other_image_and_integrals(&self, x: f64) -> (f64, f64, f64) {
-        let image = || self.image(x);
-        let of_power =
-            |n: f64, image: f64| (image, n / (n + 1.0) * x * image, image * image * x / (2.0 * n + 1.0));
+        let of_power = |n: f64| {
+            let image = self.image(x);
+            (image, load_of_power(n, x, image), square_of_power(n, x, image))
+        };
         match self {
-            Self::Cone { .. } => of_power(1.0, image()),
-            Self::PowerLaw { exponent, .. } => of_power(*exponent, image()),
+            Self::Cone { .. } => of_power(1.0),
+            Self::PowerLaw { exponent, .. } => of_power(*exponent),
             Self::RoundedPunch { radius, flat_radius } => {
                 rounded::image_and_integrals(x, *radius, *flat_radius)
             }
-            _ => (image(), self.load_integral(x), self.square_integral(x)),
+            _ => (self.image(x), self.load_integral(x), self.square_integral(x)),
         }
     }
 

@@ -12,9 +12,10 @@ use std::sync::LazyLock;
 /// Below this angle the series is at least as accurate as the closed form (both about 1e-12).
 const SMALL: f64 = 0.03;
 
-/// α = acos(b/x), without loss of digits near x = b.
-fn angle(x: f64, b: f64) -> f64 {
-    super::leg(x, b).atan2(b)
+/// Leg b tan α and α, without loss of digits near x = b.
+fn leg_and_angle(x: f64, b: f64) -> (f64, f64) {
+    let leg = super::leg(x, b);
+    (leg, leg.atan2(b))
 }
 
 /// tan α − α.
@@ -34,26 +35,26 @@ fn lost(leg: f64, alpha: f64, b: f64) -> f64 {
 }
 
 pub(super) fn image(x: f64, radius: f64, b: f64) -> f64 {
-    if x <= b { 0.0 } else { x / radius * lost(super::leg(x, b), angle(x, b), b) }
+    if x <= b { 0.0 } else { image_at(x, leg_and_angle(x, b), (radius, b)) }
+}
+
+fn image_at(x: f64, (leg, alpha): (f64, f64), (radius, b): (f64, f64)) -> f64 {
+    x / radius * lost(leg, alpha, b)
 }
 
 pub(super) fn image_slope(x: f64, radius: f64, b: f64) -> f64 {
-    if x <= b {
-        return 0.0;
-    }
-    let leg = super::leg(x, b);
-    slope_at(leg, angle(x, b), (radius, b))
+    if x <= b { 0.0 } else { slope_at(leg_and_angle(x, b), (radius, b)) }
 }
 
-fn slope_at(leg: f64, alpha: f64, (radius, b): (f64, f64)) -> f64 {
+fn slope_at((leg, alpha): (f64, f64), (radius, b): (f64, f64)) -> f64 {
     (leg + lost(leg, alpha, b)) / radius
 }
 
 pub(super) fn load_integral(x: f64, radius: f64, b: f64) -> f64 {
-    if x <= b { 0.0 } else { load_at(super::leg(x, b), angle(x, b), (radius, b)) }
+    if x <= b { 0.0 } else { load_at(leg_and_angle(x, b), (radius, b)) }
 }
 
-fn load_at(leg: f64, alpha: f64, (radius, b): (f64, f64)) -> f64 {
+fn load_at((leg, alpha): (f64, f64), (radius, b): (f64, f64)) -> f64 {
     if alpha < SMALL {
         let s = alpha * alpha;
         // coefficients of the Taylor series of the bracket, from those of tan α
@@ -63,28 +64,29 @@ fn load_at(leg: f64, alpha: f64, (radius, b): (f64, f64)) -> f64 {
     (leg * leg * (2.0 / 3.0 * leg - b * alpha / 2.0) + b * b * lost(leg, alpha, b) / 2.0) / radius
 }
 
-/// Radius at which the image is `depth`. With t = tan α and γ = g R/b² = √(1 + t²)(t − α), γ is
-/// between t³/(3 + t) and the smaller of t³/3 and t², which puts t into [t₀, 1.325 t₀].
+/// Radius at which the image is `depth`. With t = tan α, γ = g R/b² = √(1 + t²)(t − α) lies between
+/// t³/(3 + t) and the smaller of t³/3 and t². So t lies between t₀ = max((3γ)^⅓, √γ) and 1.325 t₀.
 pub(super) fn radius_at_depth(depth: f64, radius: f64, b: f64) -> f64 {
     let scaled = depth * radius / b / b;
     let least = b * (3.0 * scaled).cbrt().max(scaled.sqrt());
-    radius_of(b, (least, 1.325 * least), |leg, x, alpha| {
-        (x / radius * lost(leg, alpha, b) - depth, slope_at(leg, alpha, (radius, b)) * leg / x)
+    radius_of(b, (least, 1.325 * least), |x, at| {
+        (image_at(x, at, (radius, b)) - depth, slope_at(at, (radius, b)) * at.0 / x)
     })
 }
 
 /// Radius at which the load integral is `load`: the cube of the leg is 3/2 to 3 times R φ.
 pub(super) fn radius_at_load(load: f64, radius: f64, b: f64) -> f64 {
     let least = (1.5 * radius * load).cbrt();
-    radius_of(b, (least, 1.26 * least), |leg, _, alpha| {
-        (load_at(leg, alpha, (radius, b)) - load, slope_at(leg, alpha, (radius, b)) * leg)
+    radius_of(b, (least, 1.26 * least), |_, at| {
+        (load_at(at, (radius, b)) - load, slope_at(at, (radius, b)) * at.0)
     })
 }
 
-/// Radius x at a root of a function of leg, x and α, which returns its derivative by the leg, too.
-fn radius_of(b: f64, (low, high): (f64, f64), f: impl Fn(f64, f64, f64) -> (f64, f64)) -> f64 {
+/// Radius at a root of a function of x and of leg and α, between two legs. It returns its
+/// derivative by the leg, too.
+fn radius_of(b: f64, (low, high): (f64, f64), f: impl Fn(f64, (f64, f64)) -> (f64, f64)) -> f64 {
     let radius = |leg: f64| (leg * leg + b * b).sqrt();
-    radius(roots::of_rising(low, high, |leg| f(leg, radius(leg), leg.atan2(b))))
+    radius(roots::of_rising(low, high, |leg| f(radius(leg), (leg, leg.atan2(b)))))
 }
 
 /// [`image`], [`load_integral`] and [`square_integral`].
@@ -92,13 +94,12 @@ pub(super) fn image_and_integrals(x: f64, radius: f64, b: f64) -> (f64, f64, f64
     if x <= b {
         return (0.0, 0.0, 0.0);
     }
-    let (leg, alpha) = (super::leg(x, b), angle(x, b));
-    let image = x / radius * lost(leg, alpha, b);
-    (image, load_at(leg, alpha, (radius, b)), square_at(x, alpha, radius))
+    let at = leg_and_angle(x, b);
+    (image_at(x, at, (radius, b)), load_at(at, (radius, b)), square_at(x, at.1, radius))
 }
 
 pub(super) fn square_integral(x: f64, radius: f64, b: f64) -> f64 {
-    if x <= b { 0.0 } else { square_at(x, angle(x, b), radius) }
+    if x <= b { 0.0 } else { square_at(x, leg_and_angle(x, b).1, radius) }
 }
 
 /// Q = x⁵ α⁸/R² K(α²), where K falls from 1/72 at the rim to (2/π)⁸/5 far outside.
@@ -170,6 +171,7 @@ fn square_by_quadrature(leg: f64) -> f64 {
 mod tests {
     use super::*;
 
+    /// To the digits of the quadrature: tan α − α has lost three of them above `SMALL`.
     #[test]
     fn the_square_integral_is_that_of_quadrature_at_all_radii() {
         let worst = (1..400)
@@ -192,9 +194,10 @@ mod tests {
         for k in -12..=12 {
             let leg = b * 10f64.powi(k);
             let x = leg.hypot(b);
-            let found = radius_at_depth(x / radius * lost(leg, leg.atan2(b), b), radius, b);
+            let at = (leg, leg.atan2(b));
+            let found = radius_at_depth(image_at(x, at, (radius, b)), radius, b);
             assert!((found / x - 1.0).abs() < 1e-15, "{k}: {found:e} {x:e}");
-            let found = radius_at_load(load_at(leg, leg.atan2(b), (radius, b)), radius, b);
+            let found = radius_at_load(load_at(at, (radius, b)), radius, b);
             assert!((found / x - 1.0).abs() < 1e-15, "{k}: {found:e} {x:e}");
         }
     }

@@ -511,14 +511,14 @@ fn the_pressure_of_a_power_law_is_known_next_to_the_axis() {
 /// Threads that ask for different arguments get the values of their own.
 #[test]
 fn kept_values_belong_to_their_arguments() {
-    static LAST: super::Last = super::Last::new();
+    static LAST: super::LastValue = super::LastValue::new();
     let square = |x: f64| x * x;
     std::thread::scope(|scope| {
         for thread in 1..=4 {
             scope.spawn(move || {
                 for k in 0..20_000 {
                     let x = f64::from(thread + k % 2);
-                    assert_eq!(LAST.or(x, square), x * x);
+                    assert_eq!(LAST.of(x, square), x * x);
                 }
             });
         }
