@@ -144,10 +144,7 @@ impl FrettingContact {
         }
         let repeated = only.and_then(|law| law.repeated_motion(self.model.bound_slope, self.surface.tip()));
         if let Some(motion) = repeated.filter(|motion| self.is_followed(motion))
-            && let drive = match motion.sliding {
-                Sliding::Cycles(own) => Some(self.drive_amplitude(own)),
-                Sliding::Onward => None,
-            }
+            && let drive = self.drive_of(&motion)
             && self.absorb_motion(&motion, drive, backlog.work)?
         {
             let lost = self.rest_on_worn(&old, zone)?;
@@ -172,6 +169,14 @@ impl FrettingContact {
             self.expect(repeated);
         }
         Ok(())
+    }
+
+    /// Amplitude of the drive (m) of cycles.
+    fn drive_of(&mut self, motion: &RepeatedMotion) -> Option<f64> {
+        match motion.sliding {
+            Sliding::Cycles(own) => Some(self.drive_amplitude(own)),
+            Sliding::Onward => None,
+        }
     }
 
     /// Wears a motion off on the moving mesh, in place of the springs' work on the profile before,

@@ -132,20 +132,14 @@ impl FrettingContact {
     /// rigid.
     #[inline]
     pub fn drive_displacement(&self) -> f64 {
-        if self.model.compliance == 0.0 {
-            return self.state.place.x;
-        }
-        self.state.place.x + self.model.compliance * self.tangential_force()
+        self.drive_place().x
     }
 
     /// Displacement of the drive along y: U_y + T_y/k_rig, m. It is [`Self::displacement_y`] where
     /// the rig is rigid.
     #[inline]
     pub fn drive_displacement_y(&self) -> f64 {
-        if self.model.compliance == 0.0 {
-            return self.state.place.y;
-        }
-        self.state.place.y + self.model.compliance * self.tangential_force_y()
+        self.drive_place().y
     }
 
     /// Where the drive stands, m.
@@ -154,7 +148,7 @@ impl FrettingContact {
         if self.model.compliance == 0.0 { self.state.place } else { self.place_of_drive() }
     }
 
-    // not a part of a step without a rig
+    // inlined, it makes a step without a rig a sixth slower
     #[inline(never)]
     fn place_of_drive(&self) -> Vector2<f64> {
         self.state.place + self.model.compliance * self.force()
