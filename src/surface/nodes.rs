@@ -122,9 +122,12 @@ impl Nodes {
 
     /// These nodes without the mesh among them, with the depths of their image, m. The mesh tells
     /// both by lines in x² of the image over x, which at a front near the axis is another profile
-    /// between nodes.
+    /// between nodes. What has not worn stays so: a depth of rounding at the last node would look
+    /// like wear up to the end of the body.
     pub(crate) fn without_mesh(&self, depth: Vec<f64>) -> Self {
-        let mut nodes = Self { depth: depth.into_iter().map(|w| w.max(0.0)).collect(), ..self.clone() };
+        let worn = |(new, old): (f64, &f64)| if *old == 0.0 { 0.0 } else { new.max(0.0) };
+        let depth = depth.into_iter().zip(&self.depth).map(worn).collect();
+        let mut nodes = Self { depth, ..self.clone() };
         nodes.leave_mesh();
         nodes
     }

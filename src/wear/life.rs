@@ -87,7 +87,7 @@ pub(crate) fn integrate(
             let (nodes, [defect, missing]) =
                 left_at_the_end(&end.patch, (end.state, end.rate), settings, target);
             // it has not carried what other loads have left
-            if end.patch.outside.is_some() && missing > settings.tolerance * target {
+            if missing > settings.tolerance * target {
                 return Err(edge_not_found(motion));
             }
             life.defect += defect;
