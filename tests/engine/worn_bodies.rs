@@ -384,6 +384,34 @@ fn gross_slip_wears_the_walls_that_partial_slip_has_left() {
     }
 }
 
+/// A body that is held at a depth d is worn up to it at last: d π b² + π (2 R d)²/4R for a sphere
+/// whose flat has the radius b. Before, a narrow ring of a larger contact has worn around a core
+/// that stuck; beside it the image of the wear had too few nodes, and V was 3 % too much.
+#[test]
+fn gross_slip_in_a_core_that_has_stuck_wears_it_up_to_the_depth() {
+    let (radius, flat_radius, depth) = (0.01, 5e-5, 9.28356e-7);
+    let mut contact = FrettingContact::new(Parameters {
+        profile: Profile::BluntedSphere { radius, flat_radius },
+        normal_control: Indentation,
+        friction_coefficient: 0.6,
+        wear_coefficient: 1e-4,
+        resolution: 128,
+        ..Parameters::default()
+    })
+    .expect("it is valid");
+    let mut ring = 0.0;
+    for (normal, amplitude, cycles) in
+        [(2.8332e-6, 2.938e-7, 1.05e5), (8.4984e-7, 1.921e-6, 2.18e4), (depth, 2.675e-6, 2.91e5)]
+    {
+        contact.advance_cycles(normal, amplitude, cycles).expect("the cycles are followed");
+        ring = if ring == 0.0 { contact.wear_volume() } else { ring };
+    }
+    let core = PI * depth * flat_radius.powi(2) + PI * (2.0 * radius * depth).powi(2) / (4.0 * radius);
+    let error = contact.wear_volume() / (core + ring) - 1.0;
+    println!("{error:+.1e}; {}", contact.counters());
+    assert!(error.abs() < 5e-4, "{error:e}");
+}
+
 /// The last bit of an amplitude must not show in V, 4.6 % of which it decided.
 #[test]
 fn the_last_bit_of_an_amplitude_does_not_show_in_the_wear_of_blocks() {
