@@ -207,10 +207,10 @@ impl FrettingContact {
         self.view(|nodes, more| nodes.depths_with(more).fold(0.0, f64::max)).unwrap_or(0.0)
     }
 
-    /// Volume ∫ 2πr w dr of the worn profile, m³: the same as [`Self::wear_volume`] by another
-    /// route, the transforms.
+    /// Volume of the worn profile by its image h, 4 ∫ h √(a² − x²) dx = ∫ 2πr w dr, m³: the same as
+    /// [`Self::wear_volume`] by another route, the transforms.
     pub fn profile_volume(&self) -> f64 {
-        let updated = self.surface.worn().map_or(0.0, Nodes::worn_volume);
+        let updated = self.surface.worn().map_or(0.0, Nodes::image_volume);
         updated + self.view(Nodes::volume).unwrap_or(0.0)
     }
 

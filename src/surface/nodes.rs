@@ -162,9 +162,11 @@ impl Nodes {
     /// from the depths, since on nodes that reach far beyond the wear the image's integral is a
     /// difference of large numbers.
     pub(crate) fn worn_volume(&self) -> f64 {
-        if self.mesh.is_none() {
-            return self.volume(&self.depth);
-        }
+        if self.mesh.is_none() { self.volume(&self.depth) } else { self.image_volume() }
+    }
+
+    /// Volume of the depth that belongs to the image, m³.
+    pub(crate) fn image_volume(&self) -> f64 {
         let worn = self.worn_nodes();
         depth_volume(&self.x[..worn], &self.worn_image[..worn])
     }

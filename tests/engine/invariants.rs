@@ -119,6 +119,7 @@ fn random_histories_with_wear_keep_every_invariant() {
                 contact.clipped_work() / contact.dissipated_energy(),
             );
             assert!(apart > 3 && contact.wear_volume() > 0.0, "{profile:?} {control:?}");
+            close_to(contact.profile_volume(), contact.wear_volume(), 5e-3, "volume of the profile");
             assert_eq!(refused, 0, "{profile:?} {control:?}: every line of this history can be walked");
         }
     }

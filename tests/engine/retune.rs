@@ -125,7 +125,7 @@ fn what_slips_back_wears_the_profile() {
             }
             let what = format!("{profile:?}, {way:?}, {strokes} strokes");
             assert!(contact.wear_volume() > 1.02 * before, "{what}: {}", contact.wear_volume() / before);
-            close_to(contact.profile_volume(), contact.wear_volume(), 1e-6, &what);
+            close_to(contact.profile_volume(), contact.wear_volume(), 1e-3, &what);
             close_to(contact.wear_volume(), gradual.wear_volume(), 5e-3, &what);
             for share in [0.5, 0.7, 0.85] {
                 let r = share * contact.contact_radius();
@@ -135,7 +135,7 @@ fn what_slips_back_wears_the_profile() {
             for k in 0..4 {
                 stroke(&mut contact, if k % 2 == 0 { -3e-6 } else { 3e-6 });
             }
-            close_to(contact.profile_volume(), contact.wear_volume(), 1e-6, &format!("{what}, later"));
+            close_to(contact.profile_volume(), contact.wear_volume(), 1e-3, &format!("{what}, later"));
         }
     }
 }

@@ -318,7 +318,8 @@ fn a_rim_wears_on_while_friction_runs_in() {
                     "{control:?}, {share}, {cycles}: V {volume:.4e}, profile {:.1e}",
                     profile / volume - 1.0
                 );
-                close_to(profile, volume, 3e-3, "volume of the profile");
+                // lines in x² miss some of an image that is steep at the rim
+                close_to(profile, volume, 1e-2, "volume of the profile");
             }
         }
     }
@@ -410,6 +411,7 @@ fn gross_slip_in_a_core_that_has_stuck_wears_it_up_to_the_depth() {
     let error = contact.wear_volume() / (core + ring) - 1.0;
     println!("{error:+.1e}; {}", contact.counters());
     assert!(error.abs() < 5e-4, "{error:e}");
+    close_to(contact.profile_volume(), contact.wear_volume(), 5e-3, "volume of the profile");
 }
 
 /// The last bit of an amplitude must not show in V, 4.6 % of which it decided.
