@@ -117,7 +117,8 @@ impl Judge {
             // the tolerance holds for the image in depths d: over the disc that is a volume, and a
             // life's volume keeps it, too
             let off = (profile - volume).abs() / (volume + self.size);
-            self.note("profile volume = (k/s0) work", off, contact.parameters().tolerance);
+            // by lines in the cells, which no tolerance makes finer
+            self.note("profile volume = (k/s0) work", off, contact.parameters().tolerance.max(1e-5));
         }
         // NaN counts as healed
         let healed = contact

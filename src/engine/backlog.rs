@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::friction::{Resting, Row, SlipPiece};
 use crate::parameters::Parameters;
 use crate::surface::{Contact, FrontMotion, Nodes, ROUNDING, Surface};
-use crate::wear::{self, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
+use crate::wear::{self, Part, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 use std::mem::{replace, take};
@@ -189,7 +189,7 @@ impl FrettingContact {
     ) -> Result<bool, Error> {
         let drive = drive.filter(|_| self.model.compliance > 0.0 && self.model.constants.force_control);
         let control = self.state.contact.control;
-        match self.wear_by(control, (motion.sliding, drive), motion.amount, true) {
+        match self.wear_by(control, (motion.sliding, drive), motion.amount, Part::Update) {
             Ok(worn_by) => {
                 self.correct_work(worn_by - work);
                 Ok(true)

@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::friction::{Path, Row, Springs};
 use crate::range;
 use crate::surface::{Contact, Nodes, Surface};
-use crate::wear::{Amount, IntegrationSettings, Motion, Rig, Sliding, integrate};
+use crate::wear::{Amount, IntegrationSettings, Motion, Part, Rig, Sliding, integrate};
 use nalgebra::Vector2;
 
 /// Many cycles in one call.
@@ -101,7 +101,7 @@ impl FrettingContact {
     /// Returns the amplitude of the contact itself at the end, m.
     fn wear_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<f64, Error> {
         let own = if self.model.compliance == 0.0 {
-            self.wear_steadily(value, Sliding::Cycles(amplitude), cycles)?;
+            self.wear_steadily(value, (Sliding::Cycles(amplitude), Part::Call), cycles)?;
             amplitude
         } else {
             self.wear_driven_cycles(value, amplitude, cycles)?
@@ -113,7 +113,7 @@ impl FrettingContact {
         Ok(own)
     }
 
-    /// Wears the surface by an amount of sliding at constant load, which may be that of an update;
+    /// Wears the surface by an amount of sliding at constant load, which is some part of a history;
     /// returns the work, J. With the amplitude of a drive (m), at constant force, the sliding is
     /// that at the start.
     pub(super) fn wear_by(
@@ -121,7 +121,7 @@ impl FrettingContact {
         value: f64,
         (sliding, drive): (Sliding, Option<f64>),
         amount: f64,
-        is_update: bool,
+        part: Part,
     ) -> Result<f64, Error> {
         let compliance = 2.0 * self.model.constants.tangential_modulus * self.model.compliance;
         let rig = drive.map(|amplitude| Rig { amplitude, compliance });
@@ -140,7 +140,7 @@ impl FrettingContact {
         let on_profile = |surface: &Surface| surface.worn().map_or(0.0, Nodes::worn_volume);
         let deferred_work = self.state.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
         let worn = on_profile(&self.surface) + per_work * deferred_work;
-        let amount = Amount { cycles: amount, worn, is_update };
+        let amount = Amount { cycles: amount, worn, part };
         let life = integrate(
             &self.surface,
             &motion,

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::friction::Row;
 use crate::parameters::NormalControl;
 use crate::surface::{FrontMotion, ROUNDING};
-use crate::wear::{self, Sliding, SlipAtDepth};
+use crate::wear::{self, Part, Sliding, SlipAtDepth};
 use nalgebra::Vector2;
 
 /// Least share of the limit that an update is made with.
@@ -39,19 +39,24 @@ impl FrettingContact {
     /// # Errors
     /// [`Error::TooMuchWear`] where neither the mesh nor [`MOST_PIECES`] updates can follow; those
     /// of the normal contact.
-    pub(super) fn wear_steadily(&mut self, value: f64, sliding: Sliding, amount: f64) -> Result<(), Error> {
+    pub(super) fn wear_steadily(
+        &mut self,
+        value: f64,
+        (sliding, mut part): (Sliding, Part),
+        amount: f64,
+    ) -> Result<(), Error> {
         let (mut left, mut updates, mut next_trial) = (amount, 0, 1);
         let mut pace = Pace { work: 0.0, limit: 0.0, share: 1.0 };
         let amplitude = sliding.amplitude();
         let refused = |left, steps| Error::TooMuchWear { cycles: amount, left, amplitude, steps };
         loop {
-            match self.wear_by(value, (sliding, None), left, false) {
+            match self.wear_by(value, (sliding, None), left, part) {
                 Ok(work) => {
                     self.state.work += work;
                     self.state.contact = self.contact_at(value)?;
                     return Ok(());
                 }
-                Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {}
+                Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => part = Part::Call,
                 Err(other) => return Err(other),
             }
             while updates < next_trial && left > 0.0 {
@@ -190,7 +195,7 @@ impl FrettingContact {
         self.absorb_backlog()?;
         let value = self.state.contact.control;
         let moved = displacement - self.state.place.x;
-        self.wear_steadily(value, Sliding::Onward, moved.abs())?;
+        self.wear_steadily(value, (Sliding::Onward, Part::Call), moved.abs())?;
         let to = self.state.contact;
         let (mut springs, _) = self.quarter(&to, 0.0);
         springs.follow_bound((0.0, moved.signum()), &to, self.model.constants.bound_slope(), displacement);

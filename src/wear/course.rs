@@ -3,7 +3,7 @@
 use super::export::exported_nodes;
 use super::patch::{Front, Linear, Motion, Patch, Rate, State, edge_not_found};
 use super::rosenbrock::{self, Trial};
-use super::settings::{Amount, IntegrationSettings};
+use super::settings::{Amount, IntegrationSettings, Part};
 use crate::counters::Counters;
 use crate::error::Error;
 use crate::parameters::USUAL_TOLERANCE;
@@ -72,10 +72,10 @@ pub(super) struct End {
 impl<'a> Course<'a> {
     pub(super) fn new(motion: &'a Motion, amount: &'a Amount, settings: &'a IntegrationSettings) -> Self {
         let tighter = (USUAL_TOLERANCE / settings.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
-        let most = match (amount.is_update, motion.rig) {
-            (true, _) => MOST_STEPS_OF_AN_UPDATE,
-            (false, Some(_)) => MOST_STEPS_BEHIND_A_RIG,
-            (false, None) => MOST_STEPS,
+        let most = match (amount.part, motion.rig) {
+            (Part::Update, _) => MOST_STEPS_OF_AN_UPDATE,
+            (_, Some(_)) => MOST_STEPS_BEHIND_A_RIG,
+            (_, None) => MOST_STEPS,
         };
         Self {
             motion,
@@ -177,7 +177,8 @@ impl<'a> Course<'a> {
         let trial =
             linear.as_ref().and_then(|linear| rosenbrock::step(patch, state, rate, length, linear, counters));
         // in the first step the rates change most
-        self.system = linear.filter(|_| is_new && !self.amount.is_update && self.previous.is_some());
+        self.system =
+            linear.filter(|_| is_new && self.amount.part != Part::Update && self.previous.is_some());
         Ok(trial)
     }
 }

@@ -7,7 +7,7 @@ use super::export::{all_nodes, exported_nodes, left_at_the_end};
 use super::mesh::UnitMesh;
 use super::patch::{Motion, Outside, edge_not_found};
 use super::remesh::{check_end_of_body, mesh_slip_zone};
-use super::settings::{Amount, IntegrationSettings};
+use super::settings::{Amount, IntegrationSettings, Part};
 use crate::counters::Counters;
 use crate::error::Error;
 use crate::surface::Surface;
@@ -57,12 +57,12 @@ pub(crate) fn integrate(
         let outside = match &outside {
             Some(outside) => outside,
             None => {
-                let found = carried_outside(surface, contact.radius, amount.is_update);
+                let found = carried_outside(surface, contact.radius, amount.part == Part::Update);
                 &*outside.insert(found.ok_or_else(|| edge_not_found(motion))?)
             }
         };
         let body = (&life.surface, outside);
-        let known = (worn_volume, amount.is_update || worn_volume.is_some());
+        let known = (worn_volume, amount.part != Part::Call || worn_volume.is_some());
         let Some(start) = mesh_slip_zone(body, &contact, motion, constants, settings, known)? else { break };
         if life.mesh.is_none() && course.is_at_end(&start.0, &start.2) {
             break;

@@ -15,6 +15,17 @@ pub(crate) struct IntegrationSettings {
     pub(crate) last_step: f64,
 }
 
+/// Which part of a history an amount is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// A call, on whatever other loads have left.
+    Call,
+    /// A stretch of a call, on what the one before has left.
+    Stretch,
+    /// What has been gathered since the last update, a small part of a life.
+    Update,
+}
+
 /// How much of a motion wears the surface.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Amount {
@@ -22,6 +33,5 @@ pub(crate) struct Amount {
     pub(crate) cycles: f64,
     /// Volume worn so far, m³: that of the profile, and what has found no place on it yet.
     pub(crate) worn: f64,
-    /// Whether the motion is what has been gathered since the last update: a small part of a life.
-    pub(crate) is_update: bool,
+    pub(crate) part: Part,
 }

@@ -10,10 +10,14 @@ use crate::engine::FrettingContact;
 use crate::engine::history::MOST_PIECES;
 use crate::error::Error;
 use crate::roots;
-use crate::wear::Sliding;
+use crate::wear::{Part, Sliding};
 
 /// Share of the tolerance that the amplitude may be wrong by at the end of a stretch, relative.
-const SHARE: f64 = 0.1;
+const SHARE: f64 = 0.05;
+
+/// Most by which the amplitude may grow in a stretch, relative. A front that goes too far at once
+/// misses what wears on its way; each mesh made again makes the profile behind it less sharp.
+const MOST_GROWN: f64 = 3e-3;
 
 impl FrettingContact {
     /// Amplitude of the drive (m) in steady cycles of the contact itself at the present load: U₀ +
@@ -66,7 +70,7 @@ impl FrettingContact {
     ) -> Result<f64, Error> {
         if self.model.constants.force_control {
             let sliding = Sliding::Cycles(self.own_amplitude(drive));
-            match self.wear_by(value, (sliding, Some(drive)), cycles, false) {
+            match self.wear_by(value, (sliding, Some(drive)), cycles, Part::Call) {
                 Ok(work) => {
                     self.state.work += work;
                     self.state.contact = self.contact_at(value)?;
@@ -90,14 +94,14 @@ impl FrettingContact {
     fn wear_in_stretches(&mut self, value: f64, drive: f64, cycles: f64) -> Result<f64, Error> {
         let tolerance = self.model.parameters.tolerance;
         let (mut left, mut stretch) = (cycles, cycles);
-        let mut amplitude = self.own_amplitude(drive);
+        let (mut amplitude, mut part) = (self.own_amplitude(drive), Part::Call);
         for _ in 0..MOST_PIECES {
             if left <= 0.0 {
                 return Ok(amplitude);
             }
             stretch = stretch.min(left);
             let before = self.clone();
-            let predicted = self.amplitude_after(value, (drive, amplitude), stretch);
+            let predicted = self.amplitude_after(value, (drive, amplitude), (stretch, part));
             // the amplitude grows along a stretch: what leaves the table with that of its start
             // leaves it
             if let Err(beyond @ (Error::BeyondTable { .. } | Error::NonMonotoneImage { .. })) = predicted {
@@ -109,15 +113,14 @@ impl FrettingContact {
                 }
                 self.go_back(before.clone());
                 let mean = 0.5 * (amplitude + predicted);
-                let end = self.amplitude_after(value, (drive, mean), stretch)?;
-                let [missed, grown] =
-                    [predicted, amplitude].map(|other| (end - other).abs() / end / tolerance);
-                Ok((end, (missed / SHARE).max(grown * grown)))
+                let end = self.amplitude_after(value, (drive, mean), (stretch, part))?;
+                let [missed, grown] = [predicted, amplitude].map(|other| (end - other).abs() / end);
+                Ok((end, (missed / (SHARE * tolerance)).max((grown / MOST_GROWN).powi(2))))
             });
             let (end, error) = corrected.unwrap_or((amplitude, f64::INFINITY));
             let accepted = error <= 1.0;
             if accepted {
-                amplitude = end;
+                (amplitude, part) = (end, Part::Stretch);
                 left = if stretch < left { left - stretch } else { 0.0 };
             } else {
                 self.go_back(before);
@@ -132,9 +135,9 @@ impl FrettingContact {
         &mut self,
         value: f64,
         (drive, amplitude): (f64, f64),
-        cycles: f64,
+        (cycles, part): (f64, Part),
     ) -> Result<f64, Error> {
-        self.wear_steadily(value, Sliding::Cycles(amplitude), cycles)?;
+        self.wear_steadily(value, (Sliding::Cycles(amplitude), part), cycles)?;
         Ok(self.own_amplitude(drive))
     }
 
