@@ -87,7 +87,7 @@ impl FrettingContact {
     /// the stretch). The end is found with the amplitude of the start first; by how much it moves
     /// when the mean is taken tells how long a stretch may be. So does by how much the amplitude
     /// grows: a front that goes too far at once misses what wears on its way, up to 3 % of V, while
-    /// the amplitude in the final state is right in any case.
+    /// the amplitude in the final state is hardly off.
     ///
     /// # Errors
     /// As [`Self::wear_steadily`].
