@@ -158,14 +158,13 @@ impl Nodes {
         }
     }
 
-    /// ∫ 2πr w dr, m³: from the image where a mesh has left it, up to where the wear ends; else
-    /// from the depths, since on nodes that reach far beyond the wear the image's integral is a
-    /// difference of large numbers.
+    /// ∫ 2πr w dr, m³: from the image where a mesh has left it, else from the depths, which updates
+    /// scale to the work.
     pub(crate) fn worn_volume(&self) -> f64 {
         if self.mesh.is_none() { self.volume(&self.depth) } else { self.image_volume() }
     }
 
-    /// Volume of the depth that belongs to the image, m³.
+    /// Volume of the depth that belongs to the image, m³, up to where the wear ends.
     pub(crate) fn image_volume(&self) -> f64 {
         let worn = self.worn_nodes();
         depth_volume(&self.x[..worn], &self.worn_image[..worn])

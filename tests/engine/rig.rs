@@ -599,23 +599,18 @@ fn cycles_at_constant_depth_wear_alike_in_one_call_and_many() {
 /// of the tolerance. It is compared with that of 512 cells.
 #[test]
 fn a_front_that_goes_far_leaves_a_sharp_profile() {
-    let at_force = Parameters {
-        profile: Profile::PowerLaw { exponent: 3.0, coefficient: 1e6 },
-        friction_coefficient: 0.6,
-        ..Parameters::default()
-    };
-    let mut pressed = FrettingContact::new(at_force.clone()).expect("it is valid");
-    pressed.start_at(100.0, 0.0).expect("the load is carried");
-    let (depth, stiffness) = (pressed.indentation_depth(), pressed.tangential_stiffness());
+    let profile = Profile::PowerLaw { exponent: 3.0, coefficient: 1e6 };
+    let normal = exact(&profile, FORCE).normal;
+    let (depth, stiffness) = (normal.depth(), 2.0 * G_STAR * normal.radius());
     let rig_stiffness = 0.216058 * stiffness;
-    let drive = (1.0 + stiffness / rig_stiffness) * 0.971552 * 1.5 * 60.0 / stiffness;
+    let drive = (1.0 + stiffness / rig_stiffness) * 0.971552 * 1.5 * LIMIT / stiffness;
     for tolerance in [1e-3, 1e-4] {
         let mut contact = contact(Parameters {
             normal_control: Indentation,
             wear_coefficient: 1e-4,
             rig_stiffness,
             tolerance,
-            ..at_force.clone()
+            ..without_wear(profile.clone())
         });
         contact.start_at(depth, 0.0).expect("the depth is taken");
         contact.advance_cycles(1.75705 * depth, drive, 2.04892e5).expect("the cycles are followed");

@@ -328,25 +328,21 @@ fn a_rim_wears_on_while_friction_runs_in() {
 /// Share of the load, of the amplitude that slips everywhere, and cycles of a block.
 type Block = (f64, f64, f64);
 
-/// V (m³) after blocks on a body that 100 N press on, in shares of that force or of its depth.
+/// V (m³) after blocks on a body under the usual force, in shares of that or of its depth.
 fn volume_after(
     (profile, normal_control): (&Profile, NormalControl),
     blocks: &[Block],
     (resolution, tolerance): (usize, f64),
 ) -> f64 {
-    let at_force = Parameters {
-        profile: profile.clone(),
-        friction_coefficient: 0.6,
+    let normal = normal_input(profile, normal_control, FORCE);
+    let slips = 0.75 * MU * FORCE / (G_STAR * exact(profile, FORCE).normal.radius());
+    let mut contact = contact(Parameters {
         wear_coefficient: 1e-4,
+        normal_control,
         resolution,
         tolerance,
-        ..Parameters::default()
-    };
-    let mut pressed = FrettingContact::new(at_force.clone()).expect("it is valid");
-    pressed.start_at(100.0, 0.0).expect("it is pressed on");
-    let normal = if normal_control == Force { 100.0 } else { pressed.indentation_depth() };
-    let slips = 1.5 * 60.0 / pressed.tangential_stiffness();
-    let mut contact = FrettingContact::new(Parameters { normal_control, ..at_force }).expect("it is valid");
+        ..without_wear(profile.clone())
+    });
     contact.start_at(normal, 0.0).expect("it is pressed on");
     for (load, amplitude, cycles) in blocks {
         let cycled = contact.advance_cycles(load * normal, amplitude * slips, *cycles);
@@ -360,8 +356,7 @@ fn volume_after(
 /// first was 2.7 % low, the last calls of the others were refused.
 #[test]
 fn gross_slip_wears_the_walls_that_partial_slip_has_left() {
-    let (ball, cone) = (Profile::Parabola { radius: 0.01 }, Profile::Cone { slope: 0.02 });
-    let [held_cone, pressed_cone, held_ball] = [(&cone, Indentation), (&cone, Force), (&ball, Indentation)];
+    let [held_cone, pressed_cone, held_ball] = [(&CONE, Indentation), (&CONE, Force), (&BALL, Indentation)];
     let on_held_cone = [
         (1.21029, 0.79247, 500.879),
         (0.97319, 0.16198, 53.0656),
@@ -391,15 +386,12 @@ fn gross_slip_wears_the_walls_that_partial_slip_has_left() {
 #[test]
 fn gross_slip_in_a_core_that_has_stuck_wears_it_up_to_the_depth() {
     let (radius, flat_radius, depth) = (0.01, 5e-5, 9.28356e-7);
-    let mut contact = FrettingContact::new(Parameters {
-        profile: Profile::BluntedSphere { radius, flat_radius },
+    let mut contact = contact(Parameters {
         normal_control: Indentation,
-        friction_coefficient: 0.6,
         wear_coefficient: 1e-4,
         resolution: 128,
-        ..Parameters::default()
-    })
-    .expect("it is valid");
+        ..without_wear(Profile::BluntedSphere { radius, flat_radius })
+    });
     let mut ring = 0.0;
     for (normal, amplitude, cycles) in
         [(2.8332e-6, 2.938e-7, 1.05e5), (8.4984e-7, 1.921e-6, 2.18e4), (depth, 2.675e-6, 2.91e5)]
@@ -425,12 +417,11 @@ fn the_last_bit_of_an_amplitude_does_not_show_in_the_wear_of_blocks() {
         (0.227, 0.486, 3.96e4),
         (0.817, 0.750, 1.98e4),
     ];
-    let cone = (&Profile::Cone { slope: 0.02 }, Force);
     let volumes: Vec<f64> = (0..6)
         .map(|bits| {
             let factor = 1.0 + f64::from(bits) * f64::EPSILON;
             let scaled = blocks.map(|(load, amplitude, cycles)| (load, factor * amplitude, cycles));
-            volume_after(cone, &scaled, (64, 1e-3))
+            volume_after((&CONE, Force), &scaled, (64, 1e-3))
         })
         .collect();
     println!("{volumes:?}");

@@ -12,11 +12,13 @@ use crate::error::Error;
 use crate::roots;
 use crate::wear::{Part, Sliding};
 
-/// Share of the tolerance that the amplitude may be wrong by at the end of a stretch, relative.
+/// Share of the tolerance that the amplitude may be wrong by at the end of a stretch, relative. Of
+/// 400 lives twice as much makes no difference, but to a cone of the tests (5.6e-3 of V off).
 const SHARE: f64 = 0.05;
 
 /// Most by which the amplitude may grow in a stretch, relative. A front that goes too far at once
-/// misses what wears on its way; each mesh made again makes the profile behind it less sharp.
+/// misses what wears on its way; each mesh made again makes the profile behind it less sharp. With
+/// half of it 4 of 400 lives are more than 1 % off in V, with this 3, with twice as much one.
 const MOST_GROWN: f64 = 3e-3;
 
 impl FrettingContact {
