@@ -7,6 +7,7 @@
 
 use super::FrettingContact;
 use crate::error::Error;
+use crate::wear::Part;
 use serde::{Deserialize, Serialize};
 
 /// Most trial runs for one wear-through. Regula falsi takes 4 to 24, the most where the cycles of
@@ -90,15 +91,15 @@ impl FrettingContact {
         &mut self,
         value: f64,
         amplitude: f64,
-        cycles: f64,
+        (cycles, part): (f64, Part),
     ) -> Result<(), Error> {
         if !self.has_coating() {
-            return self.run_cycles(value, amplitude, cycles);
+            return self.run_cycles(value, amplitude, (cycles, part));
         }
         let before = (!self.state.coating.worn_through).then(|| self.clone());
-        self.run_cycles(value, amplitude, cycles)?;
+        self.run_cycles(value, amplitude, (cycles, part))?;
         if let (true, Some(before)) = (self.state.coating.worn_through, before) {
-            let life = self.cycles_until_worn_through(&before, (value, amplitude), cycles)?;
+            let life = self.cycles_until_worn_through(&before, (value, amplitude), (cycles, part))?;
             self.state.coating.life = Some(before.state.coating.cycles + life);
         }
         self.state.coating.cycles += cycles;
@@ -111,13 +112,13 @@ impl FrettingContact {
         &mut self,
         before: &Self,
         (value, amplitude): (f64, f64),
-        cycles: f64,
+        (cycles, part): (f64, Part),
     ) -> Result<f64, Error> {
         let at_end = self.updated_wear_depth() - self.thickness();
-        let mut excess = |part: f64| {
+        let mut excess = |some: f64| {
             let mut trial = before.clone();
             trial.state.counters = self.state.counters;
-            trial.run_cycles(value, amplitude, part)?;
+            trial.run_cycles(value, amplitude, (some, part))?;
             self.state.counters = trial.state.counters;
             self.state.counters.coating_trials += 1;
             Ok::<_, Error>(trial.updated_wear_depth() - trial.thickness())
@@ -134,14 +135,14 @@ impl FrettingContact {
                 return Ok(crossing.clamp(low.0, high.0));
             }
             // so that the last trials enclose the crossing from both sides
-            let part = crossing.max(low.0 + 0.5 * accuracy).min(high.0 - 0.5 * accuracy);
-            let now = excess(part)?;
+            let some = crossing.max(low.0 + 0.5 * accuracy).min(high.0 - 0.5 * accuracy);
+            let now = excess(some)?;
             // an end that stays for a second time counts half
             let stays = if now * last > 0.0 { 0.5 } else { 1.0 };
             if now >= 0.0 {
-                (low.1, high) = (stays * low.1, (part, now));
+                (low.1, high) = (stays * low.1, (some, now));
             } else {
-                (low, high.1) = ((part, now), stays * high.1);
+                (low, high.1) = ((some, now), stays * high.1);
             }
             last = now;
         }

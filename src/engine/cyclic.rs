@@ -28,15 +28,15 @@ impl FrettingContact {
         if self.runs_in() {
             return self.run_in_over(normal, amplitude, cycles);
         }
-        self.advance_equal_cycles(normal, amplitude, cycles)
+        self.advance_equal_cycles(normal, amplitude, (cycles, Part::Call))
     }
 
-    /// [`Self::advance_cycles`] at the present coefficient of friction.
+    /// [`Self::advance_cycles`] at the present coefficient of friction, in a part of a history.
     pub(super) fn advance_equal_cycles(
         &mut self,
         normal: f64,
         amplitude: f64,
-        cycles: f64,
+        (cycles, part): (f64, Part),
     ) -> Result<(), Error> {
         let (value, _) = self.checked(normal, 0.0)?;
         for (name, value, most) in
@@ -47,14 +47,20 @@ impl FrettingContact {
                 return Err(Error::Input { name, value, requirement });
             }
         }
-        let run =
-            self.transaction(|this| this.placed(|this| this.run_cycles_on_coating(value, amplitude, cycles)));
+        let run = self.transaction(|this| {
+            this.placed(|this| this.run_cycles_on_coating(value, amplitude, (cycles, part)))
+        });
         run.map_err(|error| self.error_of_step(error, amplitude))?;
         self.state.counters.steps += 1;
         Ok(())
     }
 
-    pub(super) fn run_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
+    pub(super) fn run_cycles(
+        &mut self,
+        value: f64,
+        amplitude: f64,
+        (cycles, part): (f64, Part),
+    ) -> Result<(), Error> {
         self.absorb_backlog()?;
         if self.state.row.is_plane() {
             self.state.row = Row::default();
@@ -69,7 +75,7 @@ impl FrettingContact {
             self.state.row = Row::Line(springs);
             own
         } else {
-            self.wear_cycles(value, amplitude, cycles)?
+            self.wear_cycles(value, amplitude, (cycles, part))?
         };
         let Contact { depth, radius, load, .. } = self.state.contact;
         range::contact(radius, depth, load, self.normal_reaction())?;
@@ -99,12 +105,12 @@ impl FrettingContact {
     }
 
     /// Returns the amplitude of the contact itself at the end, m.
-    fn wear_cycles(&mut self, value: f64, amplitude: f64, cycles: f64) -> Result<f64, Error> {
+    fn wear_cycles(&mut self, value: f64, amplitude: f64, (cycles, part): (f64, Part)) -> Result<f64, Error> {
         let own = if self.model.compliance == 0.0 {
-            self.wear_steadily(value, (Sliding::Cycles(amplitude), Part::Call), cycles)?;
+            self.wear_steadily(value, (Sliding::Cycles(amplitude), part), cycles)?;
             amplitude
         } else {
-            self.wear_driven_cycles(value, amplitude, cycles)?
+            self.wear_driven_cycles(value, amplitude, (cycles, part))?
         };
         let contact = self.state.contact;
         let (springs, _) = self.quarter(&contact, own);

@@ -14,7 +14,7 @@ use super::history::MOST_PIECES;
 use super::{FrettingContact, Gradient};
 use crate::error::Error;
 use crate::parameters::Parameters;
-use crate::wear::Constants;
+use crate::wear::{Constants, Part};
 use nalgebra::Vector2;
 use std::sync::Arc;
 
@@ -188,23 +188,23 @@ impl FrettingContact {
     pub(super) fn run_in_over(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         let mut now = self.clone();
         // refuses what cannot be done, and finds contact
-        now.advance_equal_cycles(normal, amplitude, if cycles > 0.0 { 0.0 } else { cycles })?;
+        now.advance_equal_cycles(normal, amplitude, (if cycles > 0.0 { 0.0 } else { cycles }, Part::Call))?;
         // with wear each part takes an integration of the profile
         let accuracy = if now.state.wear.is_some() { self.model.parameters.tolerance } else { ACCURACY };
-        let (mut left, mut longest, mut trials) = (cycles, f64::INFINITY, 0);
+        let (mut left, mut longest, mut trials, mut part) = (cycles, f64::INFINITY, 0, Part::Call);
         while left > 0.0 {
             let mut one = now.without_wear();
-            one.advance_equal_cycles(normal, amplitude, 1.0)?;
+            one.advance_equal_cycles(normal, amplitude, (1.0, Part::Call))?;
             let work = one.state.work - now.state.work;
             let most = now.energy_of_part(accuracy);
-            let part = (most / work).min(longest).min(left);
-            let run = |from: &Self, cycles: f64| {
+            let stretch = (most / work).min(longest).min(left);
+            let run = |from: &Self, cycles: f64, part: Part| {
                 from.run_in_cycles(cycles, |this, cycles| {
-                    this.advance_equal_cycles(normal, amplitude, cycles)
+                    this.advance_equal_cycles(normal, amplitude, (cycles, part))
                 })
             };
             if now.state.wear.is_none() {
-                (now, left) = (run(&now, part)?, left - part);
+                (now, left) = (run(&now, stretch, part)?, left - stretch);
                 continue;
             }
             if trials == MOST_PIECES {
@@ -212,18 +212,18 @@ impl FrettingContact {
             }
             trials += 1;
             // wear changes the work of a cycle, and a change of friction what can wear
-            let whole = run(&now, part)?;
-            let halves = run(&run(&now, 0.5 * part)?, 0.5 * part)?;
+            let whole = run(&now, stretch, part)?;
+            let halves = run(&run(&now, 0.5 * stretch, part)?, 0.5 * stretch, Part::Stretch)?;
             let missed = (whole.state.work - halves.state.work).abs();
             let error = if missed == 0.0 { 0.0 } else { missed / (accuracy * halves.state.work) };
             if error <= 1.0 {
-                (now, left) = (halves, left - part);
+                (now, left, part) = (halves, left - stretch, Part::Stretch);
             }
-            longest = part * (0.8 / error.cbrt()).clamp(0.1, 4.0);
+            longest = stretch * (0.8 / error.cbrt()).clamp(0.1, 4.0);
         }
         // the body stands at its amplitude with the friction of the end
         now.follow_running_in();
-        now.advance_equal_cycles(normal, amplitude, 0.0)?;
+        now.advance_equal_cycles(normal, amplitude, (0.0, Part::Call))?;
         now.state.counters.steps = self.state.counters.steps + 1;
         *self = now;
         Ok(())

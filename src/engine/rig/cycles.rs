@@ -68,11 +68,11 @@ impl FrettingContact {
         &mut self,
         value: f64,
         drive: f64,
-        cycles: f64,
+        (cycles, part): (f64, Part),
     ) -> Result<f64, Error> {
         if self.model.constants.force_control {
             let sliding = Sliding::Cycles(self.own_amplitude(drive));
-            match self.wear_by(value, (sliding, Some(drive)), cycles, Part::Call) {
+            match self.wear_by(value, (sliding, Some(drive)), cycles, part) {
                 Ok(work) => {
                     self.state.work += work;
                     self.state.contact = self.contact_at(value)?;
@@ -82,7 +82,7 @@ impl FrettingContact {
                 Err(other) => return Err(other),
             }
         }
-        self.wear_in_stretches(value, drive, cycles)
+        self.wear_in_stretches(value, drive, (cycles, part))
     }
 
     /// The same in stretches of constant amplitude, the mean of those at both ends (second order in
@@ -93,10 +93,15 @@ impl FrettingContact {
     ///
     /// # Errors
     /// As [`Self::wear_steadily`].
-    fn wear_in_stretches(&mut self, value: f64, drive: f64, cycles: f64) -> Result<f64, Error> {
+    fn wear_in_stretches(
+        &mut self,
+        value: f64,
+        drive: f64,
+        (cycles, mut part): (f64, Part),
+    ) -> Result<f64, Error> {
         let tolerance = self.model.parameters.tolerance;
         let (mut left, mut stretch) = (cycles, cycles);
-        let (mut amplitude, mut part) = (self.own_amplitude(drive), Part::Call);
+        let mut amplitude = self.own_amplitude(drive);
         for _ in 0..MOST_PIECES {
             if left <= 0.0 {
                 return Ok(amplitude);
