@@ -620,6 +620,34 @@ fn a_front_that_goes_far_leaves_a_sharp_profile() {
     }
 }
 
+/// Where the front leaves the inner edge of a mesh by a rounding, a new one is made, which changes
+/// the amplitude by more than a stretch may. That does not fall with the length of the stretch,
+/// which was cut to nothing until the call was refused.
+#[test]
+fn what_a_new_mesh_changes_does_not_hold_a_drive_up() {
+    let exact = exact(&CONE, FORCE);
+    let stiffness = 2.0 * G_STAR * exact.normal.radius();
+    let (rig_stiffness, own) = (0.1734018 * stiffness, 0.8238986 * 1.5 * LIMIT / stiffness);
+    let drive = own + exact.loading(own) / rig_stiffness;
+    let volume = |resolution: usize, tolerance: f64| {
+        let mut contact = contact(Parameters {
+            normal_control: Indentation,
+            wear_coefficient: 1e-4,
+            rig_stiffness,
+            resolution,
+            tolerance,
+            ..without_wear(CONE)
+        });
+        let depth = exact.normal.depth();
+        contact.start_at(depth, 0.0).expect("the depth is taken");
+        contact.advance_cycles(depth, drive, 5.21603e4).expect("the cycles are followed");
+        println!("{resolution}: {:e}, {} updates", contact.wear_volume(), contact.counters().profile_updates);
+        contact.wear_volume()
+    };
+    let error = volume(64, 1e-3) / volume(192, 3e-4) - 1.0;
+    assert!(error.abs() < 5e-3, "V {error:+e}");
+}
+
 /// The load falls while the drive stands. The body sticks until friction carries no more than the
 /// force of the rig, and slips from then on. The springs give back all that the drive has done.
 #[test]

@@ -100,7 +100,7 @@ impl FrettingContact {
         (cycles, mut part): (f64, Part),
     ) -> Result<f64, Error> {
         let tolerance = self.model.parameters.tolerance;
-        let (mut left, mut stretch) = (cycles, cycles);
+        let (mut left, mut stretch, mut rejected) = (cycles, cycles, f64::INFINITY);
         let mut amplitude = self.own_amplitude(drive);
         for _ in 0..MOST_PIECES {
             if left <= 0.0 {
@@ -116,22 +116,26 @@ impl FrettingContact {
             }
             let corrected = predicted.and_then(|predicted| {
                 if predicted == amplitude {
-                    return Ok((amplitude, 0.0));
+                    return Ok((amplitude, [0.0; 2]));
                 }
                 self.go_back(before.clone());
                 let mean = 0.5 * (amplitude + predicted);
                 let end = self.amplitude_after(value, (drive, mean), (stretch, part))?;
                 let [missed, grown] = [predicted, amplitude].map(|other| (end - other).abs() / end);
-                Ok((end, (missed / (SHARE * tolerance)).max((grown / MOST_GROWN).powi(2))))
+                Ok((end, [missed / (SHARE * tolerance), (grown / MOST_GROWN).powi(2)]))
             });
-            let (end, error) = corrected.unwrap_or((amplitude, f64::INFINITY));
-            let accepted = error <= 1.0;
+            let (end, [missed, grown]) = corrected.unwrap_or((amplitude, [f64::INFINITY; 2]));
+            let error = missed.max(grown);
+            // what a new mesh changes does not fall with the length of a stretch
+            let accepted = error <= 1.0 || grown <= 1.0 && missed > 0.5 * rejected;
+            rejected = if accepted { f64::INFINITY } else { missed };
             if accepted {
                 (amplitude, part) = (end, Part::Stretch);
                 left = if stretch < left { left - stretch } else { 0.0 };
             } else {
                 self.go_back(before);
             }
+            let error = if accepted { error.min(1.0) } else { error };
             stretch *= (0.9 / error.sqrt()).clamp(0.1, 4.0);
         }
         Err(Error::TooMuchWear { cycles, left, amplitude: drive, steps: MOST_PIECES })
