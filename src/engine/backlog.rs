@@ -319,8 +319,7 @@ impl FrettingContact {
         wear.clipped += fields.clipped;
         wear.defect += fields.defect;
         let control = self.model.parameters.normal_control;
-        let mut update =
-            wear::worn_depth(&self.surface, &transforms, &fields, control, &self.model.constants)?;
+        let update = wear::worn_depth(&self.surface, &transforms, &fields, control, &self.model.constants)?;
         self.state.counters.descent_transforms += update.iterations;
         self.state.counters.pressure_transforms += update.iterations;
         if !update.followed {
@@ -329,11 +328,6 @@ impl FrettingContact {
                 return Ok(true);
             }
             return Err(Error::WearOutrun { from: self.state.place.x, displacement: self.state.place.x });
-        }
-        // the pressure at a sharp rim is infinite under every depth of the law, and the update has
-        // relieved that under the present one alone
-        if law.len() > 1 && nodes.depth().last() == Some(&0.0) {
-            nodes.relieve_rim(&mut update.depth, deepest_of(law), self.surface.profile());
         }
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape
         // and takes that volume

@@ -202,7 +202,8 @@ impl FrettingContact {
     }
 
     /// Deepest worn point, the sum of both bodies, m. An update of the profile may lower it by up
-    /// to 1 %: the wear since the last one is read without the relief of pressure that it brings.
+    /// to 1 %, and by more where a kink or a rim begins to wear: how much the wear since the last
+    /// one relieves the pressure is estimated.
     pub fn wear_depth(&self) -> f64 {
         self.view(|nodes, more| nodes.depths_with(more).fold(0.0, f64::max)).unwrap_or(0.0)
     }

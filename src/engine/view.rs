@@ -1,5 +1,5 @@
 //! The worn profile as it is read between two updates: that of the last update, and on top of it
-//! the wear of the backlog to first order.
+//! the wear of the backlog.
 
 use super::FrettingContact;
 use super::backlog::MOST_SCALE;
@@ -99,20 +99,16 @@ impl FrettingContact {
         let (Some(surface), Some(transforms)) = (&reading.surface, &reading.transforms) else { return };
         let at_present = !self.state.contact.is_open() && wear.backlog.is_at(self.state.contact.depth);
         let present = at_present.then_some(&self.state.contact);
-        reading.wear.sum((surface, transforms), present, &mut reading.depth);
-        // as an update does: the shape of the wear, and the volume of the work
         let per_sum = self.model.constants.wear_per_work
             * self.model.constants.friction_coefficient
             * self.model.constants.normal_modulus;
+        reading.wear.sum((surface, transforms), present, per_sum, &mut reading.depth);
+        // as an update does: the shape of the wear, and the volume of the work
         let volume = per_sum * surface.worn().map_or(0.0, |nodes| nodes.volume(&reading.depth));
         let work = wear.backlog.work + wear.deferred_share(self.model.tuning.placed_with * wear.backlog.work);
         let scale = (self.model.constants.wear_per_work * work / volume).min(MOST_SCALE);
         let factor = if volume > 0.0 { per_sum * scale } else { 0.0 };
         reading.depth.iter_mut().for_each(|depth| *depth *= factor);
-        if let Some(nodes) = surface.worn() {
-            let profile = surface.profile();
-            nodes.relieve_rim(&mut reading.depth, reading.wear.deepest(), profile);
-        }
     }
 
     /// Radii (m) from and up to which nodes serve slip that has reached inward to an image (m) in

@@ -43,7 +43,7 @@ impl SlipFields {
             if contact.is_open() {
                 continue;
             }
-            if contact.radius > fields.contact.radius {
+            if contact.depth > fields.contact.depth || fields.contact.is_open() {
                 fields.contact = contact;
             }
             found += fields.add(surface, nodes, transforms, (law, &images, &contact), constants);

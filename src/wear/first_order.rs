@@ -1,10 +1,10 @@
-//! The wear of a backlog to first order: under the pressure of the profile as it is, without the
-//! relief that the wear itself brings.
+//! The wear of a backlog as it is read between two updates: under the pressure of the profile as it
+//! is, and relieved where that changes within a short way.
 
 use super::backlog::{SlipAtDepth, WearBacklog};
 use super::edge::{Edge, pressure_nodes_into};
 use crate::parameters::NormalControl;
-use crate::surface::{Contact, NodeTransforms, Surface};
+use crate::surface::{Contact, NodeTransforms, Nodes, Surface};
 use std::ops::Range;
 
 /// The wear of the slip under one depth.
@@ -32,6 +32,8 @@ pub(crate) struct FirstOrderWear {
     spare: Vec<LevelWear>,
     /// Image at the nodes, m.
     images: Vec<f64>,
+    /// Length of the slip path at the nodes, m.
+    path: Vec<f64>,
     values: Vec<f64>,
     buffer: Vec<f64>,
 }
@@ -62,11 +64,6 @@ impl FirstOrderWear {
         front
     }
 
-    /// The largest of the depths under which springs have slipped, m.
-    pub(crate) fn deepest(&self) -> f64 {
-        self.levels.iter().map(|level| level.law.depth).fold(f64::NEG_INFINITY, f64::max)
-    }
-
     /// Counts the images of another surface from now on.
     pub(crate) fn set_surface(&mut self, surface: &Surface) {
         self.images.clear();
@@ -75,16 +72,20 @@ impl FirstOrderWear {
         self.levels.iter_mut().for_each(|level| (level.contact, level.is_stale) = (None, true));
     }
 
-    /// Writes Σ p s / E* (m) at the nodes of the surface. `present` is the contact of a backlog
-    /// under one depth. Depths at which the profile carries no contact are left out.
+    /// Writes Σ p s / E* (m) at the nodes of the surface, relieved with the stiffness κE* of a slip
+    /// path. `present` is the contact of a backlog under one depth. Depths at which the profile
+    /// carries no contact are left out.
     pub(crate) fn sum(
         &mut self,
         (surface, transforms): (&Surface, &NodeTransforms),
         present: Option<&Contact>,
+        stiffness: f64,
         sum: &mut Vec<f64>,
     ) {
-        sum.clear();
-        sum.resize(self.images.len(), 0.0);
+        for field in [&mut *sum, &mut self.path] {
+            field.clear();
+            field.resize(self.images.len(), 0.0);
+        }
         let Some(nodes) = surface.worn() else { return };
         for level in &mut self.levels {
             let depth = level.law.depth;
@@ -122,14 +123,59 @@ impl FirstOrderWear {
                 }
                 (level.contact, level.is_stale) = (Some(contact), false);
             }
-            let fields = level.pressure.iter().zip(&level.path);
-            for (sum, (pressure, path)) in
-                sum.iter_mut().zip(fields).take(level.slipped.end).skip(level.slipped.start)
-            {
-                *sum += pressure * path.max(0.0);
+            for i in level.slipped.clone() {
+                let path = level.path[i].max(0.0);
+                sum[i] += level.pressure[i] * path;
+                self.path[i] += path;
             }
         }
         // nothing heals where a pressure overshoots
         sum.iter_mut().for_each(|sum| *sum = sum.max(0.0));
+        let has_rim = nodes.x()[nodes.last()] >= surface.profile().outer_radius();
+        self.relieve(nodes, stiffness, has_rim, sum);
+    }
+
+    /// Takes a field at the nodes to its mean over rings of twice the width κE* B, B being the slip
+    /// path: wear of the wave number k relieves the pressure that brings it by 1/(1 + κE* B k).
+    /// Without that a wall of the image or a sharp rim, where the pressure is infinite, would read
+    /// a depth of many times that after an update. No ring is wider than the way to either end of
+    /// what slips, but at the axis and at the rim of a body that ends there.
+    fn relieve(&mut self, nodes: &Nodes, stiffness: f64, has_rim: bool, field: &mut [f64]) {
+        let (x, last) = (nodes.x(), nodes.last());
+        let slips = |path: &f64| *path > 0.0;
+        let Some(first) = self.path.iter().position(slips) else { return };
+        let end = self.path.iter().rposition(slips).unwrap_or(last);
+        // the field is linear in x²: its integral up to each node, and up to any radius
+        let area = |a: f64, b: f64| (b - a) * (b + a);
+        let (before, values) = (&mut self.buffer, &mut self.values);
+        before.clear();
+        before.extend_from_slice(field);
+        values.clear();
+        values.push(0.0);
+        for j in 0..last {
+            values.push(values[j] + 0.5 * area(x[j], x[j + 1]) * (field[j] + field[j + 1]));
+        }
+        let integral = |r: f64, j: &mut usize| {
+            while x[*j] > r {
+                *j -= 1;
+            }
+            while *j + 1 < last && x[*j + 1] < r {
+                *j += 1;
+            }
+            let (start, next) = (before[*j], before[*j + 1]);
+            let part = area(x[*j], r);
+            values[*j] + part * (start + 0.5 * part / area(x[*j], x[*j + 1]) * (next - start))
+        };
+        let (mut inner_cell, mut outer_cell) = (0, 0);
+        for i in first..=end {
+            let to_front = if first > 0 { x[i] - x[first] } else { f64::INFINITY };
+            let to_edge = if has_rim && end == last { f64::INFINITY } else { x[end] - x[i] };
+            let half = (stiffness * self.path[i]).min(to_front).min(to_edge);
+            let (inner, outer) = ((x[i] - half).max(0.0), (x[i] + half).min(x[last]));
+            if outer > inner {
+                let integrals = [integral(inner, &mut inner_cell), integral(outer, &mut outer_cell)];
+                field[i] = (integrals[1] - integrals[0]) / area(inner, outer);
+            }
+        }
     }
 }

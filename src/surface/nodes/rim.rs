@@ -43,22 +43,6 @@ impl Nodes {
         Some(nodes)
     }
 
-    /// Takes the depths (m) at the nodes that slip under an indentation depth (m) wears without
-    /// relief to what they are with that of a sharp rim. At a distance δ from the rim they rise
-    /// like 1/√δ, until they take the load off there: from √(δ/a) of the overlap at the rim on.
-    /// Further out the depth is the same.
-    pub(crate) fn relieve_rim(&self, depth: &mut [f64], indentation: f64, profile: &Profile) {
-        let (outer, last) = (profile.outer_radius(), self.last());
-        if self.x[last] < outer {
-            return;
-        }
-        let overlap = (indentation - profile.image(outer) - self.worn_image[last]).max(0.0);
-        let limit = |j: usize| overlap * ((outer - self.x[j]) / outer).sqrt();
-        let Some(first) = (1..=last).find(|j| depth[*j] > limit(*j)) else { return };
-        let most = (depth[first] * limit(first)).sqrt().max(depth[first - 1]);
-        depth[first..].iter_mut().for_each(|w| *w = w.min(most));
-    }
-
     /// Where the last even cells of a body that ends at its last node begin, and the width that
     /// they need not go below, m.
     fn relieved_rim(&self, depth: f64, outer: f64) -> Option<(f64, f64)> {
