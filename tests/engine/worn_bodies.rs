@@ -431,3 +431,26 @@ fn the_last_bit_of_an_amplitude_does_not_show_in_the_wear_of_blocks() {
         assert!((volume / FINE - 1.0).abs() < 2e-3, "{volume:e}");
     }
 }
+
+/// After gross slip the axis of a ball has worn, and cycles that just reach it, or leave a small
+/// core there, wear nothing on it. (With a front at 1e-3 of the radius the depth grew by 11 %.)
+#[test]
+fn slip_that_just_reaches_a_worn_axis_leaves_its_depth() {
+    let exact = exact(&BALL, FORCE);
+    for (control, normal) in [(Force, FORCE), (Indentation, exact.normal.depth())] {
+        for excess in [-5e-4, -1e-4, -1e-6, 0.0, 5e-5] {
+            let parameters = Parameters { normal_control: control, ..Parameters::default() };
+            let mut contact = contact(Parameters { wear_coefficient: 3e-3, ..parameters });
+            contact.start_at(normal, 0.0).expect("the load is carried");
+            contact.advance_cycles(normal, 1.3 * exact.full_slip(), 2000.0).expect("gross slip");
+            let before = contact.worn_depth_at(0.0);
+            let overlap = contact.indentation_depth() - contact.image_at(0.0);
+            let amplitude = MU * E_STAR / G_STAR * overlap * (1.0 + excess);
+            contact.advance_cycles(normal, amplitude, 50.0).expect("partial slip");
+            let grown = contact.wear_depth() / before - 1.0;
+            assert!(grown.abs() < 1e-3, "{control:?}, {excess:e}: {grown:e}");
+            let share = contact.tangential_force() / (MU * contact.normal_reaction());
+            assert!((0.99..=1.0 + 1e-12).contains(&share), "{control:?}, {excess:e}: T {share}");
+        }
+    }
+}
