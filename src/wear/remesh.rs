@@ -9,6 +9,7 @@ use crate::parameters::NormalControl;
 use crate::profile::Profile;
 use crate::surface::Region;
 use crate::surface::{Contact, MeshPlace, Nodes, Surface};
+use std::f64::consts::PI;
 
 /// Gross slip by no more than this share hardly moves the axis, where a needle stays that the cells
 /// of a disc do not see: they would leave out a whole cell, a fifth of the volume. It is taken for
@@ -45,7 +46,8 @@ const THINNEST: f64 = 1e-5;
 const EDGE_CELLS: f64 = 1.0;
 
 /// Share of the worn volume, and of that within the slipping region, that a new mesh may miss: its
-/// depths are then raised to it.
+/// depths are then raised to it. Where next to nothing has worn in the region it may miss the
+/// tolerance of all that can.
 const MISSING: f64 = 0.05;
 
 /// The slipping region of a contact, with the state that its surface gives it and the rate of that;
@@ -117,10 +119,12 @@ pub(super) fn mesh_slip_zone(
     }
     // it is made again where it can carry all the wear there is
     let image = |x: &f64| if is_smooth { nodes.smooth_image(*x) } else { surface.worn_image(*x) };
+    let may_wear = PI * (a * a - front * front) * free_slip;
     let volume = volume.or(outside.whole_volume()).unwrap_or_else(|| nodes.worn_volume());
     start(front, a * a, &|x| x.iter().map(image).collect())
         .filter(|(patch, state, rate)| {
-            (patch.volume(rate) - volume).abs() <= MISSING * volume.min(patch.own_volume(rate))
+            let zone = (MISSING * patch.own_volume(rate)).max(settings.tolerance * may_wear);
+            (patch.volume(rate) - volume).abs() <= zone.min(MISSING * volume)
                 && (state.radius_squared - a * a).abs()
                     <= EDGE_CELLS * 2.0 * patch.span(a * a) / settings.cells as f64
         })

@@ -62,8 +62,7 @@ fn blocks_of_other_loads_wear_as_on_fine_cells() {
 
 /// A mesh carries what a larger load has worn further out: no nodes at rest are made for a smaller
 /// one, and the steps are those of a life. Where slip just reaches the axis, updates come first (at
-/// 0.6 of the load, cone). A cone at half the depth takes one: all of its contact slips, and the
-/// new mesh does not carry enough of the wear.
+/// 0.6 of the load, cone).
 #[test]
 fn cycles_under_a_smaller_load_take_the_steps_of_a_life() {
     for body in [PARABOLA, problems::CONE] {
@@ -72,9 +71,7 @@ fn cycles_under_a_smaller_load_take_the_steps_of_a_life() {
             for load in [0.95, 0.9, 0.8, 0.7, 0.5, 0.4, 0.3] {
                 let counters = *after_blocks(&problem, &[(1.0, 1.0), (load, 1.0)]).counters();
                 println!("{body:?}, {control:?}, {load}: {counters}");
-                let first =
-                    if body == problems::CONE && control == Indentation && load == 0.5 { 2 } else { 0 };
-                assert_eq!(counters.transform_tables, first, "{body:?}, {control:?}, {load}: {counters}");
+                assert_eq!(counters.transform_tables, 0, "{body:?}, {control:?}, {load}: {counters}");
                 assert!(counters.profile_updates <= 100, "{body:?}, {control:?}, {load}: {counters}");
             }
         }
@@ -452,5 +449,31 @@ fn slip_that_just_reaches_a_worn_axis_leaves_its_depth() {
             let share = contact.tangential_force() / (MU * contact.normal_reaction());
             assert!((0.99..=1.0 + 1e-12).contains(&share), "{control:?}, {excess:e}: T {share}");
         }
+    }
+}
+
+/// A cone at less depth than before, whose contact ends at the wall that the first cycles have left
+/// at their front: what slips lies in the core that has stuck. The least wear that a mesh smears
+/// there was more than all that had worn in it; updates took the place of the mesh, counted three
+/// quarters too much, and the call was refused. V is compared with that of 512 cells.
+#[test]
+fn cycles_in_a_core_that_has_stuck_wear_up_to_its_wall() {
+    let exact = exact(&CONE, FORCE);
+    let depth = exact.normal.depth();
+    let amplitude = 1.5 * MU * FORCE / (2.0 * G_STAR * exact.normal.radius());
+    for (resolution, most) in [(64, 1e-2), (128, 5e-3)] {
+        let mut contact = contact(Parameters {
+            normal_control: Indentation,
+            wear_coefficient: 6.97164e-3,
+            resolution,
+            ..without_wear(CONE)
+        });
+        contact.start_at(depth, 0.0).expect("the depth is taken");
+        contact.advance_cycles(0.957394 * depth, 0.565215 * amplitude, 9855.0).expect("the first cycles");
+        let before = contact.wear_volume();
+        contact.advance_cycles(0.604093 * depth, 0.162391 * amplitude, 4138.0).expect("those in the core");
+        let worn = contact.wear_volume() - before;
+        println!("{resolution}: {worn:e}, profile {:e}", contact.profile_volume() - contact.wear_volume());
+        assert!((worn / 4.661e-16 - 1.0).abs() < most, "{resolution}: {worn:e}");
     }
 }
