@@ -477,3 +477,30 @@ fn cycles_in_a_core_that_has_stuck_wear_up_to_its_wall() {
         assert!((worn / 4.661e-16 - 1.0).abs() < most, "{resolution}: {worn:e}");
     }
 }
+
+/// A few cycles at a larger depth bring the slip zone to where the wear of the first call is
+/// falling off. A mesh there had a notch of -27 µm in its image, at which smaller depths found no
+/// contact. V of the last call is compared with that of 256 cells.
+#[test]
+fn slip_where_wear_falls_off_leaves_an_image_without_a_notch() {
+    let blunted = Profile::BluntedSphere { radius: 0.01, flat_radius: 5e-5 };
+    let mut contact =
+        contact(Parameters { normal_control: Indentation, wear_coefficient: 1e-4, ..without_wear(blunted) });
+    let (depth, amplitude) = (3.36018e-6, 2.53588e-6);
+    contact.start_at(depth, 0.0).expect("the depth is taken");
+    let blocks = [
+        (1.36953, 1.11603, 4.76838e4),
+        (1.89958, 0.67114, 32.2624),
+        (0.51860, 0.70481, 402.965),
+        (0.20851, 1.18186, 5.89007e4),
+    ];
+    for (share, slip, cycles) in blocks {
+        contact.advance_cycles(share * depth, slip * amplitude, cycles).expect("the cycles are followed");
+        let reached = contact.contact_radius();
+        assert!(reached > 1e-4, "{share}: {reached:e} m");
+        let least = (0..=1000).map(|k| contact.image_at(3e-7 * f64::from(k))).fold(f64::INFINITY, f64::min);
+        assert!(least >= 0.0, "{share}: {least:e} m");
+    }
+    let volume = contact.wear_volume();
+    assert!((volume / 9.8869e-14 - 1.0).abs() < 1e-3, "{volume:e}");
+}
