@@ -43,6 +43,7 @@ impl SlipFields {
             if contact.is_open() {
                 continue;
             }
+            // of a body that ends at its rim all have one radius
             if contact.depth > fields.contact.depth || fields.contact.is_open() {
                 fields.contact = contact;
             }

@@ -179,3 +179,53 @@ impl FirstOrderWear {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A field at nodes that have all slipped alike, relieved over a width of their own.
+    fn relieved(x: &[f64], field: impl Fn(f64) -> f64, width: f64) -> Vec<f64> {
+        let count = x.len();
+        let nodes = Nodes::holding((x.to_vec(), vec![0.0; count], vec![0.0; count]), 64, None);
+        let mut wear = FirstOrderWear { path: vec![width; count], ..FirstOrderWear::default() };
+        let mut field: Vec<f64> = x.iter().map(|x| field(*x)).collect();
+        wear.relieve(&nodes, 1.0, true, &mut field);
+        field
+    }
+
+    /// Cells that shrink by a quarter each towards the end of a unit radius.
+    fn graded() -> Vec<f64> {
+        let mut x: Vec<f64> = (0..100).map(|k| 0.01 * f64::from(k)).collect();
+        x.extend((0..60).map(|k| 1.0 - 0.01 * 0.75f64.powi(k + 1)));
+        x.push(1.0);
+        x
+    }
+
+    #[test]
+    fn a_singular_rim_comes_to_its_mean_over_what_wear_relieves() {
+        for width in [1e-2, 1e-3, 1e-4] {
+            let singular = |x: f64| 1.0 / (1.0 - x).max(1e-9).sqrt();
+            let most = relieved(&graded(), singular, width).into_iter().fold(0.0, f64::max);
+            // the mean of 1/√δ from 0 to the width
+            assert!((most * width.sqrt() / 2.0 - 1.0).abs() < 0.02, "{width:e}: {most:e}");
+        }
+    }
+
+    #[test]
+    fn what_is_smooth_stays_and_a_spike_keeps_its_volume() {
+        let x = graded();
+        let smooth = relieved(&x, |x| 1.0 + x * x, 1e-3);
+        assert!(x.iter().zip(&smooth).all(|(x, w)| (w / (1.0 + x * x) - 1.0).abs() < 2e-3));
+        // one node of a hundred, over half of a cell on either side
+        let spike = |at: f64| move |x: f64| if (x - at).abs() < 1e-9 { 1.0 } else { 0.0 };
+        let spread = relieved(&x, spike(0.5), 0.05);
+        let volume = |field: &[f64]| -> f64 {
+            let cells = x.windows(2).zip(field.windows(2));
+            cells.map(|(x, w)| 0.5 * (x[1] * x[1] - x[0] * x[0]) * (w[0] + w[1])).sum()
+        };
+        let whole: Vec<f64> = x.iter().map(|x| spike(0.5)(*x)).collect();
+        assert!((spread[50] - 0.1).abs() < 5e-3, "{}", spread[50]);
+        assert!((volume(&spread) / volume(&whole) - 1.0).abs() < 1e-2, "{:e}", volume(&spread));
+    }
+}
