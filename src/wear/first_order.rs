@@ -135,11 +135,12 @@ impl FirstOrderWear {
         self.relieve(nodes, stiffness, has_rim, sum);
     }
 
-    /// Takes a field at the nodes to its mean over rings of twice the width κE* B, B being the slip
-    /// path: wear of the wave number k relieves the pressure that brings it by 1/(1 + κE* B k).
-    /// Without that a wall of the image or a sharp rim, where the pressure is infinite, would read
-    /// a depth of many times that after an update. No ring is wider than the way to either end of
-    /// what slips, but at the axis and at the rim of a body that ends there.
+    /// Takes a field at the nodes to its mean over rings of twice the width κE* B, B being the
+    /// longest slip path up to there: wear of the wave number k relieves the pressure that brings
+    /// it by 1/(1 + κE* B k). Without that a wall of the image or a sharp rim, where the pressure
+    /// is infinite, would read a depth of many times that after an update. No ring is wider than
+    /// the way to either end of what slips, but at the axis and at the rim of a body that ends
+    /// there.
     fn relieve(&mut self, nodes: &Nodes, stiffness: f64, has_rim: bool, field: &mut [f64]) {
         let (x, last) = (nodes.x(), nodes.last());
         let slips = |path: &f64| *path > 0.0;
@@ -166,11 +167,12 @@ impl FirstOrderWear {
             let part = area(x[*j], r);
             values[*j] + part * (start + 0.5 * part / area(x[*j], x[*j + 1]) * (next - start))
         };
-        let (mut inner_cell, mut outer_cell) = (0, 0);
+        let (mut inner_cell, mut outer_cell, mut longest) = (0, 0, 0.0f64);
         for i in first..=end {
             let to_front = if first > 0 { x[i] - x[first] } else { f64::INFINITY };
             let to_edge = if has_rim && end == last { f64::INFINITY } else { x[end] - x[i] };
-            let half = (stiffness * self.path[i]).min(to_front).min(to_edge);
+            longest = longest.max(self.path[i]);
+            let half = (stiffness * longest).min(to_front).min(to_edge);
             let (inner, outer) = ((x[i] - half).max(0.0), (x[i] + half).min(x[last]));
             if outer > inner {
                 let integrals = [integral(inner, &mut inner_cell), integral(outer, &mut outer_cell)];
