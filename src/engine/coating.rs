@@ -115,10 +115,10 @@ impl FrettingContact {
         (cycles, part): (f64, Part),
     ) -> Result<f64, Error> {
         let at_end = self.updated_wear_depth() - self.thickness();
-        let mut excess = |some: f64| {
+        let mut excess = |tried: f64| {
             let mut trial = before.clone();
             trial.state.counters = self.state.counters;
-            trial.run_cycles(value, amplitude, (some, part))?;
+            trial.run_cycles(value, amplitude, (tried, part))?;
             self.state.counters = trial.state.counters;
             self.state.counters.coating_trials += 1;
             Ok::<_, Error>(trial.updated_wear_depth() - trial.thickness())
@@ -135,14 +135,14 @@ impl FrettingContact {
                 return Ok(crossing.clamp(low.0, high.0));
             }
             // so that the last trials enclose the crossing from both sides
-            let some = crossing.max(low.0 + 0.5 * accuracy).min(high.0 - 0.5 * accuracy);
-            let now = excess(some)?;
+            let tried = crossing.max(low.0 + 0.5 * accuracy).min(high.0 - 0.5 * accuracy);
+            let now = excess(tried)?;
             // an end that stays for a second time counts half
             let stays = if now * last > 0.0 { 0.5 } else { 1.0 };
             if now >= 0.0 {
-                (low.1, high) = (stays * low.1, (some, now));
+                (low.1, high) = (stays * low.1, (tried, now));
             } else {
-                (low, high.1) = ((some, now), stays * high.1);
+                (low, high.1) = ((tried, now), stays * high.1);
             }
             last = now;
         }

@@ -96,6 +96,11 @@ impl Nodes {
         self.x.len() - 1
     }
 
+    /// Whether the last node is the rim of a body that ends there.
+    pub(crate) fn reach_rim(&self, profile: &Profile) -> bool {
+        self.x[self.last()] >= profile.outer_radius()
+    }
+
     /// Becomes a copy of other nodes in its own memory.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.x.clone_from(&other.x);

@@ -131,8 +131,7 @@ impl FirstOrderWear {
         }
         // nothing heals where a pressure overshoots
         sum.iter_mut().for_each(|sum| *sum = sum.max(0.0));
-        let has_rim = nodes.x()[nodes.last()] >= surface.profile().outer_radius();
-        self.relieve(nodes, stiffness, has_rim, sum);
+        self.relieve(nodes, stiffness, nodes.reach_rim(surface.profile()), sum);
     }
 
     /// Takes a field at the nodes to its mean over rings of twice the width κE* B, B being the

@@ -199,7 +199,7 @@ fn the_worn_rim_of_a_punch_is_as_deep_as_on_fine_settings() {
 #[test]
 fn a_stroke_across_a_former_front_is_read_with_its_relief() {
     let power_law = Profile::PowerLaw { exponent: 1.5, coefficient: 2.0 };
-    // body, k, twice the load, amplitude of slip and number of cycles, and the end of the stroke
+    // body, k, two blocks of load, amplitude and number of cycles, and the end of the stroke
     let scenes = [
         (BALL, 3.49e-3, [(1.491, 0.478, 3.46e3), (1.31, 0.327, 7.381e3)], 0.895),
         (BALL, 8.34e-3, [(0.959, 0.249, 131.7), (1.272, 0.137, 2.926e4)], 1.025),

@@ -325,22 +325,29 @@ fn a_rim_wears_on_while_friction_runs_in() {
 /// Share of the load, of the amplitude that slips everywhere, and cycles of a block.
 type Block = (f64, f64, f64);
 
-/// V (m³) after blocks on a body under the usual force, in shares of that or of its depth.
-fn volume_after(
+/// A contact that is to wear by blocks: its load as an input, and the amplitude that slips
+/// everywhere, m.
+fn pressed_to_wear(
     (profile, normal_control): (&Profile, NormalControl),
-    blocks: &[Block],
+    wear_coefficient: f64,
     (resolution, tolerance): (usize, f64),
-) -> f64 {
+) -> (FrettingContact, f64, f64) {
     let normal = normal_input(profile, normal_control, FORCE);
     let slips = 0.75 * MU * FORCE / (G_STAR * exact(profile, FORCE).normal.radius());
     let mut contact = contact(Parameters {
-        wear_coefficient: 1e-4,
+        wear_coefficient,
         normal_control,
         resolution,
         tolerance,
         ..without_wear(profile.clone())
     });
     contact.start_at(normal, 0.0).expect("it is pressed on");
+    (contact, normal, slips)
+}
+
+/// V (m³) after blocks on a body under the usual force, in shares of that or of its depth.
+fn volume_after(body: (&Profile, NormalControl), blocks: &[Block], settings: (usize, f64)) -> f64 {
+    let (mut contact, normal, slips) = pressed_to_wear(body, 1e-4, settings);
     for (load, amplitude, cycles) in blocks {
         let cycled = contact.advance_cycles(load * normal, amplitude * slips, *cycles);
         cycled.unwrap_or_else(|error| panic!("{load}: {error}"));
@@ -458,20 +465,12 @@ fn slip_that_just_reaches_a_worn_axis_leaves_its_depth() {
 /// quarters too much, and the call was refused. V is compared with that of 512 cells.
 #[test]
 fn cycles_in_a_core_that_has_stuck_wear_up_to_its_wall() {
-    let exact = exact(&CONE, FORCE);
-    let depth = exact.normal.depth();
-    let amplitude = 1.5 * MU * FORCE / (2.0 * G_STAR * exact.normal.radius());
     for (resolution, most) in [(64, 1e-2), (128, 5e-3)] {
-        let mut contact = contact(Parameters {
-            normal_control: Indentation,
-            wear_coefficient: 6.97164e-3,
-            resolution,
-            ..without_wear(CONE)
-        });
-        contact.start_at(depth, 0.0).expect("the depth is taken");
-        contact.advance_cycles(0.957394 * depth, 0.565215 * amplitude, 9855.0).expect("the first cycles");
+        let (mut contact, depth, slips) =
+            pressed_to_wear((&CONE, Indentation), 6.97164e-3, (resolution, 1e-3));
+        contact.advance_cycles(0.957394 * depth, 0.565215 * slips, 9855.0).expect("the first cycles");
         let before = contact.wear_volume();
-        contact.advance_cycles(0.604093 * depth, 0.162391 * amplitude, 4138.0).expect("those in the core");
+        contact.advance_cycles(0.604093 * depth, 0.162391 * slips, 4138.0).expect("those in the core");
         let worn = contact.wear_volume() - before;
         println!("{resolution}: {worn:e}, profile {:e}", contact.profile_volume() - contact.wear_volume());
         assert!((worn / 4.661e-16 - 1.0).abs() < most, "{resolution}: {worn:e}");
@@ -484,18 +483,15 @@ fn cycles_in_a_core_that_has_stuck_wear_up_to_its_wall() {
 #[test]
 fn slip_where_wear_falls_off_leaves_an_image_without_a_notch() {
     let blunted = Profile::BluntedSphere { radius: 0.01, flat_radius: 5e-5 };
-    let mut contact =
-        contact(Parameters { normal_control: Indentation, wear_coefficient: 1e-4, ..without_wear(blunted) });
-    let (depth, amplitude) = (3.36018e-6, 2.53588e-6);
-    contact.start_at(depth, 0.0).expect("the depth is taken");
+    let (mut contact, depth, slips) = pressed_to_wear((&blunted, Indentation), 1e-4, (64, 1e-3));
     let blocks = [
         (1.36953, 1.11603, 4.76838e4),
         (1.89958, 0.67114, 32.2624),
         (0.51860, 0.70481, 402.965),
         (0.20851, 1.18186, 5.89007e4),
     ];
-    for (share, slip, cycles) in blocks {
-        contact.advance_cycles(share * depth, slip * amplitude, cycles).expect("the cycles are followed");
+    for (share, amplitude, cycles) in blocks {
+        contact.advance_cycles(share * depth, amplitude * slips, cycles).expect("the cycles are followed");
         let reached = contact.contact_radius();
         assert!(reached > 1e-4, "{share}: {reached:e} m");
         let least = (0..=1000).map(|k| contact.image_at(3e-7 * f64::from(k))).fold(f64::INFINITY, f64::min);

@@ -232,7 +232,7 @@ impl Nodes {
     /// across many narrow ones it overshoots. At a rim the edge does not move, and wide cells would
     /// miss how steeply it has worn.
     pub(crate) fn thinned(&self, share: f64, a: f64, crossed: f64, profile: &Profile) -> Option<Self> {
-        let has_rim = self.x[self.last()] >= profile.outer_radius();
+        let has_rim = self.reach_rim(profile);
         let remains = self.remains.or(self.remains_of_mesh()).filter(|_| !has_rim);
         let (outer_half, least) = remains.unwrap_or((f64::INFINITY, 0.0));
         let least = least.min(crossed);

@@ -19,7 +19,7 @@ impl Nodes {
     /// where none do, or where the stick front (m) is among them. Image and depth stay at all
     /// others but the last, which takes what keeps the worn volume.
     pub(crate) fn spread_at_rim(&self, depth: f64, front: f64, profile: &Profile) -> Option<Self> {
-        let (start, least) = self.relieved_rim(depth, profile.outer_radius())?;
+        let (start, least) = self.relieved_rim(depth, profile)?;
         if front > start {
             return None;
         }
@@ -45,11 +45,12 @@ impl Nodes {
 
     /// Where the last even cells of a body that ends at its last node begin, and the width that
     /// they need not go below, m.
-    fn relieved_rim(&self, depth: f64, outer: f64) -> Option<(f64, f64)> {
+    fn relieved_rim(&self, depth: f64, profile: &Profile) -> Option<(f64, f64)> {
         let worn = self.depth[self.last()] - self.depth[0];
-        if self.x[self.last()] < outer || !(worn > 0.0 && depth > 0.0) {
+        if !(self.reach_rim(profile) && worn > 0.0 && depth > 0.0) {
             return None;
         }
+        let outer = profile.outer_radius();
         let even = outer / self.resolution as f64;
         let least = (outer * (worn / depth).powi(2)).min(OF_EVEN * even);
         Some((outer - 1.5 * even, least))
