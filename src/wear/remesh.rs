@@ -47,8 +47,8 @@ const EDGE_CELLS: f64 = 1.0;
 
 /// Share of the worn volume, and of that within the slipping region, that a new mesh may miss: its
 /// depths are then raised to it. Where next to nothing has worn in the region it may miss the
-/// tolerance of all that can. A mesh whose own image is below zero on average, beside one inside
-/// that goes on outward, is none: it went to -27 µm at its front.
+/// tolerance of all that can. A mesh whose own volume is below zero, since the depth that belongs
+/// to the image inside is larger, is refused: the image of one went to -27 µm at its front.
 const MISSING: f64 = 0.05;
 
 /// The slipping region of a contact, with the state that its surface gives it and the rate of that;
