@@ -1,6 +1,7 @@
 //! Friction and wear that change during a life: another lubricant, a coating that has worn through.
 
 use super::FrettingContact;
+use super::running_in::BALANCED;
 use crate::error::Error;
 use crate::friction::{Row, SlipPiece};
 use crate::parameters::Parameters;
@@ -60,30 +61,32 @@ impl FrettingContact {
         if new == **old {
             return Ok(());
         }
-        let mut constants = self.model.constants;
-        constants.friction_coefficient = new.friction_coefficient_after(self.state.work);
-        constants.wear_per_work = new.wear_per_work();
-        let bound_slope = constants.bound_slope();
+        let wear_per_work = new.wear_per_work();
         self.transaction(|this| {
             this.absorb_backlog()?;
             let former_wear_per_work = this.model.constants.wear_per_work;
             let mixed = this.state.former.mixed
-                || (former_wear_per_work != constants.wear_per_work && this.wear_volume() > 0.0);
+                || (former_wear_per_work != wear_per_work && this.wear_volume() > 0.0);
             this.state.former = FormerWear { volumes: this.wear_volumes(), work: this.state.work, mixed };
             let model = Arc::make_mut(&mut this.model);
             model.parameters = Arc::new(new);
-            (model.constants, model.bound_slope) = (constants, bound_slope);
-            // from the bound of before, which the springs keep to, however small the new one is
-            let half_work = this.slip_back();
-            this.keep_bound_slope();
-            this.state.counters.spring_walks += 1;
+            model.constants.wear_per_work = wear_per_work;
             if let Some(wear) = &mut this.state.wear {
                 // a volume, kept as the work that wears it
-                wear.deferred_work *= former_wear_per_work / constants.wear_per_work;
-                wear.surplus *= former_wear_per_work / constants.wear_per_work;
+                wear.deferred_work *= former_wear_per_work / wear_per_work;
+                wear.surplus *= former_wear_per_work / wear_per_work;
                 (wear.expected, wear.next_step) = (None, None);
             }
-            this.gather_slip_back(half_work);
+            this.set_friction(this.model.parameters.friction_coefficient_after(this.state.work));
+            // from the bound of before, which the springs keep to, however small the new one is;
+            // their slip runs friction in further
+            *this = this.run_in_part((0.0, false), BALANCED, |next| {
+                let half_work = next.slip_back();
+                next.gather_slip_back(half_work);
+                Ok(())
+            })?;
+            this.keep_bound_slope();
+            this.state.counters.spring_walks += 1;
             Ok(())
         })
     }

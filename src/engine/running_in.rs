@@ -22,7 +22,7 @@ use std::sync::Arc;
 const ACCURACY: f64 = 1e-7;
 
 /// How far from the solution of an iteration counts as none, relative.
-const BALANCED: f64 = 1e-13;
+pub(super) const BALANCED: f64 = 1e-13;
 
 /// Most iterations for μ at the end of a part, of which two or three are usual, before its bounds
 /// are halved instead.
@@ -79,7 +79,7 @@ impl FrettingContact {
         Constants { friction_coefficient, ..self.model.constants }.bound_slope()
     }
 
-    fn set_friction(&mut self, coefficient: f64) {
+    pub(super) fn set_friction(&mut self, coefficient: f64) {
         let model = Arc::make_mut(&mut self.model);
         model.constants.friction_coefficient = coefficient;
         model.bound_slope = model.constants.bound_slope();
@@ -138,7 +138,7 @@ impl FrettingContact {
     /// The contact after a part of a step, with the coefficient of friction of its end: that of its
     /// work, to a relative accuracy, found by the secant method from an expected work, J, which may
     /// be known for the coefficient of the start. It lies between that and the final one.
-    fn run_in_part(
+    pub(super) fn run_in_part(
         &self,
         (expected, is_known): (f64, bool),
         accuracy: f64,

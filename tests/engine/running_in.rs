@@ -401,6 +401,33 @@ fn the_coefficient_at_the_start_can_be_retuned() {
     close_to(contact.friction_coefficient_now(), expected, 1e-12, "mu");
 }
 
+/// Springs that slip back where the coefficient at the start falls run friction in further. The
+/// coefficient is that of all work, so that a saved state is taken.
+#[test]
+fn friction_runs_in_by_the_slip_of_a_retuned_contact() {
+    for (last, wear) in [(END, 0.0), (0.05, 0.0), (0.05, 1e-2)] {
+        let parameters = Parameters {
+            friction_coefficient_final: last,
+            wear_coefficient: wear,
+            ..running_in(usual_energy())
+        };
+        let mut contact = started(parameters.clone());
+        to(&mut contact, FORCE, 2e-6);
+        to(&mut contact, FORCE, 1.9e-6);
+        let work = contact.dissipated_energy();
+        contact.retune(0.5 * parameters.friction_coefficient, wear).expect("a coefficient in its range");
+        let energy = contact.dissipated_energy();
+        assert!(energy > work * (1.0 + 1e-9), "{last}: springs slip back");
+        let expected = contact.parameters().friction_coefficient_after(energy);
+        close_to(contact.friction_coefficient_now(), expected, 1e-15, "mu");
+        let bound = expected * FORCE;
+        assert!(contact.tangential_force().abs() <= bound * (1.0 + 1e-12), "{last}");
+        let mut restored = FrettingContact::new(contact.parameters().clone()).unwrap();
+        restored.restore(&contact.snapshot()).expect("a state that was saved");
+        assert_eq!(state(&restored), state(&contact), "{last}, wear {wear}");
+    }
+}
+
 #[test]
 fn parameters_outside_their_range_are_named() {
     let refused = |parameters: Parameters, expected: &str| match FrettingContact::new(parameters) {
