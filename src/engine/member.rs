@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::profile::Profile;
 use crate::surface::{Contact, Surface, TransformCache};
 use nalgebra::Vector2;
+use std::f64::consts::PI;
 use std::mem::swap;
 use std::sync::Arc;
 
@@ -134,6 +135,15 @@ impl FrettingContact {
     pub(crate) fn updated_wear_depth(&self) -> f64 {
         let depth = |nodes: &crate::surface::Nodes| nodes.depth().iter().fold(0.0f64, |a, w| a.max(*w));
         self.surface.worn().map_or(0.0, depth)
+    }
+
+    /// [`Self::updated_wear_depth`] and that of what waits as if all had slipped under a Hertzian
+    /// pressure, 3/2 of the mean, m: takes no transform, and says which contact is worn deepest.
+    pub(crate) fn wear_depth_by_work(&self) -> f64 {
+        let Some(wear) = &self.state.wear else { return 0.0 };
+        let waits = self.model.constants.wear_per_work * wear.backlog.work;
+        let area = PI * wear.backlog.radius.powi(2);
+        self.updated_wear_depth() + if waits > 0.0 { 1.5 * waits / area } else { 0.0 }
     }
 
     /// Puts the memory of a step back where it is kept, and keeps no more of it than the state

@@ -108,9 +108,9 @@ impl Interface {
         self.members.touched().filter(|(_, contact)| contact.contact_radius() > 0.0).count()
     }
 
-    /// Index from 0 of the contact whose profile is worn deepest by its last update, before the
-    /// first update of any that with the most friction work, before any work that with the largest
-    /// force, and of separated bodies the first to touch.
+    /// Index from 0 of the contact that is worn deepest: by the last update of its profile and
+    /// roughly what has worn since. Without wear that with the most friction work, before any
+    /// work that with the largest force, and of separated bodies the first to touch.
     pub fn deepest_contact(&self) -> usize {
         let largest = |of: fn(&FrettingContact) -> f64| {
             let values = self.members.touched().map(|(index, contact)| (index, of(contact)));
@@ -118,7 +118,7 @@ impl Interface {
             let largest = values.fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
             (largest.1 > 0.0).then_some(largest.0)
         };
-        largest(FrettingContact::updated_wear_depth)
+        largest(FrettingContact::wear_depth_by_work)
             .or_else(|| largest(FrettingContact::dissipated_energy))
             .or_else(|| largest(FrettingContact::normal_reaction))
             .unwrap_or(self.members.first())
@@ -133,8 +133,8 @@ impl Interface {
         }
     }
 
-    /// Deepest worn point, m: that of [`Self::deepest_contact`]. Another contact may be deeper by
-    /// what one update wears.
+    /// Deepest worn point, m: that of [`Self::deepest_contact`]. Another contact may be deeper by a
+    /// part of what one update wears.
     pub fn wear_depth(&self) -> f64 {
         self.read_deepest(FrettingContact::wear_depth)
     }

@@ -41,6 +41,27 @@ fn differences(joint: &Interface, one: &FrettingContact, number: f64) -> [f64; 4
     ]
 }
 
+/// The depth of a joint is that of the contact that is worn deepest, also before the profiles are
+/// updated: not that of the one with the most work, which is spread over the largest contact.
+#[test]
+fn the_deepest_of_unequal_contacts_is_found() {
+    let mut missed = 0.0f64;
+    for wear_coefficient in [1e-6, 1e-4, 1e-2] {
+        let summits = rough(8, 2e-6);
+        let mut joint = Interface::new(worn(wear_coefficient), &summits).unwrap();
+        let mut random = seeded(3);
+        for _ in 0..60 {
+            let (load, way) = (uniform(&mut random, 160.0, 640.0), uniform(&mut random, -3e-6, 3e-6));
+            joint.advance_to(load, [way, 0.0], 0.0).unwrap();
+            let depths = (0..summits.len()).filter_map(|index| Some(joint.contact(index)?.wear_depth()));
+            let deepest = depths.fold(0.0, f64::max);
+            assert!(deepest > 0.0 && joint.wear_depth() <= deepest);
+            missed = missed.max(1.0 - joint.wear_depth() / deepest);
+        }
+    }
+    assert!(missed <= 0.1, "{missed:.1e}");
+}
+
 /// N equal contacts are one contact with an Nth of the force, to rounding, whatever they wear: they
 /// divide a step as one does, and wear at their force. Where they part and wear much in each of a
 /// few long steps, the updates of their profiles enlarge rounding.
