@@ -102,7 +102,18 @@ pub(crate) fn exceeds_limit(
     (volume > limit && (limit > 0.0 || slips)).then(|| volume / limit)
 }
 
+/// π a² d of a contact, m³.
+pub(crate) fn disc(contact: &Contact) -> f64 {
+    annulus(contact, 0.0) * contact.depth.abs()
+}
+
+/// A volume (m³) or work (J) over that of a contact; 0 where the bodies are apart.
+pub(crate) fn per_disc(amount: f64, contact: &Contact) -> f64 {
+    let size = disc(contact);
+    if size > 0.0 { amount / size } else { 0.0 }
+}
+
 /// Area of the slipping annulus, m².
-pub(crate) fn annulus(contact: &Contact, stick_radius: f64) -> f64 {
+fn annulus(contact: &Contact, stick_radius: f64) -> f64 {
     PI * (contact.radius - stick_radius).max(0.0) * (contact.radius + stick_radius)
 }

@@ -72,24 +72,25 @@ impl FrettingContact {
     /// jump where a master tries another end.
     pub(super) fn update_is_due(&self, place: Vector2<f64>, work: f64) -> bool {
         let Some(wear) = &self.state.wear else { return false };
-        let volume = self.model.constants.wear_per_work * (wear.backlog.work + work);
-        if wear.limit == 0.0 || volume <= wear.limit {
+        let density = wear.backlog.work_density + wear::per_disc(work, &self.state.contact);
+        let share = self.model.constants.wear_per_work * density;
+        if wear.limit == 0.0 || share <= wear.limit {
             return false;
         }
         // at constant load an update can wait for the reversal, which leaves strokes whole
         self.turns(place)
             || self.state.row.is_plane()
-            || volume > self.model.tuning.stroke * wear.limit
+            || share > self.model.tuning.stroke * wear.limit
             || !wear.backlog.is_at(self.state.contact.depth)
             || self.stick_radius() == 0.0
     }
 
     /// Work (J) that a slide may do before an update may be due.
     pub(super) fn work_to_update(&self) -> f64 {
-        self.state
-            .wear
-            .as_ref()
-            .map_or(f64::MAX, |wear| wear.limit / self.model.constants.wear_per_work - wear.backlog.work)
+        self.state.wear.as_ref().map_or(f64::MAX, |wear| {
+            let left = wear.limit / self.model.constants.wear_per_work - wear.backlog.work_density;
+            left * wear::disc(&self.state.contact)
+        })
     }
 
     /// Work (J) that may wait for the next update, from one to the next.
@@ -101,10 +102,15 @@ impl FrettingContact {
     /// Finds how much may wear before the profile follows, where that is not known yet.
     pub(super) fn set_limit(&mut self) {
         if self.state.wear.as_ref().is_some_and(|wear| wear.limit == 0.0) {
-            let limit = self.update_limit();
-            if let Some(wear) = &mut self.state.wear {
-                wear.limit = limit;
-            }
+            self.renew_limit();
+        }
+    }
+
+    /// Finds how much may wear on the present profile before it follows.
+    fn renew_limit(&mut self) {
+        let limit = wear::per_disc(self.update_limit(), &self.state.contact);
+        if let Some(wear) = &mut self.state.wear {
+            wear.limit = limit;
         }
     }
 
@@ -410,10 +416,7 @@ impl FrettingContact {
             self.state.row = Row::Line(springs.moved_to(old, &self.surface));
         }
         self.rest_in(to, zone);
-        let limit = self.update_limit();
-        if let Some(wear) = &mut self.state.wear {
-            wear.limit = limit;
-        }
+        self.renew_limit();
         Ok(stored - self.stored_energy())
     }
 

@@ -6,7 +6,7 @@ use super::backlog::NEGLIGIBLE;
 use crate::error::Error;
 use crate::parameters::USUAL_TOLERANCE;
 use crate::surface::Contact;
-use crate::wear::annulus;
+use crate::wear::disc;
 use std::f64::consts::PI;
 
 /// On coarse meshes, this over the square of the resolution: a volume computed cell by cell is of
@@ -119,9 +119,4 @@ impl FrettingContact {
         let largest_disc = PI * radius * radius * (self.surface.image(radius) - self.surface.tip());
         NEGLIGIBLE * self.wear_volume().max(largest_disc)
     }
-}
-
-/// π a² d, m³.
-fn disc(contact: &Contact) -> f64 {
-    annulus(contact, 0.0) * contact.depth.abs()
 }

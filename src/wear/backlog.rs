@@ -10,7 +10,7 @@
 
 mod levels;
 
-use super::Sliding;
+use super::{Sliding, per_disc};
 use crate::friction::SlipPiece;
 use crate::surface::{Contact, ROUNDING};
 use levels::{Level, Levels};
@@ -83,6 +83,8 @@ pub(crate) struct WearBacklog {
     levels: Levels,
     /// Friction work, J.
     pub(crate) work: f64,
+    /// The same, of each line over π a² d of its larger contact, Pa.
+    pub(crate) work_density: f64,
     /// Largest contact radius, m.
     pub(crate) radius: f64,
 }
@@ -143,6 +145,7 @@ impl WearBacklog {
         };
         amount(self.work)
             && (self.work == 0.0 || !self.levels.is_empty())
+            && amount(self.work_density)
             && amount(self.radius)
             && self.reference.is_finite()
             && self.levels.len() < MOST_BINS as usize
@@ -166,6 +169,7 @@ impl WearBacklog {
             return;
         }
         self.work += work;
+        self.work_density += per_disc(work, if from.load > to.load { from } else { to });
         let depth = if from.depth == to.depth {
             to.depth
         } else {

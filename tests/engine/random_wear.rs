@@ -262,3 +262,31 @@ fn a_varying_depth_wears_as_an_explicit_row_of_springs() {
         }
     }
 }
+
+/// A machine that has started up under a heavy load and idles under a light one: the small contact
+/// at the tip wears by its own size.
+#[test]
+fn a_light_load_after_a_heavy_one_wears_its_own_contact() {
+    for profile in [BALL, CONE] {
+        let full = exact(&profile, FORCE).full_slip();
+        let idle = |tolerance: f64, resolution: usize| {
+            let parameters =
+                Parameters { wear_coefficient: 1e-3, tolerance, resolution, ..without_wear(profile.clone()) };
+            let mut contact = started(parameters);
+            for k in 0..4 {
+                to(&mut contact, FORCE, if k % 2 == 0 { 1.2 * full } else { -1.2 * full });
+            }
+            for k in 0..300 {
+                to(&mut contact, 0.03 * FORCE, if k % 2 == 0 { 0.5 * full } else { -0.5 * full });
+            }
+            contact
+        };
+        let (usual, fine) = (idle(1e-3, 64), idle(1e-4, 128));
+        let what = format!("{profile:?}");
+        close_to(usual.wear_volume(), fine.wear_volume(), 1e-3, &what);
+        close_to(usual.wear_depth(), fine.wear_depth(), 1e-2, &what);
+        // bounded work: not an update at each stroke
+        let updates = usual.counters().profile_updates;
+        assert!((10..150).contains(&updates), "{what}: {updates} updates");
+    }
+}

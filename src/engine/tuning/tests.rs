@@ -164,7 +164,7 @@ fn the_updates_of_steady_motion_may_be_halved_or_doubled() {
         contact.advance_cycles(100.0, amplitude, cycles).unwrap();
     }
     let ways: [Way; 2] =
-        [|contact| after_strokes(contact, 0.7e-6, 10.0), |contact| after_strokes(contact, 3e-6, 1e6)];
+        [|contact| after_strokes(contact, 0.5e-6, 10.0), |contact| after_strokes(contact, 3e-6, 1e6)];
     let profile = Profile::BluntedSphere { radius: 0.01, flat_radius: 1e-4 };
     let base = Parameters::default();
     let parameters = Parameters { profile, wear_coefficient: 1e-11 * base.hardness, ..base };
