@@ -99,13 +99,18 @@ impl UnitMesh {
         // the list is free again when these are dropped, of which one may be the last
         let in_use: Vec<Arc<Self>> = meshes().iter().filter_map(Weak::upgrade).collect();
         let power = power(region, is_sharp);
-        let serves = |mesh: &Self| (mesh.region, mesh.power, mesh.cells) == (region, power, cells);
-        if let Some(mesh) = in_use.into_iter().find(|mesh| serves(mesh)) {
+        let serves = |mesh: &Arc<Self>| mesh.kind() == (region, power, cells);
+        if let Some(mesh) = in_use.into_iter().find(serves) {
             return mesh;
         }
         let mesh = Arc::new(Self::new(region, power, cells));
         meshes().push(Arc::downgrade(&mesh));
         mesh
+    }
+
+    /// What makes two meshes equal. Two threads may have made the same one at once.
+    pub(crate) fn kind(&self) -> (Region, i32, usize) {
+        (self.region, self.power, self.cells)
     }
 
     fn new(region: Region, power: i32, cells: usize) -> Self {

@@ -43,6 +43,24 @@ fn cycles_beyond_the_end_wear_nothing() {
     }
 }
 
+/// Contacts that wear in several threads at once make the same steps as alone.
+#[test]
+fn threads_do_not_change_a_life() {
+    let lives = || {
+        let life = |_| {
+            let (mut contact, amplitude) = contact_with(&(BLUNTED, 1.1));
+            contact.advance_cycles(FORCE, amplitude, 1e9).expect("the cycles are followed");
+            (contact.wear_volume(), *contact.counters())
+        };
+        (0..40).map(life).collect::<Vec<_>>()
+    };
+    let alone = lives()[0];
+    let threads = [(); 4].map(|()| std::thread::spawn(lives));
+    for life in threads.into_iter().flat_map(|thread| thread.join().expect("no panic")) {
+        assert_eq!(life, alone);
+    }
+}
+
 /// Cycles of 1.1 of full slip begin in gross slip. Once the body is flat the axis sticks, and the
 /// front comes out from there, within few cells of a disc: V is known less well.
 #[test]
