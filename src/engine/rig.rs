@@ -260,13 +260,6 @@ impl FrettingContact {
             return Found { trial, slope, bent: guess, missed: false };
         }
         self.balance(&mut trial, &mut slope, to, piece.within);
-        if norm(trial.off) > piece.near && former.is_none() {
-            // a body that sticks as the load rises may slip at the first guess
-            self.memory.get().row = trial.end.row;
-            trial = self.try_drive(to, here);
-            slope = self.going_in((here, &trial.end.row, &piece.to), trial.off, 0.0).slope;
-            self.balance(&mut trial, &mut slope, to, piece.within);
-        }
         let missed = norm(trial.off) > piece.near || !trial.end.work.is_finite();
         let bent = bent(trial.place);
         Found { trial, slope, bent, missed }

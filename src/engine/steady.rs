@@ -4,17 +4,9 @@ use super::FrettingContact;
 use super::history::MOST_PIECES;
 use crate::error::Error;
 use crate::friction::Row;
-use crate::parameters::NormalControl;
 use crate::surface::{FrontMotion, ROUNDING};
 use crate::wear::{self, Part, Sliding, SlipAtDepth};
 use nalgebra::Vector2;
-
-/// Least share of the limit that an update is made with.
-const LEAST_SHARE: f64 = 1.0 / 64.0;
-
-/// Least work of a cycle in which all slips under a force, over that of friction along its path.
-/// Profiles that had lost their load had 1e-12 of it, or none (0.1 N, 1 mm, 1e7 cycles).
-const LEAST_WORK: f64 = 1e-6;
 
 /// How the updates of a motion have gone so far.
 struct Pace {
@@ -22,8 +14,6 @@ struct Pace {
     work: f64,
     /// The most that one update could have worn, m³.
     limit: f64,
-    /// Share of it for the next update: less after one that the profile did not follow.
-    share: f64,
 }
 
 impl FrettingContact {
@@ -46,7 +36,7 @@ impl FrettingContact {
         amount: f64,
     ) -> Result<(), Error> {
         let (mut left, mut updates, mut next_trial) = (amount, 0, 1);
-        let mut pace = Pace { work: 0.0, limit: 0.0, share: 1.0 };
+        let mut pace = Pace { work: 0.0, limit: 0.0 };
         let amplitude = sliding.amplitude();
         let refused = |left, steps| Error::TooMuchWear { cycles: amount, left, amplitude, steps };
         loop {
@@ -67,16 +57,12 @@ impl FrettingContact {
                     Ok(part) if part > 0.0 => {
                         left -= part;
                         self.state.contact = self.contact_at(value)?;
-                        pace.share = (2.0 * pace.share).min(1.0);
                     }
-                    Err(Error::WearOutrun { .. }) if pace.share > LEAST_SHARE => pace.share *= 0.25,
                     Ok(_) | Err(Error::WearOutrun { .. }) => {
                         let work = self.unit_work(sliding).0 * left;
                         let is_little = self.defer_little(work, 1.0);
                         return if is_little { Ok(()) } else { Err(refused(left, updates + 1)) };
                     }
-                    // of the call, not of the part
-                    Err(Error::TooMuchWear { .. }) => return Err(refused(left, updates + 1)),
                     Err(other) => return Err(other),
                 }
                 updates += 1;
@@ -95,9 +81,6 @@ impl FrettingContact {
     fn wear_part(&mut self, sliding: Sliding, left: f64, pace: &mut Pace) -> Result<f64, Error> {
         let contact = self.state.contact;
         let (unit_work, stick) = self.unit_work(sliding);
-        if self.has_lost_its_load(sliding, (unit_work, stick)) {
-            return Err(Error::TooMuchWear { cycles: left, left, amplitude: sliding.amplitude(), steps: 1 });
-        }
         // a slip zone that has worn free
         if unit_work <= ROUNDING * pace.work || self.defer_little(unit_work * left, ROUNDING) {
             return Ok(left);
@@ -108,7 +91,7 @@ impl FrettingContact {
         // a worn rim may stick outside of what slips
         let inner = if stick < contact.radius { stick } else { self.model.widest_stick(&contact, 0.0) };
         pace.limit = pace.limit.max(wear::update_limit(share, &self.surface, &contact, inner));
-        let limit = pace.share * pace.limit * (unit_work / pace.work).sqrt();
+        let limit = pace.limit * (unit_work / pace.work).sqrt();
         let volume = self.model.constants.wear_per_work * unit_work * left;
         let part = if volume <= limit { left } else { left * (limit / volume) };
         let work = unit_work * part;
@@ -122,15 +105,6 @@ impl FrettingContact {
         }
         self.add_work(work);
         Ok(part)
-    }
-
-    /// Whether a profile has worn so far that the load is lost in its rounding, by the work (J) of
-    /// a cycle and the radius that sticks (m): all springs slip under a force, and carry hardly
-    /// any of it.
-    fn has_lost_its_load(&self, sliding: Sliding, (unit_work, stick): (f64, f64)) -> bool {
-        let Sliding::Cycles(amplitude) = sliding else { return false };
-        let is_gross = self.model.parameters.normal_control == NormalControl::Force && stick == 0.0;
-        is_gross && unit_work < LEAST_WORK * 4.0 * self.friction_limit() * amplitude
     }
 
     /// Counts work (J) and defers its wear, where that is less than a share of what need not show
