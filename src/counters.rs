@@ -20,11 +20,11 @@ pub struct Counters {
     pub pressure_transforms: u64,
     /// Tabulations of the transforms for a new set of nodes.
     pub transform_tables: u64,
-    /// Factorisations of the linearly implicit update.
+    /// Factorisations of the steps on the moving mesh.
     pub factorisations: u64,
     /// Updates of the worn profile.
     pub profile_updates: u64,
-    /// Cyclic steps that were rejected by the error control.
+    /// Steps on the moving mesh that were rejected by the error control.
     pub rejected_steps: u64,
     /// Trial runs for the cycle at which a coating wears through.
     #[serde(default)]
