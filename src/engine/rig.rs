@@ -129,9 +129,8 @@ impl Ahead {
 /// Behind a rig.
 impl FrettingContact {
     /// Displacement of the drive: U + T/k_rig, m. It is [`Self::displacement`] where the rig is
-    /// rigid. Where an update of the worn profile has changed T at the end of a step, it is off
-    /// what was asked for, by 3.4e-4 of the range at most in 64,800 steps; the next step makes up
-    /// for it.
+    /// rigid. Where an update of the worn profile has changed T at the end of a step, it is a
+    /// little off what was asked for; the next step makes up for it.
     #[inline]
     pub fn drive_displacement(&self) -> f64 {
         self.drive_place().x

@@ -46,8 +46,8 @@ pub(super) struct State {
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct WearState {
     pub(super) backlog: WearBacklog,
-    /// Volume that may wear before the profile follows, over π a² d of the contact that wears: one
-    /// of a heavy load would let a small contact wear away.
+    /// Volume that may wear before the profile follows, over π a² d of the contact that wears. A
+    /// volume found under a heavy load would let a small contact wear away.
     pub(super) limit: f64,
     /// Work whose wear is deferred to a later update, J; below 0 where the profile has worn by
     /// more.
