@@ -15,6 +15,8 @@ struct LevelWear {
     slip: f64,
     law: SlipAtDepth,
     contact: Option<Contact>,
+    /// Whether that is the contact of the state, which was not found on the nodes of a reading.
+    is_present: bool,
     /// Pressure at the nodes inside the contact, over E*, from one of them on.
     pressure: Vec<f64>,
     first: usize,
@@ -91,10 +93,11 @@ impl FirstOrderWear {
             let depth = level.law.depth;
             let contact = match (present, level.contact) {
                 (Some(present), _) => Some(*present),
-                (None, Some(known)) if known.control == depth => Some(known),
+                (None, Some(known)) if known.control == depth && !level.is_present => Some(known),
                 _ => surface.contact(NormalControl::Indentation, depth, 1.0).ok(),
             };
             let Some(contact) = contact.filter(|contact| !contact.is_open()) else { continue };
+            level.is_present = present.is_some();
             let is_moved = level.contact != Some(contact);
             if is_moved || level.is_stale {
                 let edge = Edge::new(nodes, &[], &contact, surface.profile().outer_radius());
