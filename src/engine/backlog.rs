@@ -195,7 +195,9 @@ impl FrettingContact {
     ) -> Result<bool, Error> {
         let drive = drive.filter(|_| self.model.compliance > 0.0 && self.model.constants.force_control);
         let control = self.state.contact.control;
-        match self.wear_by(control, (motion.sliding, drive), motion.amount, Part::Update) {
+        // as much of it as does that work: friction that runs in was another before
+        let amount = if self.runs_in() { work / self.unit_work(motion.sliding).0 } else { motion.amount };
+        match self.wear_by(control, (motion.sliding, drive), amount, Part::Update) {
             Ok(worn_by) => {
                 self.correct_work(worn_by - work);
                 Ok(true)

@@ -119,7 +119,7 @@ impl FrettingContact {
     }
 
     /// Work (J) of a cycle or metre on the present profile, and the radius that sticks, m.
-    fn unit_work(&mut self, sliding: Sliding) -> (f64, f64) {
+    pub(super) fn unit_work(&mut self, sliding: Sliding) -> (f64, f64) {
         let contact = self.state.contact;
         match sliding {
             Sliding::Onward => (self.friction_limit(), 0.0),
