@@ -43,13 +43,13 @@ pub(crate) struct Nodes {
 struct Integrals {
     /// ∫₀ ξ g' dξ of the whole profile less that of the body, m².
     worn_load: f64,
-    /// ∫₀ g² dξ, m³.
-    square: f64,
+    /// ∫₀ g² dξ of the whole profile less that of the body, m³.
+    worn_square: f64,
 }
 
 impl Integrals {
     /// Those of nodes that are being made.
-    const UNKNOWN: Self = Self { worn_load: f64::NAN, square: f64::NAN };
+    const UNKNOWN: Self = Self { worn_load: f64::NAN, worn_square: f64::NAN };
 }
 
 /// A mesh of the slipping region whose nodes are among those of a surface, from index `first` on.
@@ -143,7 +143,7 @@ impl Nodes {
         self.levelled = self.levelled_from_axis(profile);
         let mut load = 0.0;
         for j in 0..self.x.len() {
-            self.integrals.push(Integrals { worn_load: load, square: 0.0 });
+            self.integrals.push(Integrals { worn_load: load, worn_square: 0.0 });
             if j < self.last() {
                 let (x0, x1) = (self.x[j], self.x[j + 1]);
                 load += 2.0 / 3.0 * self.slope(j) * (x1 - x0) * (x1 * x1 + x1 * x0 + x0 * x0);
@@ -154,12 +154,10 @@ impl Nodes {
             }
         }
         // after the loads, of which the parts at a radius are made
-        let (mut square, mut inner) = (0.0, self.whole(profile, 0));
+        let mut square = 0.0;
         for j in 0..self.last() {
-            let outer = self.whole(profile, j + 1);
-            square += self.square_in_cell(profile, Some(j), (self.x[j + 1], outer), inner);
-            self.integrals[j + 1].square = square;
-            inner = outer;
+            square += self.worn_square_in_cell(profile, Some(j), self.x[j + 1]);
+            self.integrals[j + 1].worn_square = square;
         }
     }
 
@@ -236,7 +234,7 @@ impl Nodes {
             return None;
         }
         let nodes = self.completed(profile);
-        let finite = |at: &Integrals| at.worn_load.is_finite() && at.square.is_finite();
+        let finite = |at: &Integrals| at.worn_load.is_finite() && at.worn_square.is_finite();
         nodes.integrals.iter().all(finite).then_some(nodes)
     }
 }

@@ -50,9 +50,49 @@ fn refinement_changes_neither_the_image_nor_its_integrals() {
             [&before, &after].map(|nodes| nodes.image_and_load_in(&ball(), nodes.cell(x), x));
         assert!((g0 - g1).abs() < 1e-20, "g at {x}: {g0:e} {g1:e}");
         assert!((load0 - load1).abs() < 1e-22, "load at {x}: {load0:e} {load1:e}");
-        // four-point Lobatto is exact on each cell for a polynomial g², whatever the cells
+        // four-point Lobatto is exact on each cell for a polynomial, whatever the cells
         let (q0, q1) = (square_at(&before, x), square_at(&after, x));
         assert!((q0 - q1).abs() < 1e-12 * q1.max(1e-20), "square at {x}: {q0:e} {q1:e}");
+    }
+}
+
+/// ∫ g² has what the body has, however wide a cell is: a core without wear is one.
+#[test]
+fn the_square_integral_of_any_body_is_exact_where_nothing_has_worn() {
+    let power = |exponent, coefficient| Profile::PowerLaw { exponent, coefficient };
+    let flat = 0.6e-4;
+    let bodies = [
+        ball(),
+        Profile::Cone { slope: 0.02 },
+        power(1.5, 0.5),
+        power(3.0, 2e5),
+        power(4.0, 1e9),
+        Profile::BluntedSphere { radius: 0.01, flat_radius: flat },
+        Profile::RoundedPunch { radius: 0.01, flat_radius: flat },
+    ];
+    for profile in bodies {
+        let mut nodes = Nodes::around(&profile, 32, 2e-4, 1e-4);
+        let image: Vec<f64> = nodes.x().iter().map(|&x| 2e-3 * (x - 1e-4).max(0.0)).collect();
+        let depth = vec![0.0; image.len()];
+        nodes.set_worn(image, depth, &profile);
+        let square_at = |x: f64| nodes.place_in(&profile, nodes.cell(x), x).square;
+        for x in [0.3e-4, flat, 0.7e-4, 0.99e-4] {
+            assert_eq!(square_at(x), profile.square_integral(x), "{profile:?}, {x}");
+        }
+        // Simpson's rule on the image itself
+        let (count, end) = (4000, nodes.x()[nodes.last()]);
+        let step = (end - 1e-4) / f64::from(count);
+        let mut sum = 0.0;
+        for k in 0..count {
+            let at = |part: f64| nodes.image_at(&profile, 1e-4 + (f64::from(k) + part) * step).powi(2);
+            sum += step / 6.0 * (at(0.0) + 4.0 * at(0.5) + at(1.0));
+        }
+        let expected = profile.square_integral(1e-4) + sum;
+        assert!(
+            (square_at(end) / expected - 1.0).abs() < 1e-6,
+            "{profile:?}: {:e}",
+            square_at(end) / expected - 1.0
+        );
     }
 }
 

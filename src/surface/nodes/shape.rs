@@ -239,8 +239,8 @@ impl Nodes {
     pub(crate) fn place_in(&self, profile: &Profile, cell: Option<usize>, x: f64) -> Place {
         let (image, load) = self.image_and_load_in(profile, cell, x);
         let start = cell.unwrap_or(self.last());
-        let inner = self.whole(profile, start);
-        let square = self.integrals[start].square + self.square_in_cell(profile, cell, (x, image), inner);
+        let worn_square = self.integrals[start].worn_square + self.worn_square_in_cell(profile, cell, x);
+        let square = profile.square_integral(x) + worn_square;
         Place { x, image, load, square }
     }
 
@@ -262,11 +262,7 @@ impl Nodes {
 
     /// Image of the whole profile at a radius, m.
     pub(crate) fn image_at(&self, profile: &Profile, x: f64) -> f64 {
-        self.image_in(profile, self.cell(x), x)
-    }
-
-    fn image_in(&self, profile: &Profile, cell: Option<usize>, x: f64) -> f64 {
-        match cell {
+        match self.cell(x) {
             Some(j) => self.cell_line(profile, j).whole_image(profile, x),
             None => profile.image(x) + self.far_part(x).0,
         }
@@ -327,20 +323,26 @@ impl Nodes {
         profile.image(self.x[j]) + self.worn_image[j]
     }
 
-    /// ∫ g² from the inner node of a cell to a place in it, by four-point Lobatto. Images are those
-    /// of the whole profile.
-    pub(super) fn square_in_cell(
-        &self,
-        profile: &Profile,
-        cell: Option<usize>,
-        (x, image): (f64, f64),
-        inner_image: f64,
-    ) -> f64 {
+    /// ∫ g² of the whole profile less that of the body, m³, from the inner node of a cell, or from
+    /// the last node, to a radius behind it, by four-point Lobatto. A core that has not worn may be
+    /// one wide cell: what the body has there is exact.
+    pub(super) fn worn_square_in_cell(&self, profile: &Profile, cell: Option<usize>, x: f64) -> f64 {
         let start = self.x[cell.unwrap_or(self.last())];
+        let line = cell.map(|j| self.cell_line(profile, j));
+        if line.is_some_and(|line| !line.is_levelled && line.image == 0.0 && line.slope == 0.0) {
+            return 0.0;
+        }
+        let is_levelled = line.is_some_and(|line| line.is_levelled);
+        let integrand = |x: f64| {
+            let image = line.map_or_else(|| self.far_part(x).0, |line| line.image_at(x));
+            image * if is_levelled { image } else { 2.0 * profile.image(x) + image }
+        };
         let (middle, half) = (0.5 * (x + start), 0.5 * (x - start));
-        let g2 = |x: f64| self.image_in(profile, cell, x).powi(2);
         let node = half * 0.2f64.sqrt();
-        let ends = inner_image.powi(2) + image.powi(2);
-        half / 6.0 * (ends + 5.0 * (g2(middle - node) + g2(middle + node)))
+        let [ends, inside] =
+            [(start, x), (middle - node, middle + node)].map(|(a, b)| integrand(a) + integrand(b));
+        let body =
+            if is_levelled { profile.square_integral(x) - profile.square_integral(start) } else { 0.0 };
+        half / 6.0 * (ends + 5.0 * inside) - body
     }
 }
