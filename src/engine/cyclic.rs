@@ -25,7 +25,7 @@ impl FrettingContact {
     /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed;
     /// [`Error::WearOutrun`] where more of it than the tolerance finds no place on the profile.
     pub fn advance_cycles(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
-        if self.runs_in() {
+        if self.is_running_in() {
             return self.run_in_over(normal, amplitude, cycles);
         }
         self.advance_equal_cycles(normal, amplitude, (cycles, Part::Call))

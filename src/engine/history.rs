@@ -39,7 +39,7 @@ impl FrettingContact {
     /// # Errors
     /// As [`Self::advance_to`].
     pub fn advance_to_planar(&mut self, normal: f64, displacement: [f64; 2]) -> Result<(), Error> {
-        if self.runs_in() {
+        if self.is_running_in() {
             return self.run_in_to(normal, displacement.into());
         }
         self.advance_at_constant_friction(normal, displacement.into())

@@ -124,7 +124,7 @@ impl FrettingContact {
     /// As [`Self::advance_to_planar`].
     pub(crate) fn advance_under_load(&mut self, displacement: [f64; 2]) -> Result<(), Error> {
         let (value, place) = (self.state.contact.control, Vector2::from(displacement));
-        if self.runs_in() {
+        if self.is_running_in() {
             return self.run_in_to(value * self.force_scale(), place);
         }
         self.advance_by_value(value, place)

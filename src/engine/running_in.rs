@@ -65,6 +65,13 @@ impl FrettingContact {
         self.model.parameters.running_in_energy > 0.0
     }
 
+    /// Whether it still changes: in the end μ is that of the end to the bit, and a line as short
+    /// work as at a constant one.
+    pub(super) fn is_running_in(&self) -> bool {
+        let last = self.model.parameters.friction_coefficient_final;
+        self.runs_in() && self.model.constants.friction_coefficient != last
+    }
+
     /// Takes the coefficient of friction that belongs to the dissipated energy.
     pub(super) fn follow_running_in(&mut self) {
         if self.runs_in() {

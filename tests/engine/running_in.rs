@@ -419,6 +419,27 @@ fn a_saved_state_keeps_the_coefficient() {
 
 /// Another coefficient at the start changes what is left of the running in, and what was
 /// dissipated stays.
+/// With μ at its end a step takes the walks of one at constant friction, and T is the same.
+#[test]
+fn friction_that_has_run_in_costs_no_more() {
+    let mut pair = [started(running_in(1e-7)), constant(END)];
+    let mut random = seeded(7);
+    for k in 0..200 {
+        let load = if k % 2 == 0 { FORCE } else { uniform(&mut random, 80.0, 120.0) };
+        let place = uniform(&mut random, -1.2, 1.2) * full();
+        let walks = pair.each_mut().map(|contact| {
+            let before = contact.counters().spring_walks;
+            to(contact, load, place);
+            contact.counters().spring_walks - before
+        });
+        if k >= 20 {
+            assert_eq!(walks[0], walks[1], "step {k}");
+            close(pair[0].tangential_force(), pair[1].tangential_force(), 1e-12 * END * FORCE, "T");
+        }
+    }
+    assert_eq!(pair[0].friction_coefficient_now(), END);
+}
+
 #[test]
 fn the_coefficient_at_the_start_can_be_retuned() {
     let energy = usual_energy();
