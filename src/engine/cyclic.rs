@@ -9,7 +9,7 @@ use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Path, Row, Springs};
 use crate::range;
-use crate::surface::{Contact, Nodes, Surface};
+use crate::surface::{Contact, MeshPlace, Nodes, Surface};
 use crate::wear::{Amount, IntegrationSettings, Motion, Part, Rig, Sliding, integrate};
 use nalgebra::Vector2;
 
@@ -131,8 +131,15 @@ impl FrettingContact {
     ) -> Result<f64, Error> {
         let compliance = 2.0 * self.model.constants.tangential_modulus * self.model.compliance;
         let rig = drive.map(|amplitude| Rig { amplitude, compliance });
-        let motion = Motion { control: self.model.parameters.normal_control, value, sliding, rig };
-        let last_step = match (self.state.wear.as_ref().and_then(|wear| wear.next_step), sliding) {
+        let control = self.model.parameters.normal_control;
+        let motion = Motion { control, value, sliding, rig };
+        let last = self.state.wear.as_ref().and_then(|wear| wear.next_step);
+        // a call on what one of the same motion has left
+        let is_at = |mesh: MeshPlace| mesh.contact.value_of(control) == value;
+        let goes_on = last.is_some_and(|(before, _)| before == sliding)
+            && self.surface.worn().and_then(Nodes::mesh).is_some_and(is_at);
+        let part = if part == Part::Call && goes_on { Part::Stretch } else { part };
+        let last_step = match (last, sliding) {
             (Some((Sliding::Cycles(_), step)), Sliding::Cycles(_))
             | (Some((Sliding::Onward, step)), Sliding::Onward) => step,
             _ => 0.0,

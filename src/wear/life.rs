@@ -62,7 +62,8 @@ pub(crate) fn integrate(
             }
         };
         let body = (&life.surface, outside);
-        let known = (worn_volume, amount.part != Part::Call || worn_volume.is_some());
+        let is_smooth = amount.part != Part::Call || worn_volume.is_some();
+        let known = (worn_volume, is_smooth, course.left);
         let Some(start) = mesh_slip_zone(body, &contact, motion, constants, settings, known)? else { break };
         if life.mesh.is_none() && course.is_at_end(&start.0, &start.2) {
             break;
