@@ -59,8 +59,8 @@ impl FrettingContact {
                 this.state.reach = 0.0;
             }
             this.state.row = Row::default();
-            this.state.contact =
-                Contact { control: this.touch_control(), depth: 0.0, radius: 0.0, load: 0.0 };
+            let depth = this.surface.tip();
+            this.state.contact = Contact { control: this.touch_control(), depth, radius: 0.0, load: 0.0 };
             this.walk(contact.control, this.state.place, true)
         })
     }

@@ -56,3 +56,19 @@ fn a_contact_takes_back_every_state_that_it_comes_to() {
     assert!(walked > SCENES as usize * LINES / 2, "{walked} lines were walked");
     assert!(refusals.is_empty(), "{} refusals:\n{}", refusals.len(), refusals.join("\n"));
 }
+
+/// A worn body that is lifted off to start again stands at the depth of first touch, and goes back
+/// to that state.
+#[test]
+fn a_worn_body_that_starts_without_a_load_is_at_its_depth_of_first_touch() {
+    let parameters = Parameters { wear_coefficient: 1e-3, ..Parameters::default() };
+    let mut contact = FrettingContact::new(parameters).unwrap();
+    contact.advance_cycles(100.0, 1e-5, 1e4).unwrap();
+    let mut lifted = contact.clone();
+    lifted.advance_to(0.0, 0.0).unwrap();
+    contact.start_at(0.0, 0.0).unwrap();
+    assert!(lifted.indentation_depth() > 0.0);
+    assert_eq!(contact.indentation_depth(), lifted.indentation_depth());
+    let saved = contact.snapshot();
+    contact.restore(&saved).unwrap();
+}
