@@ -249,9 +249,9 @@ impl FrettingContact {
         self.state.work += counted;
     }
 
-    /// Corrects the friction work by what the wear of a backlog has changed in it, J. What is
-    /// counted never falls: a surplus is taken from what follows.
-    fn correct_work(&mut self, change: f64) {
+    /// Corrects the friction work by what the wear of a backlog has changed in it, or counts that
+    /// of cycles, J. What is counted never falls: a surplus is taken from what follows.
+    pub(super) fn correct_work(&mut self, change: f64) {
         let Some(wear) = &mut self.state.wear else { return };
         wear.surplus -= change;
         if wear.surplus < 0.0 {

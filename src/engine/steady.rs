@@ -42,7 +42,7 @@ impl FrettingContact {
         loop {
             match self.wear_by(value, (sliding, None), left, part) {
                 Ok(work) => {
-                    self.state.work += work;
+                    self.correct_work(work);
                     self.state.contact = self.contact_at(value)?;
                     return Ok(());
                 }

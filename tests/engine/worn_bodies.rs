@@ -88,6 +88,26 @@ fn blocks_of_rising_and_falling_amplitudes_press_everywhere() {
     }
 }
 
+/// Cycles that hardly wear on what others have left: next to a former front a pressure may come out
+/// below zero. What they count less is taken from what follows. (V fell by up to 1e-4.)
+#[test]
+fn wear_never_falls_in_random_blocks_of_cycles() {
+    let mut random = seeded(11);
+    for profile in [BALL, ROUNDED].into_iter().cycle().take(120) {
+        let shown = profile.clone();
+        let full = exact(&profile, FORCE).full_slip();
+        let mut contact = started(Parameters { profile, ..Parameters::default() });
+        for block in 0..8 {
+            let amplitude = full * 0.05 * 30f64.powf(uniform(&mut random, 0.0, 1.0));
+            let cycles = 3.0 * 1e6f64.powf(uniform(&mut random, 0.0, 1.0));
+            let (worn, work) = (contact.wear_volume(), contact.dissipated_energy());
+            contact.advance_cycles(FORCE, amplitude, cycles).expect("the cycles are followed");
+            assert!(contact.wear_volume() >= worn, "{shown:?}, block {block}");
+            assert!(contact.dissipated_energy() >= work, "{shown:?}, block {block}");
+        }
+    }
+}
+
 /// A life at constant force in a thousand calls, in which the front moves. (Each call took a mesh
 /// that had to be made again for one of lines: V was up to 1e-3 too small.)
 #[test]

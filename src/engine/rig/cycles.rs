@@ -75,7 +75,7 @@ impl FrettingContact {
             let sliding = Sliding::Cycles(self.own_amplitude(drive));
             match self.wear_by(value, (sliding, Some(drive)), cycles, part) {
                 Ok(work) => {
-                    self.state.work += work;
+                    self.correct_work(work);
                     self.state.contact = self.contact_at(value)?;
                     return Ok(self.own_amplitude(drive));
                 }
