@@ -103,6 +103,9 @@ impl Parameters {
     /// A [`Self::rig_stiffness`] from which on the contact is driven directly, N/m.
     pub const RIGID: f64 = 1e60;
 
+    /// Times W_r after which friction has run in: e^(−64) of any coefficient is rounding.
+    pub(crate) const RUN_IN: f64 = 64.0;
+
     /// The least accepted [`Self::rig_stiffness`], N/m: far below anything built, and its inverse a
     /// number to reckon with.
     pub const LEAST_RIG_STIFFNESS: f64 = 1e-60;
@@ -117,8 +120,11 @@ impl Parameters {
         if self.running_in_energy == 0.0 {
             return self.friction_coefficient;
         }
-        // both ends are reached to the bit
         let passed = energy / self.running_in_energy;
+        // both ends are reached to the bit, and kept
+        if passed >= Self::RUN_IN {
+            return self.friction_coefficient_final;
+        }
         (-passed).exp() * self.friction_coefficient - (-passed).exp_m1() * self.friction_coefficient_final
     }
 

@@ -68,8 +68,10 @@ impl FrettingContact {
     /// Whether it still changes: in the end μ is that of the end to the bit, and a line as short
     /// work as at a constant one.
     pub(super) fn is_running_in(&self) -> bool {
-        let last = self.model.parameters.friction_coefficient_final;
-        self.runs_in() && self.model.constants.friction_coefficient != last
+        let Parameters { friction_coefficient_final, running_in_energy, .. } = *self.model.parameters;
+        let has_ended = self.state.work >= Parameters::RUN_IN * running_in_energy
+            && self.model.constants.friction_coefficient == friction_coefficient_final;
+        self.runs_in() && !has_ended
     }
 
     /// Takes the coefficient of friction that belongs to the dissipated energy.

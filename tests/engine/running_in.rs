@@ -423,9 +423,13 @@ fn a_saved_state_keeps_the_coefficient() {
 /// With μ at its end a step takes the walks of one at constant friction, and T is the same.
 #[test]
 fn friction_that_has_run_in_costs_no_more() {
-    let mut pair = [started(running_in(1e-7)), constant(END)];
+    let mut pair = [started(running_in(1e-6)), constant(END)];
     let mut random = seeded(7);
     for k in 0..200 {
+        let mut restored = contact(running_in(1e-6));
+        restored.restore(&pair[0].snapshot()).expect("a state of equal parameters");
+        let now = pair[0].friction_coefficient_now();
+        assert_eq!(restored.friction_coefficient_now(), now, "step {k}");
         let load = if k % 2 == 0 { FORCE } else { uniform(&mut random, 80.0, 120.0) };
         let place = uniform(&mut random, -1.2, 1.2) * full();
         let walks = pair.each_mut().map(|contact| {
@@ -433,7 +437,7 @@ fn friction_that_has_run_in_costs_no_more() {
             to(contact, load, place);
             contact.counters().spring_walks - before
         });
-        if k >= 20 {
+        if k >= 60 {
             assert_eq!(walks[0], walks[1], "step {k}");
             close(pair[0].tangential_force(), pair[1].tangential_force(), 1e-12 * END * FORCE, "T");
         }
