@@ -237,11 +237,18 @@ impl Nodes {
 
     /// All image values at a radius in a given cell, or behind the last node.
     pub(crate) fn place_in(&self, profile: &Profile, cell: Option<usize>, x: f64) -> Place {
-        let (image, load) = self.image_and_load_in(profile, cell, x);
+        let (body_image, body_load, body_square) = profile.image_and_integrals(x);
+        let (image, load) = match cell.map(|j| self.cell_line(profile, j)) {
+            Some(line) if line.is_levelled => (line.image_at(x), line.load_at(x)),
+            Some(line) => (body_image + line.image_at(x), body_load + line.load_at(x)),
+            None => {
+                let (image, load) = self.far_part(x);
+                (body_image + image, body_load + load)
+            }
+        };
         let start = cell.unwrap_or(self.last());
         let worn_square = self.integrals[start].worn_square + self.worn_square_in_cell(profile, cell, x);
-        let square = profile.square_integral(x) + worn_square;
-        Place { x, image, load, square }
+        Place { x, image, load, square: body_square + worn_square }
     }
 
     /// Image (m) and load integral (m²) of the whole profile at a radius in a given cell, or behind
