@@ -56,7 +56,7 @@ const MISSING: f64 = 0.05;
 /// motion is about to wear and over the tolerance. Within a cell it has a line where there is a
 /// wall, as at a former front: few cycles of a large amplitude among many of a small one then leave
 /// the wall worn off, and the many wear again what they had worn. A third and three times as much
-/// changes V of such blocks by 2 %.
+/// changed V of such blocks by up to 2.5 %.
 const MISPLACED: f64 = 300.0;
 
 /// The slipping region of a contact, with the state that its surface gives it and the rate of that;
