@@ -3,7 +3,7 @@
 use super::patch::{Patch, Rate, State};
 use super::remesh::parts;
 use super::settings::IntegrationSettings;
-use crate::surface::{MeshPlace, Nodes};
+use crate::surface::{MeshPlace, Nodes, Region};
 
 /// Most corrections of the volume: the second takes what the first leaves by the difference between
 /// the integrals of mesh and nodes.
@@ -75,8 +75,9 @@ pub(super) fn exported_nodes(
     x.extend(radii);
     let place = MeshPlace { region: patch.mesh.region, cells, first, contact: patch.contact(rate) };
     let mut nodes = Nodes::holding((x, image, depth), settings.cells, Some(place));
-    // a life makes them at its end: before, only the balance with a rig asks for them
-    if patch.motion.rig.is_some() {
+    // a life makes them at its end: before, only the balance with a rig asks for them, and a force
+    // for the depth of a disc
+    if patch.motion.rig.is_some() || patch.mesh.region == Region::Disc {
         nodes.update_integrals(patch.body.profile());
     }
     nodes

@@ -62,10 +62,13 @@ fn threads_do_not_change_a_life() {
 }
 
 /// Cycles of 1.1 of full slip begin in gross slip. Once the body is flat the axis sticks, and the
-/// front comes out from there, within few cells of a disc: V is known less well.
+/// front comes out from there, within few cells of a disc: V is known less well. The kink of a
+/// blunted sphere falls inside a cell of the disc, of which V feels most. (2e-2 held there while
+/// the mesh after the disc began in a wrong place, by an error of the other sign; with 64 cells at
+/// 1e-4 it was 2.1e-2 then, and is 2.2e-2.)
 #[test]
 fn a_front_that_comes_from_the_axis_is_followed() {
-    for (profile, most) in [(BALL, 1e-2), (ROUNDED, 1e-2), (BLUNTED, 2e-2)] {
+    for (profile, most) in [(BALL, 1e-2), (ROUNDED, 1e-2), (BLUNTED, 2.5e-2)] {
         let amplitude = 1.1 * exact(&profile, FORCE).full_slip();
         let volume = |cycles: f64, resolution: usize, tolerance: f64| {
             let parameters =

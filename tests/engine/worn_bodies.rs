@@ -564,6 +564,30 @@ fn slip_that_just_reaches_a_worn_axis_leaves_its_depth() {
     }
 }
 
+/// Gross slip whose pressure gathers at the axis until springs there stick: nothing wears on the
+/// core, whose profile stays smooth. (The depth of the last mesh of gross slip was not known, and
+/// the next had its front at 1e-3 of the radius: a ring was worn 2.6 µm too deep, at 1e11 Pa.)
+#[test]
+fn a_core_that_comes_to_stick_in_gross_slip_keeps_its_profile() {
+    let mut contact = contact(Parameters {
+        profile: Profile::RoundedPunch { radius: 0.01, flat_radius: 1e-4 },
+        ..Parameters::default()
+    });
+    contact.start_at(FORCE, 0.0).expect("the load is carried");
+    contact.advance_cycles(FORCE, 2.278e-6, 7.6e5).expect("gross slip");
+    contact.advance_cycles(FORCE, 0.8156e-6, 2.04e5).expect("all slips");
+    assert_eq!(contact.stick_radius(), 0.0);
+    contact.advance_cycles(FORCE, 0.8156e-6, 2.04e5).expect("a core sticks");
+    let (a, axis) = (contact.contact_radius(), contact.worn_depth_at(0.0));
+    assert!(contact.stick_radius() > 0.1 * a);
+    for k in 1..50 {
+        let share = 1e-3 * f64::from(k);
+        let off = contact.worn_depth_at(share * a) / axis - 1.0;
+        assert!(off.abs() < 2e-3, "{share} of the radius: {off:e}");
+    }
+    assert!(contact.max_pressure() < 4e8, "{:e}", contact.max_pressure());
+}
+
 /// A cone at less depth than before, whose contact ends at the wall that the first cycles have left
 /// at their front: what slips lies in the core that has stuck. The least wear that a mesh smears
 /// there was more than all that had worn in it; updates took the place of the mesh, counted three
