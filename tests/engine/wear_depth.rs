@@ -221,6 +221,29 @@ fn the_worn_rim_of_a_punch_is_as_deep_as_on_fine_settings() {
     }
 }
 
+/// The same under a load at twice the frequency of the motion, which the rim carries at the peaks
+/// only. V is compared with that of 256 cells at 1e-5. (Where its cells gave way to wider ones the
+/// rim lost a sixth of its depth and touched again; V was up to 3.3 % too large.)
+#[test]
+fn a_rim_that_carries_the_peaks_of_the_load_wears_on() {
+    for (resolution, most) in [(64, 1e-2), (112, 1e-2)] {
+        let parameters = Parameters { profile: PUNCH, resolution, tolerance: 1e-4, ..Parameters::default() };
+        let mut contact = started(Parameters { wear_coefficient: 3.2e-2, ..parameters });
+        let mut rim = 0.0;
+        for k in 1..=1000 {
+            let phase = 0.1 * PI * f64::from(k);
+            let load = FORCE * (1.0 + 0.5 * (2.0 * phase + 0.4).sin());
+            contact.advance_to(load, 2e-6 * phase.sin()).expect("the line is followed");
+            let depth = contact.worn_depth_at(1e-4);
+            assert!(depth >= 0.9 * rim, "{resolution} cells, line {k}: {rim:e} m, then {depth:e} m");
+            rim = depth;
+        }
+        let off = contact.wear_volume() / 2.449e-15 - 1.0;
+        println!("{resolution}: {off:e}");
+        assert!(off.abs() < most, "{resolution}: {off:e}");
+    }
+}
+
 /// Cycles leave a wall of the image at their front, across which a larger stroke slips. There
 /// pressure is infinite until it has worn: without relief 44 times the depth of an update was read.
 #[test]
