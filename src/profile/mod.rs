@@ -242,6 +242,16 @@ impl Profile {
         }
     }
 
+    /// Radius at which the slope of the body or its curvature jumps, m: until it has worn, the
+    /// pressure there is infinite or has an infinite slope. A spike has none that wear could round.
+    pub(crate) fn kink(&self) -> Option<f64> {
+        match self {
+            Self::BluntedSphere { flat_radius, .. } => Some(*flat_radius),
+            Self::PowerLaw { exponent, .. } if *exponent < 1.0 => None,
+            _ => self.is_sharp().then_some(0.0),
+        }
+    }
+
     /// Radius at which the body ends or is no longer known, m; infinite for the others.
     pub fn outer_radius(&self) -> f64 {
         match self {

@@ -84,6 +84,7 @@ impl Nodes {
             nodes.insert(start + (a - start) * k as f64 / resolution as f64, profile);
         }
         nodes.insert(flat, profile);
+        nodes.refine_at_kink(profile, (start, a));
         nodes.refine_at(front, 8, profile);
         // where the contact ends just beyond the rim of a flat tip, the pressure there is all but
         // singular until the rim has worn
@@ -154,6 +155,7 @@ impl Nodes {
         }
         let start = if front < a { front } else { 0.0 };
         self.refine_between(start, a, 1.5 * a / self.resolution as f64, profile);
+        self.refine_at_kink(profile, (start, a));
         if self.x.len() != before {
             self.update_integrals(profile);
         }
@@ -332,6 +334,26 @@ impl Nodes {
         self.insert(front, profile);
         for level in 1..=levels {
             self.insert(front + width * 0.25f64.powi(level), profile);
+        }
+    }
+
+    /// Puts nodes around a kink of the body between two radii, at distances that fall by four from
+    /// an even cell on: there wear is as deep as its cells are fine, until it has rounded the kink.
+    /// With even cells the wear depth of cones came out up to 58 % too small in early life.
+    fn refine_at_kink(&mut self, profile: &Profile, (start, end): (f64, f64)) {
+        let Some(kink) = profile.kink().filter(|kink| (start..end).contains(kink)) else { return };
+        // wear of w rounds the kink over some a w/d
+        let rounded = self.depth_at(kink) / profile.image(end);
+        let least = end * (0.25 * rounded).max(LEAST_CELL);
+        let gap = |level: i32| end / self.resolution as f64 * 0.25f64.powi(level);
+        let gaps: Vec<f64> = (1..).map(gap).take_while(|gap| *gap > least).collect();
+        let is_coarse = |j: usize| gaps.last().is_some_and(|gap| self.x[j + 1] - kink > 2.0 * gap);
+        if self.cell(kink).is_some_and(is_coarse) {
+            self.insert(kink, profile);
+            for gap in gaps {
+                self.insert((kink - gap).max(0.0), profile);
+                self.insert(kink + gap, profile);
+            }
         }
     }
 
