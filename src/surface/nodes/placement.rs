@@ -218,6 +218,7 @@ impl Nodes {
             self.extend_beyond(outer, profile.outer_radius());
         }
         self.refine_between(inner, outer, 1.5 * outer / self.resolution as f64, profile);
+        self.refine_at_kink(profile, (inner, outer));
         if self.x.len() != before {
             self.update_integrals(profile);
         }
