@@ -244,12 +244,16 @@ impl Surface {
         {
             let radius = place.contact.radius;
             self.check_one_disc(radius)?;
-            let depth = match (place.region, control) {
-                // where lines between the nodes carry the force
-                (Region::Disc, NormalControl::Force) => self.depth_at_edge(radius, value),
-                _ => place.contact.depth,
+            let Contact { depth, load, .. } = place.contact;
+            // lines between the nodes carry the force
+            let (depth, load) = match (place.region, control) {
+                (Region::Disc, NormalControl::Force) => (self.depth_at_edge(radius, value), value),
+                (Region::Disc, NormalControl::Indentation) => {
+                    (value, self.load_at_edge(radius, value).max(0.0))
+                }
+                _ => (depth, load),
             };
-            return Ok(Contact { control: value, depth, ..place.contact });
+            return Ok(Contact { control: value, depth, radius, load });
         }
         let touch = self.tip();
         let apart = if control == NormalControl::Force { touch } else { value };
@@ -261,8 +265,7 @@ impl Surface {
             }
             NormalControl::Indentation if value > touch => {
                 let radius = self.radius_at_depth(value)?;
-                let (image, load) = self.image_and_load(radius);
-                let load = load + radius * (value - image);
+                let load = self.load_at_edge(radius, value);
                 // a body worn free by wear at this depth touches in places at most; a NaN has to
                 // stay one, to be refused
                 if load <= 0.0 { open } else { Contact { control: value, depth: value, radius, load } }
@@ -284,6 +287,12 @@ impl Surface {
     /// lose all digits of g.
     fn depth_at_edge(&self, radius: f64, load: f64) -> f64 {
         self.image(radius) + (load - self.load(radius)) / radius
+    }
+
+    /// The load (m²) of a contact of some radius at a depth, m.
+    fn load_at_edge(&self, radius: f64, depth: f64) -> f64 {
+        let (image, load) = self.image_and_load(radius);
+        load + radius * (depth - image)
     }
 
     /// Load (m²) and contact radius (m) of a worn body at a depth, m, where a cell between its

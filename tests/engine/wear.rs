@@ -775,3 +775,20 @@ fn a_load_that_falls_to_next_to_nothing_takes_few_walks() {
         }
     }
 }
+
+/// Held in depth, a mesh over all of the contact changes its load by no more than wears, and
+/// friction its limit: it was 2e-4 off for a cone and a blunted sphere, whatever had worn.
+#[test]
+fn a_mesh_in_gross_slip_keeps_the_load_of_its_depth() {
+    for profile in analytic() {
+        let exact = exact(&profile, FORCE);
+        let parameters =
+            Parameters { profile: profile.clone(), normal_control: Indentation, ..Parameters::default() };
+        let mut contact = contact(parameters);
+        let depth = exact.normal.depth();
+        contact.start_at(depth, 0.0).expect("the depth is taken");
+        contact.advance_cycles(depth, 2.0 * exact.full_slip(), 1e-9).expect("the cycles are followed");
+        close_to(contact.normal_reaction(), FORCE, 1e-9, &format!("{profile:?}: F"));
+        close_to(contact.tangential_force(), MU * FORCE, 1e-9, &format!("{profile:?}: T"));
+    }
+}
