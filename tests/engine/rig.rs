@@ -648,6 +648,47 @@ fn what_a_new_mesh_changes_does_not_hold_a_drive_up() {
     assert!(error.abs() < 5e-3, "V {error:+e}");
 }
 
+/// What a new mesh changes in the amplitude counts neither where the front just reaches the axis,
+/// nor where cells are levelled, nor after updates: at any length of a step the cycles were
+/// refused. Amplitude of the drive (m) and cycles of each block.
+#[test]
+fn what_a_new_mesh_changes_does_not_refuse_cycles_of_a_drive() {
+    let falling = [
+        (4.60655e-6, 21850.5),
+        (4.57044e-6, 4133.07),
+        (4.0762e-6, 16288.8),
+        (3.63827e-6, 16353.2),
+        (7.73437e-7, 14534.8),
+        (6.48826e-7, 2073.79),
+    ];
+    for (profile, rig_stiffness, blocks) in [
+        (BALL, 1.7275680e6, &[(3.4507533e-5, 14007.632)][..]),
+        (BLUNTED, 1.1291796e6, &[(7.0174073e-5, 421.49826)]),
+        (BALL, 2e7, &falling),
+    ] {
+        let run = |resolution: usize, tolerance: f64| {
+            let mut contact = contact(Parameters {
+                profile: profile.clone(),
+                normal_control: Indentation,
+                rig_stiffness,
+                resolution,
+                tolerance,
+                ..Parameters::default()
+            });
+            contact.start_at(3.48291e-6, 0.0).expect("the depth is taken");
+            for (drive, cycles) in blocks {
+                contact.advance_cycles(3.48291e-6, *drive, *cycles).expect("the cycles are followed");
+            }
+            [contact.wear_volume(), contact.displacement(), contact.normal_reaction()]
+        };
+        let [coarse, fine] = [run(64, 1e-3), run(128, 3e-4)];
+        for (coarse, fine) in coarse.iter().zip(fine) {
+            let error = coarse / fine - 1.0;
+            assert!(error.abs() < 1e-2, "{profile:?}: {coarse:e}, off by {error:+e}");
+        }
+    }
+}
+
 /// The load falls while the drive stands. The body sticks until friction carries no more than the
 /// force of the rig, and slips from then on. The springs give back all that the drive has done.
 #[test]

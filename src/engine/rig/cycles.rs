@@ -22,6 +22,16 @@ const SHARE: f64 = 0.05;
 /// cone of the tests then ends 0.8 % below its final volume.
 const MOST_GROWN: f64 = 3e-3;
 
+/// Error of a stretch over what it may be, from the amplitudes (m) that were predicted and found at
+/// its end, and those at the end of a stretch of no length.
+fn error_of_stretch(ends: [f64; 2], at_once: [f64; 2], tolerance: f64) -> f64 {
+    let missed = (ends[1] - ends[0]) - (at_once[1] - at_once[0]);
+    let grown = ends[1] - at_once[1];
+    // 0 stays 0
+    let [missed, grown] = [missed, grown].map(|by| by.abs() / ends[1].max(f64::MIN_POSITIVE));
+    (missed / (SHARE * tolerance)).max((grown / MOST_GROWN).powi(2))
+}
+
 impl FrettingContact {
     /// Amplitude of the drive (m) in steady cycles of the contact itself at the present load: U₀ +
     /// T₀/k_rig.
@@ -90,7 +100,8 @@ impl FrettingContact {
     /// the stretch). The end is found with the amplitude of the start first; by how much it moves
     /// when the mean is taken tells how long a stretch may be. So does by how much the amplitude
     /// grows: a front that goes too far at once misses what wears on its way, up to 3 % of V, while
-    /// the amplitude in the final state is hardly off.
+    /// the amplitude in the final state is hardly off. What a new mesh changes in both does not
+    /// fall with the length of a stretch, and does not count.
     ///
     /// # Errors
     /// As [`Self::wear_steadily`].
@@ -101,46 +112,63 @@ impl FrettingContact {
         (cycles, mut part): (f64, Part),
     ) -> Result<f64, Error> {
         let tolerance = self.model.parameters.tolerance;
-        let (mut left, mut stretch, mut rejected) = (cycles, cycles, f64::INFINITY);
+        let (mut left, mut stretch) = (cycles, cycles);
         let mut amplitude = self.own_amplitude(drive);
+        // what a stretch of no length makes of the amplitude, where that has been asked for
+        let mut at_once = None;
         for _ in 0..MOST_PIECES {
             if left <= 0.0 {
                 return Ok(amplitude);
             }
             stretch = stretch.min(left);
             let before = self.clone();
-            let predicted = self.amplitude_after(value, (drive, amplitude), (stretch, part));
-            // the amplitude grows along a stretch: what leaves the table with that of its start
-            // leaves it
-            if let Err(beyond @ (Error::BeyondTable { .. } | Error::NonMonotoneImage { .. })) = predicted {
-                return Err(beyond);
-            }
-            let corrected = predicted.and_then(|predicted| {
-                if predicted == amplitude {
-                    return Ok((amplitude, [0.0; 2]));
+            let ends = match self.amplitudes_after(value, (drive, amplitude), (stretch, part)) {
+                // the amplitude grows along a stretch: what leaves the table with that of its start
+                // leaves it
+                Err(beyond @ (Error::BeyondTable { .. } | Error::NonMonotoneImage { .. })) => {
+                    return Err(beyond);
                 }
-                self.go_back(before.clone());
-                let mean = 0.5 * (amplitude + predicted);
-                let end = self.amplitude_after(value, (drive, mean), (stretch, part))?;
-                let [missed, grown] = [predicted, amplitude].map(|other| (end - other).abs() / end);
-                Ok((end, [missed / (SHARE * tolerance), (grown / MOST_GROWN).powi(2)]))
-            });
-            let (end, [missed, grown]) = corrected.unwrap_or((amplitude, [f64::INFINITY; 2]));
-            let error = missed.max(grown);
-            // what a new mesh changes does not fall with the length of a stretch (with a quarter
-            // and nine tenths V of 400 lives is the same)
-            let accepted = error <= 1.0 || grown <= 1.0 && missed > 0.5 * rejected;
-            rejected = if accepted { f64::INFINITY } else { missed };
-            if accepted {
-                (amplitude, part) = (end, Part::Stretch);
+                ends => ends.ok().flatten(),
+            };
+            let error_against = |at_once: Option<[f64; 2]>| {
+                let at_once = at_once.unwrap_or([amplitude; 2]);
+                ends.map_or(f64::INFINITY, |ends| error_of_stretch(ends, at_once, tolerance))
+            };
+            let mut error = error_against(at_once);
+            if let Some([_, end]) = ends.filter(|_| error <= 1.0) {
+                (amplitude, part, at_once) = (end, Part::Stretch, None);
                 left = if stretch < left { left - stretch } else { 0.0 };
             } else {
-                self.go_back(before);
+                self.go_back(before.clone());
+                if at_once.is_none() {
+                    let none = (f64::EPSILON * stretch, part);
+                    at_once = self.amplitudes_after(value, (drive, amplitude), none).ok().flatten();
+                    self.go_back(before);
+                    error = error_against(at_once);
+                }
             }
-            let error = if accepted { error.min(1.0) } else { error };
             stretch *= (0.9 / error.sqrt()).clamp(0.1, 4.0);
         }
         Err(Error::TooMuchWear { cycles, left, amplitude: drive, steps: MOST_PIECES })
+    }
+
+    /// Amplitudes (m) that the drive would make after cycles of the contact itself at that of the
+    /// start, and at the mean of that and the first of them.
+    fn amplitudes_after(
+        &mut self,
+        value: f64,
+        (drive, amplitude): (f64, f64),
+        (cycles, part): (f64, Part),
+    ) -> Result<Option<[f64; 2]>, Error> {
+        let before = self.clone();
+        let predicted = self.amplitude_after(value, (drive, amplitude), (cycles, part))?;
+        if predicted == amplitude {
+            return Ok(Some([amplitude; 2]));
+        }
+        self.go_back(before);
+        let mean = 0.5 * (amplitude + predicted);
+        let end = self.amplitude_after(value, (drive, mean), (cycles, part));
+        Ok(end.ok().map(|end| [predicted, end]))
     }
 
     /// Runs cycles of the contact itself; returns the amplitude that the drive would make then.
