@@ -245,6 +245,36 @@ fn calls_of_cycles_may_be_divided() {
     assert_eq!(one.2, four.2);
 }
 
+/// After a large fall of the load a mesh would put the walls of what has worn elsewhere, even for
+/// next to no cycles: no block was short enough for the load that contacts exchange.
+#[test]
+fn cycles_after_a_large_fall_of_the_load_are_followed() {
+    let run = |resolution: usize, tolerance: f64| {
+        let parameters = Parameters { resolution, tolerance, ..Parameters::default() };
+        let mut joint = Interface::new(parameters, &[1.83824e-6, 4.33777e-7].map(Summit::at_offset)).unwrap();
+        joint.start_at(100.0, [0.0, 0.0], 0.0).unwrap();
+        for (amplitude, cycles, force) in [
+            (1.02889e-6, 191.535, 45.0839),
+            (2.822e-6, 677.618, 104.827),
+            (3.01149e-6, 4.65194, 128.772),
+            (5.7281e-6, 354.414, 132.775),
+            (4.3048e-7, 2.92271, 87.6897),
+            (1.29191e-6, 73.1362, 34.6608),
+        ] {
+            joint.advance_cycles(force, amplitude, cycles).unwrap();
+        }
+        let volume = Parameters::default().wear_per_work() * joint.dissipated_energy();
+        close_to(joint.wear_volume(), volume, 1e-12, "V against k/σ₀ W");
+        joint
+    };
+    let [coarse, fine] = [run(64, 1e-3), run(128, 1e-4)];
+    for index in 0..2 {
+        let [coarse, fine] = [&coarse, &fine].map(|joint| joint.contact(index).unwrap());
+        close_to(coarse.wear_volume(), fine.wear_volume(), 1e-3, "V of a contact");
+        close(coarse.normal_reaction(), fine.normal_reaction(), 1e-3 * 34.66, "force of a contact");
+    }
+}
+
 #[test]
 fn cycles_refuse_what_they_cannot_do() {
     let mut joint = Interface::new(worn(3.2e-4), &rough(3, 1e-6)).unwrap();
