@@ -331,7 +331,7 @@ impl SavedModel {
 fn build(settings: &Settings, resources: &Resources) -> Checked<Body> {
     let summits = settings.summits(resources)?;
     let body = Body::new(settings.parameters(resources)?, summits.as_deref());
-    Ok(body.map_err(|problem| engine("parameters", problem))?)
+    Ok(body.map_err(|problem| engine("start values", problem))?)
 }
 
 /// A contact brought to its initial state.

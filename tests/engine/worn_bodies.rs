@@ -588,6 +588,34 @@ fn a_core_that_comes_to_stick_in_gross_slip_keeps_its_profile() {
     assert!(contact.max_pressure() < 4e8, "{:e}", contact.max_pressure());
 }
 
+/// A cone that is lifted on its worn tip until it hardly touches: wide cells are halved for the
+/// small contact, and nothing that has worn is lost by that. (It was 1.8 % of V, which found no
+/// place on what was left of the contact: the step was refused.)
+#[test]
+fn a_contact_that_shrinks_onto_a_worn_tip_is_followed() {
+    for resolution in 8..=32 {
+        let parameters = Parameters { normal_control: Indentation, resolution, ..Parameters::default() };
+        let cone = Profile::Cone { slope: 0.05 };
+        let mut contact = contact(Parameters { profile: cone, wear_coefficient: 1e-2, ..parameters });
+        let places = [
+            (0.88, 0.77),
+            (2.69, -1.30),
+            (1.76, 1.13),
+            (2.45, 0.84),
+            (1.92, 1.42),
+            (2.16, 0.28),
+            (1.03, -2.20),
+            (1.63, -2.28),
+            (0.68, -2.49),
+            (0.05, -1.85),
+        ];
+        contact.start_at(0.0, 0.0).expect("it touches");
+        for (depth, place) in places {
+            contact.advance_to(1e-6 * depth, 1e-6 * place).expect("the line is followed");
+        }
+    }
+}
+
 /// A cone at less depth than before, whose contact ends at the wall that the first cycles have left
 /// at their front: what slips lies in the core that has stuck. The least wear that a mesh smears
 /// there was more than all that had worn in it; updates took the place of the mesh, counted three

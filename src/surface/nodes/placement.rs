@@ -311,7 +311,7 @@ impl Nodes {
         let mut j = self.cell(start).unwrap_or(self.last());
         while j < self.last() {
             if self.x[j + 1] - self.x[j] > widest.max(GAP * (self.x[j] - end)) {
-                self.insert(0.5 * (self.x[j] + self.x[j + 1]), profile);
+                self.halve(j, profile);
             } else {
                 j += 1;
             }
@@ -348,7 +348,9 @@ impl Nodes {
         let least = end * (0.25 * rounded).max(LEAST_CELL);
         let gap = |level: i32| end / self.resolution as f64 * 0.25f64.powi(level);
         let gaps: Vec<f64> = (1..).map(gap).take_while(|gap| *gap > least).collect();
-        let is_coarse = |j: usize| gaps.last().is_some_and(|gap| self.x[j + 1] - kink > 2.0 * gap);
+        // where wear has levelled the body there is no kink left
+        let is_coarse =
+            |j: usize| j >= self.levelled && gaps.last().is_some_and(|gap| self.x[j + 1] - kink > 2.0 * gap);
         if self.cell(kink).is_some_and(is_coarse) {
             self.insert(kink, profile);
             for gap in gaps {
@@ -364,9 +366,21 @@ impl Nodes {
         if x <= self.x[j] {
             return;
         }
+        let depth = if self.depth.iter().all(|w| *w == 0.0) { 0.0 } else { self.depth_at(x) };
+        self.insert_in(j, (x, depth), profile);
+    }
+
+    /// Halves a cell. Its depth stays a line: what its image alone would make of it is other than
+    /// what updates have put there, and volume would be lost.
+    fn halve(&mut self, j: usize, profile: &Profile) {
+        let x = 0.5 * (self.x[j] + self.x[j + 1]);
+        self.insert_in(j, (x, self.line(&self.depth, x)), profile);
+    }
+
+    /// Inserts a node with a depth, m, in a cell.
+    fn insert_in(&mut self, j: usize, (x, depth): (f64, f64), profile: &Profile) {
         self.leave_mesh();
         let h = self.worn_image_at(profile, x);
-        let depth = if self.depth.iter().all(|w| *w == 0.0) { 0.0 } else { self.depth_at(x) };
         self.x.insert(j + 1, x);
         self.worn_image.insert(j + 1, h);
         self.depth.insert(j + 1, depth);
