@@ -188,3 +188,51 @@ fn the_contact_radius_is_the_outermost_at_which_the_load_is_carried() {
         assert!((carried / load - 1.0).abs() < 1e-14, "{share}: {carried:e} of {load:e}");
     }
 }
+
+/// What lies beyond a smaller contact keeps its image to a smooth change, also where nodes crowd
+/// and their depths are not exactly those of the image.
+#[test]
+fn appended_nodes_keep_their_image_to_a_smooth_change() {
+    const CROWD: f64 = 1.53;
+    let mut x: Vec<f64> = (0..=80).map(|k| 0.025 * f64::from(k)).collect();
+    let depth = |x: &f64| (1.0 - 0.4 * x * x).max(0.0);
+    let image = NodeTransforms::new(&x).abel(&x.iter().map(depth).collect::<Vec<_>>());
+    let zeros = vec![0.0; x.len()];
+    let smooth = Nodes::holding((x.clone(), image, zeros), 64, None);
+    x.extend((0..4).map(|k| CROWD + 1e-9 * f64::from(1 << k)));
+    x.sort_by(f64::total_cmp);
+    let image = x.iter().map(|x| smooth.line(smooth.worn_image(), *x)).collect();
+    let off = |x: &f64| if x - CROWD > 3e-9 && x - CROWD < 1e-8 { 1.01 } else { 1.0 };
+    let depths = x.iter().map(|x| off(x) * depth(x)).collect();
+    let outside = Nodes::holding((x, image, depths), 64, None);
+    let append_to = |change: f64| {
+        let inside = 0..=40;
+        let x = smooth.x()[inside.clone()].to_vec();
+        let image = NodeTransforms::new(&x)
+            .abel(&x.iter().map(|x| depth(x) + change * (1.0 - x * x)).collect::<Vec<_>>());
+        let mut nodes = Nodes::holding((x, image, vec![0.0; 41]), 64, None);
+        nodes.append_worn(&outside);
+        nodes
+    };
+    let unchanged = append_to(0.0);
+    for (x, image) in unchanged.x().iter().zip(unchanged.worn_image()) {
+        let error = image - outside.line(outside.worn_image(), *x);
+        assert!(error.abs() < 1e-11, "{x}: {error:e}");
+    }
+    let changed = append_to(0.1);
+    assert!(changed.x().windows(2).filter(|pair| pair[1] - pair[0] < 1e-8).count() >= 3);
+    let [before, change]: [Vec<f64>; 2] = [
+        changed.x().iter().map(|x| outside.line(outside.worn_image(), *x)).collect(),
+        changed.x().iter().map(|x| if *x > 1.0 { 0.0 } else { 0.1 * (1.0 - x * x) }).collect(),
+    ];
+    // the depth of the change is that inside, and none beyond
+    let found: Vec<f64> = changed.worn_image().iter().zip(&before).map(|(new, old)| new - old).collect();
+    let found = NodeTransforms::new(changed.x()).inverse_abel(&found);
+    for (x, (found, change)) in changed.x().iter().zip(found.iter().zip(&change)) {
+        assert!((found - change).abs() < 1e-9, "{x}: {found:e} {change:e}");
+    }
+    // and the image is smooth where the nodes crowd
+    let crowd = changed.x().iter().zip(changed.worn_image()).filter(|(x, _)| (**x - CROWD).abs() < 0.05);
+    let images: Vec<f64> = crowd.map(|(_, image)| *image).collect();
+    assert!(images.windows(2).all(|pair| (pair[1] - pair[0]).abs() < 0.1), "{images:?}");
+}

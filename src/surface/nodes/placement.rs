@@ -96,22 +96,51 @@ impl Nodes {
         nodes
     }
 
-    /// Appends the wear of other nodes that lies beyond these, with nodes between where the next is
-    /// far: the image bends where nothing has worn, too.
+    /// Appends the nodes of another surface that lie beyond these, with nodes between where the
+    /// next is far: the image bends where nothing has worn, too. There the depth is that of the
+    /// other surface. Its image has in addition the image of the change of depth inside, which is
+    /// smooth. Where nodes crowd, as at a former front, the image that belongs to the depths at the
+    /// nodes would be off by a hundred times as much as these.
     pub(crate) fn append_worn(&mut self, outside: &Self) {
         let end = self.last();
         let first = 1.5 * self.x[end] - 0.5 * self.x[end - 1];
         let beyond = outside.x.partition_point(|x| *x <= first);
-        for (x, depth) in outside.x.iter().zip(&outside.depth).take(outside.worn_nodes()).skip(beyond) {
+        let mut change = self.change_from(outside);
+        for &x in outside.x.iter().take(outside.close_nodes()).skip(beyond) {
             loop {
                 let (end, width) = (self.x[self.last()], self.next_width(2.0));
                 if x - end <= 1.5 * width {
                     break;
                 }
-                self.append(end + width, outside.smooth_depth((end + width).powi(2)).0);
+                self.append_changed(end + width, outside, &mut change);
             }
-            self.append(*x, *depth);
+            self.append_changed(x, outside, &mut change);
         }
+    }
+
+    /// Radii (m) of the nodes of both surfaces up to the end, and the difference of the images
+    /// there, m.
+    fn change_from(&self, other: &Self) -> (Vec<f64>, Vec<f64>) {
+        let end = self.x[self.last()];
+        let mut x: Vec<f64> = self.x.iter().chain(other.x.iter().filter(|x| **x < end)).copied().collect();
+        x.sort_by(f64::total_cmp);
+        x.dedup();
+        let change = |x: &f64| self.line(&self.worn_image, *x) - other.line(&other.worn_image, *x);
+        let change = x.iter().map(change).collect();
+        (x, change)
+    }
+
+    /// Appends a node where the depth is that of another surface, here and to the change of the
+    /// image.
+    fn append_changed(&mut self, x: f64, other: &Self, (radii, change): &mut (Vec<f64>, Vec<f64>)) {
+        radii.push(x);
+        change.push(0.0);
+        let last = change.len() - 1;
+        change[last] = transform::abel_last(radii, change, 0.0);
+        self.x.push(x);
+        self.worn_image.push(other.line(&other.worn_image, x) + change[last]);
+        self.depth.push(other.line(&other.depth, x));
+        self.integrals.push(Integrals::UNKNOWN);
     }
 
     /// Appends unworn nodes until enough lie beyond a moving mesh.
@@ -173,7 +202,7 @@ impl Nodes {
         let is_within = self.depth[self.last()] == 0.0;
         let far = (FAR * self.x[self.last()]).min(profile.outer_radius());
         while is_within && self.x[self.last()] < far {
-            self.append(self.next_far(self.last()).min(far), 0.0);
+            self.append(self.next_far(self.last()).min(far));
         }
         // they are kept from update to update
         self.x.shrink_to_fit();
@@ -276,7 +305,7 @@ impl Nodes {
     fn extend_beyond(&mut self, a: f64, outer: f64) {
         while self.served_radius() <= a && self.x[self.last()] < outer {
             let end = self.x[self.last()] + self.next_width(1.02);
-            self.append(end.min(outer), 0.0);
+            self.append(end.min(outer));
         }
     }
 
@@ -293,15 +322,15 @@ impl Nodes {
         end + (WIDER * (end - before)).clamp(WIDTHS.0 * even, WIDTHS.1 * even)
     }
 
-    /// Appends a node with a depth, m.
-    fn append(&mut self, x: f64, depth: f64) {
+    /// Appends a node where nothing has worn.
+    fn append(&mut self, x: f64) {
         self.x.push(x);
         self.worn_image.push(0.0);
-        self.depth.push(depth);
+        self.depth.push(0.0);
         self.integrals.push(Integrals::UNKNOWN);
-        if depth != 0.0 || self.worn_image.iter().any(|h| *h != 0.0) {
+        if self.worn_image.iter().any(|h| *h != 0.0) {
             let last = self.last();
-            self.worn_image[last] = transform::abel_last(&self.x, &self.worn_image, depth);
+            self.worn_image[last] = transform::abel_last(&self.x, &self.worn_image, 0.0);
         }
     }
 
