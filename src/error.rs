@@ -63,7 +63,7 @@ pub enum Error {
     /// Motion that a rigid body on several contacts cannot follow in one call.
     #[error(
         "the interface wears too fast: {share:.3} of the normal force passes between contacts in one part of the step \
-         ({what}), and smaller parts than 1/{parts} of it are not tried: take smaller steps, or check wear_coefficient \
+         ({what}), and it is not divided into more than {parts} parts: take smaller steps, or check wear_coefficient \
          and hardness"
     )]
     InterfaceOutrun {

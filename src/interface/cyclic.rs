@@ -8,6 +8,7 @@
 //! exchange none: they are one contact with its share of the force.
 
 use super::{Interface, Pose};
+use crate::engine::MOST_PIECES;
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::range;
@@ -20,9 +21,6 @@ const AIM: f64 = 0.8;
 
 /// Most runs of one block at one length before it is shortened.
 const MOST_TRIALS: usize = 4;
-
-/// Most blocks of a call, run or run again.
-const MOST_BLOCKS: u64 = 100_000;
 
 impl Interface {
     /// Runs `cycles` (≥ 0, need not be whole) displacement cycles between ±`amplitude` (m) along x
@@ -77,7 +75,9 @@ impl Interface {
         // by how much the forces are expected to change in the block, N
         let mut expected = vec![0.0; before.len()];
         let mut trials = 0;
-        for _ in 0..MOST_BLOCKS {
+        let mut last_change = 0.0;
+        // blocks that are run again count as well
+        for _ in 0..MOST_PIECES {
             let length = if block >= left { left } else { block };
             let marks = self.members.marks();
             let mean: Vec<f64> =
@@ -94,23 +94,21 @@ impl Interface {
                 ),
                 Err(_) => (f64::INFINITY, f64::INFINITY),
             };
+            if run.is_ok() {
+                last_change = change;
+            }
             match run {
                 Ok((next, after)) if change <= most_change && error <= tolerance => {
                     left -= length;
                     pose.cycles += length;
                     pose.approach = next;
                     trials = 0;
-                    // contacts that exchange nothing are as one: no need for blocks
-                    let next_block = match change {
-                        0.0 => f64::MAX,
-                        _ => length * (AIM * most_change / change).clamp(0.5, 2.0),
-                    };
                     if left <= 0.0 {
-                        // the last block may be a short one
-                        block = if change == 0.0 { next_block } else { block };
+                        // contacts that exchange nothing are as one: no need for blocks
+                        block = if change == 0.0 { f64::MAX } else { block };
                         break;
                     }
-                    block = next_block;
+                    block = length * (AIM * most_change / change).clamp(0.5, 2.0);
                     let growth = block.min(left) / length;
                     expected =
                         after.iter().zip(&before).map(|(after, before)| growth * (after - before)).collect();
@@ -143,7 +141,7 @@ impl Interface {
         }
         if left > 0.0 {
             let what = format!("{cycles:e} cycles of amplitude {amplitude:e} m, of which {left:e} are left");
-            return Err(Error::InterfaceOutrun { share: 1.0, what, parts: MOST_BLOCKS });
+            return Err(Error::InterfaceOutrun { share: 2.0 * last_change, what, parts: MOST_PIECES.into() });
         }
         self.block = block;
         self.members.end_cycles(&pose, amplitude, force)?;

@@ -304,6 +304,22 @@ fn cycles_of_cones_after_a_fall_of_the_load_are_followed() {
     }
 }
 
+/// Contacts that exchange load in too many blocks are refused as one call, and nothing has changed.
+#[test]
+fn cycles_in_too_many_blocks_are_refused() {
+    let ball = Profile::Parabola { radius: 1e-3 };
+    let parameters = Parameters { wear_coefficient: 0.32, resolution: 16, profile: ball, ..worn(0.0) };
+    let offset = |k: u32| 1e-6 * (f64::from(k) * 0.618_033_988_75).fract();
+    let summits: Vec<Summit> = (0..30).map(|k| Summit::at_offset(offset(k))).collect();
+    let mut joint = Interface::new(parameters, &summits).unwrap();
+    joint.start_at(20.0, [0.0; 2], 0.0).unwrap();
+    let before = joint.snapshot();
+    let problem = joint.advance_cycles(20.0, 0.5e-6, 1e6).unwrap_err().to_string();
+    assert!(problem.contains("1e6 cycles") && problem.contains("take smaller steps"), "{problem}");
+    assert_eq!(joint.snapshot(), before);
+    joint.advance_cycles(20.0, 0.5e-6, 1e3).unwrap();
+}
+
 #[test]
 fn cycles_refuse_what_they_cannot_do() {
     let mut joint = Interface::new(worn(3.2e-4), &rough(3, 1e-6)).unwrap();
