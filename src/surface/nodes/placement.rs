@@ -31,6 +31,11 @@ const LEAST_CELL: f64 = 1e-5;
 /// V in gross slip went 3.5 % beyond the final one. Half of it and twice serve as well.
 const GAP: f64 = 0.25;
 
+/// Least distance of nodes from a kink of the body over the radius to which wear has rounded it.
+/// With a fifth of the value and four times as much the depths read there are the same within a
+/// fifth of their error.
+const OF_ROUNDED: f64 = 0.25;
+
 /// How the front of slip goes on its way, and with it what an update needs there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FrontMotion {
@@ -374,7 +379,7 @@ impl Nodes {
         let Some(kink) = profile.kink().filter(|kink| (start..end).contains(kink)) else { return };
         // wear of w rounds the kink over some a w/d
         let rounded = self.depth_at(kink) / profile.image(end);
-        let least = end * (0.25 * rounded).max(LEAST_CELL);
+        let least = end * (OF_ROUNDED * rounded).max(LEAST_CELL);
         let gap = |level: i32| end / self.resolution as f64 * 0.25f64.powi(level);
         let gaps: Vec<f64> = (1..).map(gap).take_while(|gap| *gap > least).collect();
         // where wear has levelled the body there is no kink left
