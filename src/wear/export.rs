@@ -3,7 +3,7 @@
 use super::patch::{Patch, Rate, State};
 use super::remesh::parts;
 use super::settings::IntegrationSettings;
-use crate::surface::{MeshPlace, Nodes, Region};
+use crate::surface::{MeshPlace, Nodes};
 
 /// Most corrections of the volume: the second takes what the first leaves by the difference between
 /// the integrals of mesh and nodes.
@@ -49,7 +49,7 @@ pub(super) fn all_nodes(
 }
 
 /// Nodes of the surface that a patch leaves: those of the mesh, on an annulus with one between any
-/// two where that many are asked for.
+/// two where that many are asked for. Their integrals are still to be made.
 pub(super) fn exported_nodes(
     patch: &Patch,
     state: &State,
@@ -74,11 +74,5 @@ pub(super) fn exported_nodes(
     image.extend(patch.worn_image(rate, parts, &radii));
     x.extend(radii);
     let place = MeshPlace { region: patch.mesh.region, cells, first, contact: patch.contact(rate) };
-    let mut nodes = Nodes::holding((x, image, depth), settings.cells, Some(place));
-    // a life makes them at its end: before, only the balance with a rig asks for them, and a force
-    // for the depth of a disc
-    if patch.motion.rig.is_some() || patch.mesh.region == Region::Disc {
-        nodes.update_integrals(patch.body.profile());
-    }
-    nodes
+    Nodes::holding((x, image, depth), settings.cells, Some(place))
 }

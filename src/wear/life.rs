@@ -10,7 +10,7 @@ use super::remesh::{check_end_of_body, mesh_slip_zone};
 use super::settings::{Amount, IntegrationSettings, Part};
 use crate::counters::Counters;
 use crate::error::Error;
-use crate::surface::Surface;
+use crate::surface::{Region, Surface};
 use std::sync::Arc;
 
 /// What a number of cycles has left.
@@ -77,7 +77,13 @@ pub(crate) fn integrate(
         life.volume += end.volume;
         let on_mesh = end.patch.volume(&end.rate);
         let nodes = if course.left > 0.0 {
-            exported_nodes(&end.patch, &end.state, &end.rate, settings)
+            let mut nodes = exported_nodes(&end.patch, &end.state, &end.rate, settings);
+            // the end of the life makes them for all: on the way only the balance with a rig asks
+            // for integrals, and a disc for its depth or load
+            if motion.rig.is_some() || end.patch.mesh.region == Region::Disc {
+                nodes.update_integrals(life.surface.profile());
+            }
+            nodes
         } else if end.is_worn_free {
             // the profile is the final one: what it lacks has worn
             let nodes = all_nodes(&end.patch, (&end.state, &end.rate), settings);
