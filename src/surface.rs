@@ -248,11 +248,12 @@ impl Surface {
             // lines between the nodes carry the force
             let (depth, load) = match (place.region, control) {
                 (Region::Disc, NormalControl::Force) => (self.depth_at_edge(radius, value), value),
-                (Region::Disc, NormalControl::Indentation) => {
-                    (value, self.load_at_edge(radius, value).max(0.0))
-                }
+                (Region::Disc, NormalControl::Indentation) => (value, self.load_at_edge(radius, value)),
                 _ => (depth, load),
             };
+            // as below, a NaN has to stay one
+            let load = if load < 0.0 { 0.0 } else { load };
+            range::contact(radius, depth, load, load * force_scale)?;
             return Ok(Contact { control: value, depth, radius, load });
         }
         let touch = self.tip();
