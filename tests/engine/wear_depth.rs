@@ -235,6 +235,7 @@ fn a_rim_that_carries_the_peaks_of_the_load_wears_on() {
             let load = FORCE * (1.0 + 0.5 * (2.0 * phase + 0.4).sin());
             contact.advance_to(load, 2e-6 * phase.sin()).expect("the line is followed");
             let depth = contact.worn_depth_at(1e-4);
+            // between updates the relief of pressure is an estimate, here of 3 %
             assert!(depth >= 0.9 * rim, "{resolution} cells, line {k}: {rim:e} m, then {depth:e} m");
             rim = depth;
         }
@@ -266,7 +267,7 @@ fn early_wear_at_a_kink_of_the_body_is_as_deep_as_on_fine_settings() {
         };
         let ratios: Vec<f64> = run(64, 1e-3).iter().zip(run(256, 1e-4)).map(|(a, b)| a / b).collect();
         println!("{profile:?}: {ratios:.3?}");
-        assert!(ratios[3..].iter().all(|ratio| (0.93..1.03).contains(ratio)), "{profile:?}: {ratios:.2?}");
+        assert!(ratios.iter().all(|ratio| (0.93..1.03).contains(ratio)), "{profile:?}: {ratios:.2?}");
     }
 }
 
