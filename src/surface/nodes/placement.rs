@@ -33,7 +33,7 @@ const GAP: f64 = 0.25;
 
 /// Least distance of nodes from a kink of the body over the radius to which wear has rounded it.
 /// With a fifth of the value and four times as much the median error of the depths read there is
-/// the same within a fifth.
+/// the same within a quarter.
 const OF_ROUNDED: f64 = 0.25;
 
 /// How the front of slip goes on its way, and with it what an update needs there.

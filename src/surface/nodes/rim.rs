@@ -12,7 +12,7 @@ use crate::transform;
 
 /// Share of an even cell that the cells at the rim need not go above. With a quarter, a rim that
 /// had come free of load touched again, and V under a load at twice the frequency of the motion was
-/// up to 3.3 % too large; with half of the value it is the same, with twice 1.1 % too large.
+/// up to 3.3 % too large; with half of the value it is the same, with twice 0.8 % too large.
 const OF_EVEN: f64 = 0.05;
 
 impl Nodes {
