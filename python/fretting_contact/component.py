@@ -74,6 +74,7 @@ class ContactFmu:
 
     def __init__(self, fmu: FmuFile):
         self.fmu = fmu
+        self._is_open = True
         self.name = f"contact {next(_numbers)}"
         self.time = 0.0
         self.slave = FMU2Slave(
@@ -91,6 +92,7 @@ class ContactFmu:
         self._free()
 
     def _free(self) -> None:
+        self._is_open = False
         self.slave.freeInstance()
         _messages.pop(self.name, None)
 
@@ -195,7 +197,14 @@ class ContactFmu:
             return bool(value)
         return value.decode() if isinstance(value, bytes) else value
 
+    def _check_open(self) -> Any:
+        if not self._is_open:
+            raise RuntimeError("the contact is closed: make a new one, Contact(...)")
+        return self
+
     def _call(self, function: Callable[..., Any], *arguments: Any, **keywords: Any) -> Any:
+        # a call with a freed instance would end the process
+        self._check_open()
         first = len(self.messages)
         try:
             return function(*arguments, **keywords)

@@ -70,9 +70,7 @@ class Contact(ContactFmu):
     """
 
     def __init__(self, *, fmu: str | os.PathLike[str] | FmuFile | None = None, **parameters: Any):
-        self._is_open = False
         super().__init__(fmu if isinstance(fmu, FmuFile) else shared_file(fmu))
-        self._is_open = True
         self._table: Path | None = None
         self.given: dict[str, Any] = {}  # what has been set before the first step
         try:
@@ -198,15 +196,9 @@ class Contact(ContactFmu):
                 )
 
     def _free(self) -> None:
-        self._is_open = False
         super()._free()
         if self._table is not None:
             self._table.unlink(missing_ok=True)
-
-    def _check_open(self) -> "Contact":
-        if not self._is_open:
-            raise RuntimeError("the contact is closed: make a new one, Contact(...)")
-        return self
 
     def _require(self, name: str) -> Any:
         variable = self.fmu.variables.get(name)
@@ -236,9 +228,9 @@ class Contact(ContactFmu):
         if isinstance(value, np.ndarray) and value.ndim == 0:
             value = value.item()
         whole = variable.type == "Integer"
-        if whole and isinstance(value, Integral):
+        if whole and isinstance(value, Integral) and not isinstance(value, bool):
             return int(value)
-        if not whole and isinstance(value, Real):
+        if not whole and isinstance(value, Real) and not isinstance(value, bool):
             return float(value)
         kind = "a whole number" if whole else "a number"
         raise ParameterError(

@@ -14,6 +14,7 @@ from fretting_contact import (
     ParameterError,
     fmu_file,
 )
+from fretting_contact.component import ContactFmu
 from fretting_contact.fmu_file import FmuFile, file_of_bytes, shared_file
 from fretting_contact.quantities import UNITS, QuantityError, in_si
 
@@ -50,6 +51,7 @@ WRONG = [
     ({"wear_volume": 1.0}, r"computed by the component: read it with contact\['wear_volume'\]"),
     ({"radius": [0.01, 0.02]}, r"radius = \[0.01, 0.02\]: give a number; for several values"),
     ({"resolution": 64.5}, "resolution = 64.5: give a whole number"),
+    ({"radius": True}, "radius = True: give a number"),
 ]
 
 
@@ -179,7 +181,31 @@ def test_a_saved_state_is_returned_to_and_goes_to_another_contact_as_bytes():
             other.restore(stored[:-1])
     with pytest.raises(RuntimeError, match="closed"):
         contact.save()
-    assert "closed" in repr(contact)
+
+
+@pytest.mark.parametrize(
+    "use",
+    [
+        lambda contact: contact["wear_volume"],
+        lambda contact: contact["pressure"],
+        lambda contact: contact.get("radius"),
+        lambda contact: contact.set(normal_force=1.0),
+        lambda contact: contact.step(),
+        lambda contact: contact.restart(),
+        lambda contact: contact.follow(["wear_volume"], tangential_displacement=[1e-6]),
+    ],
+)
+def test_a_closed_contact_says_so(use):
+    with Contact() as contact:
+        contact.step(tangential_displacement=1e-6)
+    with pytest.raises(RuntimeError, match=r"the contact is closed: make a new one, Contact\("):
+        use(contact)
+    contact.close()
+    assert repr(contact) == "<Contact, closed>"
+    with FmuFile(fmu_file.fmu_path()) as fmu, ContactFmu(fmu) as component:
+        component.start()
+    with pytest.raises(RuntimeError, match="closed"):
+        component.get("wear_volume")
 
 
 def test_states_do_not_pile_up():
