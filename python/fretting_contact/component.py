@@ -77,6 +77,7 @@ class ContactFmu:
         self._is_open = True
         self.name = f"contact {next(_numbers)}"
         self.time = 0.0
+        self.has_moved = False  # whether a step has been taken since the start
         self.slave = FMU2Slave(
             guid=fmu.description.guid,
             unzipDirectory=fmu.directory,
@@ -108,6 +109,7 @@ class ContactFmu:
         self._call(self.slave.enterInitializationMode)
         self._call(self.slave.exitInitializationMode)
         self.time = 0.0
+        self.has_moved = False
         return self
 
     def reset(self) -> None:
@@ -146,6 +148,7 @@ class ContactFmu:
             self.set(**inputs)
         self._call(self.slave.doStep, self.time, size)
         self.time += size
+        self.has_moved = True
         return self
 
     def follow(
@@ -166,6 +169,7 @@ class ContactFmu:
             self._call(self.slave.setReal, to_set, row)
             self._call(self.slave.doStep, self.time, size)
             self.time += size
+            self.has_moved = True
             found[k] = self._call(self.slave.getReal, to_get)
         return dict(zip(outputs, found.T))
 

@@ -34,8 +34,9 @@ class ContactWarning(UserWarning):
 class SavedState:
     """The state of a contact at one time. `bytes(state)` is for a file or another process."""
 
-    def __init__(self, contact: "Contact", pointer: c_void_p, time: float):
-        self._contact, self._pointer, self.time = contact, pointer, time
+    def __init__(self, contact: "Contact", pointer: c_void_p):
+        self._contact, self._pointer, self.time = contact, pointer, contact.time
+        self.has_moved, self._given = contact.has_moved, contact.given
 
     def __bytes__(self) -> bytes:
         contact = self._contact._check_open()
@@ -122,15 +123,17 @@ class Contact(ContactFmu):
                 "profile_file": self._write_table(values["profile_file"]),
             }
         super().set(**{name: self._checked(name, value) for name, value in values.items()})
-        if self.time == 0.0:
-            self.given |= given
+        if not self.has_moved:
+            self.given = {**self.given, **given}
 
     def step(self, size: float = 1e-3, **inputs: Any) -> "Contact":
         """Sets inputs and advances by `size`, s, along the straight line to the new inputs.
 
         In cyclic loading a step makes `frequency` times `size` cycles.
         """
+        given = self.given
         super().step(float(size), **inputs)
+        self.given = given
         return self
 
     def __getitem__(self, name: str) -> Any:
@@ -161,7 +164,7 @@ class Contact(ContactFmu):
     def save(self) -> SavedState:
         """The present state; `restore` returns to it."""
         self._check_open()
-        return SavedState(self, self._call(self.slave.getFMUstate), self.time)
+        return SavedState(self, self._call(self.slave.getFMUstate))
 
     def restore(self, state: SavedState | bytes) -> "Contact":
         """Returns to a state of this contact, or takes one over from bytes."""
@@ -172,7 +175,7 @@ class Contact(ContactFmu):
                     "the state is of another contact: restore it there, or give bytes(state)"
                 )
             self._call(self.slave.setFMUstate, state._pointer)
-            self.time = state.time
+            self.time, self.has_moved, self.given = state.time, state.has_moved, state._given
             return self
         if len(state) < 8:
             raise ParameterError(
@@ -184,6 +187,7 @@ class Contact(ContactFmu):
         finally:
             self.slave.freeFMUstate(pointer)
         (self.time,) = struct.unpack("<d", state[:8])
+        self.has_moved = True  # it cannot be started again: its parameters may be others
         return self
 
     def require(self, **values: str) -> None:

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from .contact import Contact
 from .history import OUTPUTS, Array, MotionHistory
+from .quantities import in_si
 
 
 class SignalError(ValueError):
@@ -41,10 +42,10 @@ class FrictionLoop(MotionHistory):
 
 def loop(
     contact: Contact,
-    amplitude: float,
+    amplitude: float | str,
     *,
-    normal_force: float | None = None,
-    center: float = 0.0,
+    normal_force: float | str | None = None,
+    center: float | str = 0.0,
     cycles: int = 2,
     points: int = 200,
     period: float = 1.0,
@@ -52,8 +53,9 @@ def loop(
     """Cycles of a sine displacement; returns the last one.
 
     `amplitude`, `center`: of the displacement, m. `normal_force`: N, constant; that of the contact
-    if not given. `cycles`: number of cycles; the first one begins at rest and differs.
-    `points`: steps in a cycle. `period`: of a cycle, s; it has no influence on friction and wear.
+    if not given. These may be texts with a unit: `amplitude="1.5 um"`. `cycles`: number of cycles;
+    the first one begins at rest and differs. `points`: steps in a cycle. `period`: of a cycle, s;
+    it has no influence on friction and wear.
 
     >>> with Contact() as contact:
     ...     last = loop(contact, 1.5e-6)
@@ -64,6 +66,10 @@ def loop(
         raise SignalError(
             f"cycles = {cycles}, points = {points}: at least 1 cycle of 4 points is needed"
         )
+    if isinstance(amplitude, str):
+        amplitude = in_si(amplitude, "m", "amplitude")
+    if isinstance(center, str):
+        center = in_si(center, "m", "center")
     phase = np.arange(points * int(cycles) + 1) / points
     displacement = center + amplitude * np.sin(2 * np.pi * phase)
     whole = drive(contact, phase * period, displacement, normal_force)
@@ -75,7 +81,7 @@ def drive(
     contact: Contact,
     time: ArrayLike,
     displacement: ArrayLike,
-    normal_force: ArrayLike | None = None,
+    normal_force: ArrayLike | str | None = None,
     *,
     displacement_y: ArrayLike | None = None,
     outputs: Sequence[str] = (),
@@ -83,11 +89,11 @@ def drive(
     """Follows measured signals, straight from sample to sample.
 
     `time`: s, rising. `displacement`: m, in the direction of `tangential_displacement`;
-    `displacement_y`: m, across it. `normal_force`: N, one value or one a sample; that of the
-    contact if not given. Lists, arrays and pandas columns are accepted. `outputs`: further outputs
-    to record, by name. A contact that has not been moved yet is pressed on at the first sample, so
-    that an offset of the displacement does no harm; another one goes straight there. Noise of a
-    displacement wears: filter it first (docs/noisy_signals.md).
+    `displacement_y`: m, across it. `normal_force`: N, one value, which may be a text with a unit,
+    or one a sample; that of the contact if not given. Lists, arrays and pandas columns are
+    accepted. `outputs`: further outputs to record, by name. A contact that has not been moved yet
+    is pressed on at the first sample, so that an offset of the displacement does no harm; another
+    one goes straight there. Noise of a displacement wears: filter it first (docs/noisy_signals.md).
 
     >>> with Contact() as contact:
     ...     there = drive(contact, [0.0, 0.1, 0.2], [0.0, 1e-6, 4e-6], normal_force=[100, 100, 50])
@@ -102,6 +108,8 @@ def drive(
     if displacement_y is not None:
         signals["tangential_displacement_y"] = _signal("displacement_y", displacement_y)
     if normal_force is not None:
+        if isinstance(normal_force, str):
+            normal_force = in_si(normal_force, "N", "normal_force")
         load = np.asarray(normal_force, dtype=float)
         signals["normal_force"] = (
             np.full(signals["time"].shape, load)
@@ -126,7 +134,7 @@ def drive(
     for name in outputs:
         contact._require(name)
     names = [*OUTPUTS.values(), *outputs]
-    if contact.time == 0.0:
+    if not contact.has_moved:
         contact.restart(
             **{**contact.given, **{name: values[0] for name, values in signals.items()}}
         )

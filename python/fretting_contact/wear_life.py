@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -87,6 +88,8 @@ def life(
     ['0.2 µm', '0.8 µm']
     """
     contact.require(loading="cyclic")
+    if not (isinstance(cycles, Real) and 0 <= cycles < np.inf) or (at is None and cycles == 0):
+        raise SignalError(f"cycles = {cycles!r}: give a finite number above 0 (a list goes to at)")
     numbers = np.linspace(0, cycles, 21) if at is None else np.asarray(at, dtype=float)
     if (
         numbers.ndim != 1

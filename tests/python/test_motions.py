@@ -151,6 +151,60 @@ def test_a_signal_that_cannot_be_followed_is_refused(signals, keywords, message)
         assert contact.time == 0.0
 
 
+def test_a_contact_that_has_moved_is_not_started_again():
+    with Contact() as contact:
+        before = contact.step(0.0, tangential_displacement=4e-6)["dissipated_energy"]
+        rest = drive(contact, [0.0, 1.0], [4e-6, 4e-6])
+        assert before > 0.0 and rest.dissipated_energy.tolist() == [before, before]
+
+
+def test_a_contact_that_has_returned_to_its_start_has_the_load_of_the_start():
+    with Contact(normal_force=100.0) as contact:
+        start = contact.save()
+        contact.step(normal_force=50.0, tangential_displacement=1e-6)
+        contact.restore(start)
+        # not moved: pressed on at the first sample
+        slide = drive(contact, [0.0, 1.0], [5e-6, 20e-6])
+        assert slide.normal_force.tolist() == [100.0, 100.0]
+        assert slide.tangential_force[0] == 0.0
+    with Contact(normal_force=100.0) as contact:
+        start = contact.save()
+        contact.set(normal_force=50.0)
+        contact.restore(start)
+        assert drive(contact, [0.0, 1.0], [0.0, 1e-6]).normal_force.tolist() == [100.0, 100.0]
+
+
+def test_a_contact_keeps_what_it_has_taken_over_as_bytes():
+    with Contact(radius="20 mm") as contact:
+        stored = bytes(contact.save())
+    with Contact() as contact:
+        contact.restore(stored)
+        drive(contact, [0.0, 1.0], [0.0, 1e-6])
+        assert contact["radius"] == 0.02
+
+
+def test_quantities_of_motions_may_be_texts():
+    with Contact() as contact:
+        text = loop(contact, "1.5 um", normal_force="0.05 kN", center="1 um")
+    with Contact() as contact:
+        number = loop(contact, 1.5e-6, normal_force=50.0, center=1e-6)
+    assert text.work == pytest.approx(number.work, rel=1e-12)
+    with Contact() as contact:
+        there = drive(contact, [0.0, 1.0], [0.0, 1e-6], normal_force="50 N")
+    assert there.normal_force.tolist() == [50.0, 50.0]
+    with Contact() as contact, pytest.raises(ValueError, match="amplitude = '2 mn': the unit"):
+        loop(contact, "2 mn")
+
+
+@pytest.mark.parametrize("cycles", [0, -5, float("nan"), float("inf"), "1e5", [10, 100]])
+def test_a_number_of_cycles_that_is_none_is_named(cycles):
+    with (
+        Contact(loading="cyclic") as contact,
+        pytest.raises(SignalError, match="cycles = .*: give a finite number above 0"),
+    ):
+        life(contact, cycles)
+
+
 def test_what_needs_the_other_loading_says_so():
     with (
         Contact() as contact,
