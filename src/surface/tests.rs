@@ -105,6 +105,26 @@ fn nothing_to_adapt_leaves_the_nodes() {
     assert_eq!(nodes, before);
 }
 
+/// Slip of a smaller amplitude leaves fine cells outside its front only. Those of a wider one
+/// grow inward from them by no more than a factor from one to the next.
+#[test]
+fn cells_inside_a_former_front_grow_from_its_fine_ones() {
+    let (a, former) = (2e-4, 1.7e-4);
+    let mut nodes = Nodes::around(&ball(), 64, a, former);
+    let width = |nodes: &Nodes, j: usize| nodes.x()[j + 1] - nodes.x()[j];
+    let at = |nodes: &Nodes| nodes.x().iter().position(|x| *x == former).expect("a node at the front");
+    let front = at(&nodes);
+    assert!(width(&nodes, front - 1) > 1e4 * width(&nodes, front), "fine outside only");
+    nodes.adapt(&ball(), a, (0.8e-4, FrontMotion::Returns));
+    let front = at(&nodes);
+    for j in 1..nodes.last() {
+        let (inner, outer) = (width(&nodes, j - 1), width(&nodes, j));
+        let in_region = nodes.x()[j - 1] > 0.8e-4 && nodes.x()[j + 1] < a && inner.min(outer) > 4e-4 * a;
+        assert!(!in_region || inner.max(outer) < 6.1 * inner.min(outer), "{j}: {inner:e} and {outer:e}");
+    }
+    assert!(width(&nodes, front - 1) < 1.5e-3 * a, "{:e}", width(&nodes, front - 1));
+}
+
 /// New nodes beyond the old ones take the image whose profile is unworn there, not zero.
 #[test]
 fn extension_keeps_the_profile_unworn_outside() {

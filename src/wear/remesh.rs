@@ -148,11 +148,10 @@ pub(super) fn mesh_slip_zone(
 }
 
 /// Volume (m³) of wear that a smooth image between the nodes of a mesh has elsewhere than the nodes
-/// of a surface, in a contact of some radius, m. The last cell does not count: a contact may end at
-/// a wall.
+/// of a surface, in a contact of some radius, m.
 fn misplaced(surface: &Surface, nodes: &Nodes, patch: &Patch, radius: f64) -> f64 {
     let x = patch.radii(radius * radius);
-    let (front, edge, zeros) = (x[0], x[x.len() - 2], vec![0.0; x.len()]);
+    let (front, edge, zeros) = (x[0], x[x.len() - 1], vec![0.0; x.len()]);
     let images = x.iter().map(|x| surface.worn_image(*x)).collect();
     let mesh = Nodes::holding((x, images, zeros), 0, None);
     let (mut volume, mut last) = (0.0, (front, 0.0));
