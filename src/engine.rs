@@ -123,15 +123,14 @@ impl FrettingContact {
         }
     }
 
-    /// Checks two inputs of a step; returns the controlled quantity (m² of load or m) and the
-    /// displacement.
-    fn checked(&self, normal: f64, displacement: f64) -> Result<(f64, f64), Error> {
+    /// Checks two inputs of a step; returns the controlled quantity, m² of load or m.
+    fn checked(&self, normal: f64, displacement: f64) -> Result<f64, Error> {
         let (name, value) = match self.model.parameters.normal_control {
             NormalControl::Force => ("normal_force", normal / self.force_scale()),
             NormalControl::Indentation => ("indentation", normal),
         };
         range::input(name, normal)?;
         range::input("tangential_displacement", displacement)?;
-        Ok((value, displacement))
+        Ok(value)
     }
 }

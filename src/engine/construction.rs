@@ -48,7 +48,7 @@ impl FrettingContact {
     /// As [`Self::advance_to_planar`].
     pub fn start_at_planar(&mut self, normal: f64, [displacement, y]: [f64; 2]) -> Result<(), Error> {
         range::input(range::Y, y)?;
-        let (value, _) = self.checked(normal, displacement)?;
+        let value = self.checked(normal, displacement)?;
         let contact =
             self.surface.contact(self.model.parameters.normal_control, value, self.force_scale())?;
         self.transaction(|this| {

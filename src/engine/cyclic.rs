@@ -38,7 +38,7 @@ impl FrettingContact {
         amplitude: f64,
         (cycles, part): (f64, Part),
     ) -> Result<(), Error> {
-        let (value, _) = self.checked(normal, 0.0)?;
+        let value = self.checked(normal, 0.0)?;
         for (name, value, most) in
             [("displacement_amplitude", amplitude, range::MOST_INPUT), ("cycles", cycles, range::MOST_CYCLES)]
         {

@@ -52,7 +52,7 @@ impl FrettingContact {
         normal: f64,
         place: Vector2<f64>,
     ) -> Result<(), Error> {
-        let (value, _) = self.checked(normal, place.x)?;
+        let value = self.checked(normal, place.x)?;
         self.advance_by_value(value, place)
     }
 

@@ -79,7 +79,7 @@ impl FrettingContact {
         rest.advance_at_constant_friction(normal, target)?;
         let work = rest.state.work - self.state.work;
         let even = self.energy_of_part(ACCURACY);
-        let (value, _) = self.checked(normal, target.x)?;
+        let value = self.checked(normal, target.x)?;
         let in_halves = value == self.state.contact.control && work > MANY * even;
         // from rest the work rises at most with the third power of the path
         let mut part = (even / work).cbrt().min(1.0);
