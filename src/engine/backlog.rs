@@ -197,14 +197,11 @@ impl FrettingContact {
         let control = self.state.contact.control;
         // as much of it as does that work: friction that runs in was another before
         let amount = if self.runs_in() { work / self.unit_work(motion.sliding).0 } else { motion.amount };
-        match self.wear_by(control, (motion.sliding, drive), amount, Part::Update) {
-            Ok(worn_by) => {
-                self.correct_work(worn_by - work);
-                Ok(true)
-            }
-            Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => Ok(false),
-            Err(other) => Err(other),
+        let worn_by = self.wear_by(control, (motion.sliding, drive), amount, Part::Update)?;
+        if let Some(worn_by) = worn_by {
+            self.correct_work(worn_by - work);
         }
+        Ok(worn_by.is_some())
     }
 
     /// Defers the wear of work (J) to a later update; below 0 where the profile has worn too much.

@@ -119,16 +119,19 @@ impl FrettingContact {
         Ok(own)
     }
 
-    /// Wears the surface by an amount of sliding at constant load, which is some part of a history;
-    /// returns the work, J. With the amplitude of a drive (m), at constant force, the sliding is
-    /// that at the start.
+    /// Wears the surface on the moving mesh by an amount of sliding at constant load, which is some
+    /// part of a history; returns the work (J), or `None` where the mesh cannot follow. With the
+    /// amplitude of a drive (m), at constant force, the sliding is that at the start.
+    ///
+    /// # Errors
+    /// Those of the normal contact.
     pub(super) fn wear_by(
         &mut self,
         value: f64,
         (sliding, drive): (Sliding, Option<f64>),
         amount: f64,
         part: Part,
-    ) -> Result<f64, Error> {
+    ) -> Result<Option<f64>, Error> {
         let compliance = 2.0 * self.model.constants.tangential_modulus * self.model.compliance;
         let rig = drive.map(|amplitude| Rig { amplitude, compliance });
         let control = self.model.parameters.normal_control;
@@ -154,21 +157,25 @@ impl FrettingContact {
         let deferred_work = self.state.wear.as_ref().map_or(0.0, |wear| wear.deferred_work);
         let worn = on_profile(&self.surface) + per_work * deferred_work;
         let amount = Amount { cycles: amount, worn, part };
-        let life = integrate(
+        let integrated = integrate(
             &self.surface,
             &motion,
             &amount,
             &self.model.constants,
             &settings,
             &mut self.state.counters,
-        )?;
-        let Some(wear) = &mut self.state.wear else { return Ok(0.0) };
+        );
+        let life = match integrated {
+            Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => return Ok(None),
+            integrated => integrated?,
+        };
+        let Some(wear) = &mut self.state.wear else { return Ok(None) };
         wear.deferred_work = (worn + life.volume - on_profile(&life.surface)) / per_work;
         wear.next_step = Some((sliding, life.next_step));
         self.mesh = life.mesh.or(self.mesh.take());
         wear.defect += life.defect / per_work;
         self.surface = life.surface;
         self.look_at_coating();
-        Ok(life.volume / per_work)
+        Ok(Some(life.volume / per_work))
     }
 }

@@ -40,15 +40,12 @@ impl FrettingContact {
         let amplitude = sliding.amplitude();
         let refused = |left, steps| Error::TooMuchWear { cycles: amount, left, amplitude, steps };
         loop {
-            match self.wear_by(value, (sliding, None), left, part) {
-                Ok(work) => {
-                    self.correct_work(work);
-                    self.state.contact = self.contact_at(value)?;
-                    return Ok(());
-                }
-                Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => part = Part::Call,
-                Err(other) => return Err(other),
+            if let Some(work) = self.wear_by(value, (sliding, None), left, part)? {
+                self.correct_work(work);
+                self.state.contact = self.contact_at(value)?;
+                return Ok(());
             }
+            part = Part::Call;
             while updates < next_trial && left > 0.0 {
                 if updates == MOST_PIECES {
                     return Err(refused(left, updates));

@@ -83,14 +83,10 @@ impl FrettingContact {
     ) -> Result<f64, Error> {
         if self.model.constants.force_control {
             let sliding = Sliding::Cycles(self.own_amplitude(drive));
-            match self.wear_by(value, (sliding, Some(drive)), cycles, part) {
-                Ok(work) => {
-                    self.correct_work(work);
-                    self.state.contact = self.contact_at(value)?;
-                    return Ok(self.own_amplitude(drive));
-                }
-                Err(Error::TooMuchWear { .. } | Error::NotFinite { .. }) => {}
-                Err(other) => return Err(other),
+            if let Some(work) = self.wear_by(value, (sliding, Some(drive)), cycles, part)? {
+                self.correct_work(work);
+                self.state.contact = self.contact_at(value)?;
+                return Ok(self.own_amplitude(drive));
             }
         }
         self.wear_in_stretches(value, drive, (cycles, part))
