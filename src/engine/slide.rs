@@ -2,8 +2,7 @@
 //! of the profile is due.
 
 use super::FrettingContact;
-use crate::friction::{Row, SlipPiece};
-use std::mem::take;
+use crate::friction::Row;
 
 impl FrettingContact {
     /// Moves the body under an unchanged load if that takes no more than slip of its outer springs;
@@ -12,6 +11,7 @@ impl FrettingContact {
     pub(super) fn slides_to(&mut self, value: f64, displacement: f64) -> bool {
         if value != self.state.contact.control
             || self.state.contact.is_open()
+            || self.state.row.is_plane()
             || self.model.start_slope != self.model.bound_slope
         {
             return false;
@@ -25,11 +25,18 @@ impl FrettingContact {
             self.begin_stroke();
         }
         let scales = (2.0 * self.model.constants.tangential_modulus, self.work_to_update());
-        let work = if wears {
-            self.slide_with_slips(displacement, scales)
-        } else {
-            self.slide_gathering(displacement, scales, |_| ())
-        };
+        let mut slips = self.take_slips();
+        let Row::Line(springs) = &mut self.state.row else { return false };
+        let contact = &self.state.contact;
+        let work = springs.slide(
+            &self.surface,
+            contact,
+            self.model.bound_slope,
+            displacement,
+            scales,
+            slips.as_mut(),
+        );
+        self.keep_slips(slips);
         let Some(work) = work else {
             if turns {
                 self.undo_stroke();
@@ -45,32 +52,5 @@ impl FrettingContact {
         self.add_work(work);
         self.state.counters.spring_walks += 1;
         true
-    }
-
-    /// [`Springs::slide`](crate::friction::Springs::slide) whose slip is kept, to be gathered.
-    fn slide_with_slips(&mut self, displacement: f64, scales: (f64, f64)) -> Option<f64> {
-        let mut slips = take(&mut self.memory.get().slips);
-        slips.clear();
-        let work = self.slide_gathering(displacement, scales, |piece| slips.push(piece));
-        self.memory.get().slips = slips;
-        work
-    }
-
-    #[inline]
-    fn slide_gathering(
-        &mut self,
-        displacement: f64,
-        scales: (f64, f64),
-        gather: impl FnMut(SlipPiece),
-    ) -> Option<f64> {
-        let Row::Line(springs) = &mut self.state.row else { return None };
-        springs.slide(
-            &self.surface,
-            &self.state.contact,
-            self.model.bound_slope,
-            displacement,
-            scales,
-            gather,
-        )
     }
 }

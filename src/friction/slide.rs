@@ -10,7 +10,8 @@ use crate::surface::{Contact, Place, Surface};
 impl Springs {
     /// Moves the body to `displacement` under an unchanged contact. Returns the work of friction,
     /// J: `work_scale` = 2G* times the integral that [`Springs::walk`] gives. `None`, with nothing
-    /// changed, where the state is of another kind or the work is more than `most_work`.
+    /// changed, where the state is of another kind or the work is more than `most_work`. Where
+    /// `slips` are asked for, they are put there.
     ///
     /// Springs that stick stay as they are. Those that slip end up on one line in g, so that two
     /// knots do for all.
@@ -22,7 +23,7 @@ impl Springs {
         bound_slope: f64,
         displacement: f64,
         (work_scale, most_work): (f64, f64),
-        mut gather: impl FnMut(SlipPiece),
+        mut slips: Option<&mut Vec<SlipPiece>>,
     ) -> Option<f64> {
         let rounding = rounding(bound_slope, contact, displacement);
         let bound = |knot: &Knot| bound_slope * at_least(contact.depth - knot.place.image, 0.0);
@@ -72,12 +73,14 @@ impl Springs {
             let knot_bound = bound(knot);
             let next = excess((displacement - knot.origin, knot_bound));
             // written so that it also refuses what is no number
-            let slips = next > rounding;
-            if !slips {
+            let is_beyond = next > rounding;
+            if !is_beyond {
                 return None;
             }
             let interval = Interval::between(&last, &knot.place);
-            gather(SlipPiece::over((last.image, knot.place.image), (slip, next), &interval));
+            if let Some(slips) = &mut slips {
+                slips.push(SlipPiece::over((last.image, knot.place.image), (slip, next), &interval));
+            }
             work += interval.slip_work((last_bound, knot_bound), (slip, next));
             (last, last_bound, slip) = (knot.place, knot_bound, next);
         }

@@ -255,7 +255,7 @@ fn a_slide_gives_what_a_walk_gives() {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let next = 1.2 * full * (f64::from(state) / f64::from(u32::MAX) - 0.5);
             short_work += short
-                .slide(&surface, &contact, M, next, (1.0, f64::MAX), |_| ())
+                .slide(&surface, &contact, M, next, (1.0, f64::MAX), None)
                 .expect("one zone slips to one side");
             let (row, work) = moved(&long, &surface, contact, at, next);
             (long, long_work, at) = (row, long_work + work, next);
@@ -286,7 +286,7 @@ fn repeated_loops_and_creep_add_no_knots() {
         let full = M * contact.depth;
         let mut to = |displacement: f64| {
             springs
-                .slide(&surface, &contact, M, displacement, (1.0, f64::MAX), |_| ())
+                .slide(&surface, &contact, M, displacement, (1.0, f64::MAX), None)
                 .expect("one zone slips to one side");
             springs.knots().len()
         };
@@ -311,10 +311,10 @@ fn a_slide_refuses_zones_that_slip_both_ways_and_work_without_bound() {
     let origins = [(0.0, 1.1 * full), (0.5 * contact.radius, -1.1 * full), (contact.radius, -1.1 * full)];
     let mut twisted = Springs::from_origins(&surface, &origins);
     let before = twisted.clone();
-    assert_eq!(twisted.slide(&surface, &contact, M, 0.0, (1.0, f64::MAX), |_| ()), None);
+    assert_eq!(twisted.slide(&surface, &contact, M, 0.0, (1.0, f64::MAX), None), None);
     assert_eq!(twisted, before);
     let mut far = start.clone();
-    assert_eq!(far.slide(&surface, &contact, M, 1e300, (1e100, f64::MAX), |_| ()), None);
+    assert_eq!(far.slide(&surface, &contact, M, 1e300, (1e100, f64::MAX), None), None);
     assert_eq!(far, start);
 }
 
@@ -334,7 +334,7 @@ fn the_work_of_a_minute_loop_is_that_of_its_minute_annulus() {
         for k in 1..=100 {
             let next = crest * (std::f64::consts::TAU * f64::from(k) / 100.0).cos();
             work += springs
-                .slide(&surface, &contact, M, next, (1.0, f64::MAX), |_| ())
+                .slide(&surface, &contact, M, next, (1.0, f64::MAX), None)
                 .expect("one zone slips to one side");
         }
         let expected = 0.5 * theta.powi(3) * M * contact.load * full;
