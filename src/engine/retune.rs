@@ -1,9 +1,10 @@
 //! Friction and wear that change during a life: another lubricant, a coating that has worn through.
 
 use super::FrettingContact;
+use super::history::End;
 use super::running_in::BALANCED;
 use crate::error::Error;
-use crate::friction::{Row, SlipPiece};
+use crate::friction::SlipPiece;
 use crate::parameters::Parameters;
 use nalgebra::Vector2;
 use serde::{Deserialize, Serialize};
@@ -81,8 +82,7 @@ impl FrettingContact {
             // from the bound of before, which the springs keep to, however small the new one is;
             // their slip runs friction in further
             *this = this.run_in_part((0.0, false), BALANCED, |next| {
-                let half_work = next.slip_back();
-                next.gather_slip_back(half_work);
+                next.slip_back();
                 Ok(())
             })?;
             this.keep_bound_slope();
@@ -91,26 +91,17 @@ impl FrettingContact {
         })
     }
 
-    /// Springs beyond a bound that has become another slip back to it where the body stands.
-    /// Returns the work of friction over 2G*, m³.
-    fn slip_back(&mut self) -> f64 {
-        let mut slips = self.take_slips();
-        let path = self.path_to(self.state.contact, self.state.place);
-        let (row, half_work) = self.state.row.walk(&path, Row::default(), slips.as_mut());
-        self.state.row = row;
-        self.keep_slips(slips);
-        half_work
-    }
-
-    /// Counts the slip of springs that have slipped back, for work of friction over 2G* (m³). Their
-    /// bound was larger then than the present one, with which the backlog is worn off: the slip is
-    /// taken larger instead.
-    fn gather_slip_back(&mut self, half_work: f64) {
+    /// Springs beyond a bound that has become another slip back to it where the body stands. That
+    /// bound was larger until then than the present one, with which the backlog is worn off: the
+    /// slip is taken larger instead.
+    fn slip_back(&mut self) {
         let (contact, bound_slope) = (self.state.contact, self.model.bound_slope);
-        if half_work <= 0.0 {
+        let End { row, work, .. } = self.try_walk(contact, self.state.place);
+        self.state.row = row;
+        if work <= 0.0 {
             return;
         }
-        let work = 2.0 * self.model.constants.tangential_modulus * half_work;
+        let half_work = work / (2.0 * self.model.constants.tangential_modulus);
         let slips = &mut self.memory.get().slips;
         let overlap = |piece: &SlipPiece| (contact.depth - piece.image.0) * piece.integral - piece.moment;
         let factor = half_work / (bound_slope * slips.iter().map(overlap).sum::<f64>());
