@@ -31,16 +31,11 @@ const LEAST_CELL: f64 = 1e-5;
 /// V in gross slip went 3.5 % beyond the final one. Half of it and twice serve as well.
 const GAP: f64 = 0.25;
 
-/// Most of the width of a cell in the slipping region over that of one next to it. Where a front
-/// has stood, nodes were fine outside it only: motion of a larger amplitude wears the wall of the
-/// image from inside, too, and V after cycles of the smaller one was up to 12 % too large. It is
-/// within 2.9 %, with half of the value 2.3 % and with twice 3.1 %.
+/// Largest width of a cell in the slipping region over that of one next to it. A former front has
+/// fine cells outside it only. Slip of a larger amplitude wears the wall of the image there from
+/// inside as well, and after the next cycles of the smaller one V was up to 11 % too large. Now it
+/// is within 2.4 %; with half of the value also, with twice within 2.8 %.
 const GRADING: f64 = 4.0;
-
-/// Width of a cell, over an even one, below which those next to it need not grow from it. With a
-/// twentieth such blocks come out alike, but V of strokes on a rough table changes by 7 % as they
-/// are split.
-const FINE: f64 = 0.01;
 
 /// Least distance of nodes from a kink of the body over the radius to which wear has rounded it.
 /// With a fifth of the value and four times as much the median error of the depths read there is
@@ -366,12 +361,13 @@ impl Nodes {
                 j += 1;
             }
         }
-        self.grade((start, end), FINE * widest, profile);
+        self.grade((start, end), profile);
     }
 
-    /// Splits cells between two radii until none is far wider than one next to it, of which those
-    /// below a least width (m) count as that wide.
-    fn grade(&mut self, (start, end): (f64, f64), least: f64, profile: &Profile) {
+    /// Splits cells between two radii until none is far wider than one next to it. Those that are
+    /// finer than a creeping front needs count as that wide.
+    fn grade(&mut self, (start, end): (f64, f64), profile: &Profile) {
+        let least = FrontMotion::Creeps.fine() * end / self.resolution as f64;
         let mut j = self.cell(start).unwrap_or(self.last());
         while j < self.last() && self.x[j] < end {
             let width = |j: usize| self.x[j + 1] - self.x[j];
