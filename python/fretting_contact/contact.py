@@ -163,7 +163,6 @@ class Contact(ContactFmu):
 
     def save(self) -> SavedState:
         """The present state; `restore` returns to it."""
-        self._check_open()
         return SavedState(self, self._call(self.slave.getFMUstate))
 
     def restore(self, state: SavedState | bytes) -> "Contact":

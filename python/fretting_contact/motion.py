@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -66,10 +67,8 @@ def loop(
         raise SignalError(
             f"cycles = {cycles}, points = {points}: at least 1 cycle of 4 points is needed"
         )
-    if isinstance(amplitude, str):
-        amplitude = in_si(amplitude, "m", "amplitude")
-    if isinstance(center, str):
-        center = in_si(center, "m", "center")
+    amplitude = _number(amplitude, "m", "amplitude")
+    center = _number(center, "m", "center")
     phase = np.arange(points * int(cycles) + 1) / points
     displacement = center + amplitude * np.sin(2 * np.pi * phase)
     whole = drive(contact, phase * period, displacement, normal_force)
@@ -108,9 +107,7 @@ def drive(
     if displacement_y is not None:
         signals["tangential_displacement_y"] = _signal("displacement_y", displacement_y)
     if normal_force is not None:
-        if isinstance(normal_force, str):
-            normal_force = in_si(normal_force, "N", "normal_force")
-        load = np.asarray(normal_force, dtype=float)
+        load = np.asarray(_number(normal_force, "N", "normal_force"), dtype=float)
         signals["normal_force"] = (
             np.full(signals["time"].shape, load)
             if load.ndim == 0
@@ -152,6 +149,11 @@ def drive(
     return MotionHistory(
         time=given, displacement=signals["tangential_displacement"], **columns, more=more
     )
+
+
+def _number(value: Any, unit: str, name: str) -> Any:
+    """The value in `unit` where it is a text with a unit; another one is left as it is."""
+    return in_si(value, unit, name) if isinstance(value, str) else value
 
 
 def _signal(name: str, values: ArrayLike) -> Array:
