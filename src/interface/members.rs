@@ -199,6 +199,12 @@ impl Members {
         }
     }
 
+    /// Work of friction of each contact so far, J.
+    pub(super) fn work(&self) -> Vec<f64> {
+        let work = |slot: &Slot| slot.as_ref().map_or(0.0, |contact| contact.dissipated_energy());
+        self.slots.iter().map(work).collect()
+    }
+
     /// Updates of the profile of each contact so far.
     pub(super) fn updates(&self) -> Vec<u64> {
         let updates = |slot: &Slot| slot.as_ref().map_or(0, |contact| contact.counters().profile_updates);

@@ -245,6 +245,32 @@ fn calls_of_cycles_may_be_divided() {
     assert_eq!(one.2, four.2);
 }
 
+/// Contacts of unequal height: the one that carries little slips most, and its force changes many
+/// times over while it is a small part of the whole.
+#[test]
+fn a_call_of_cycles_follows_contacts_of_little_force() {
+    let ball = Profile::Parabola { radius: 0.01 };
+    for (profile, gap, cycles) in [(&ball, 0.7, 1e5), (&ball, 0.95, 1e6), (&CONE, 0.7, 1e6)] {
+        let run = |resolution: usize, tolerance: f64, calls: u32| {
+            let parameters =
+                Parameters { profile: profile.clone(), resolution, tolerance, ..Parameters::default() };
+            let mut alone = FrettingContact::new(parameters.clone()).unwrap();
+            alone.start_at(100.0, 0.0).unwrap();
+            let offsets = [0.0, gap * alone.indentation_depth()];
+            let mut joint = Interface::new(parameters, &offsets.map(Summit::at_offset)).unwrap();
+            joint.start_at(100.0, [0.0; 2], 0.0).unwrap();
+            for _ in 0..calls {
+                joint.advance_cycles(100.0, 0.4e-6, cycles / f64::from(calls)).unwrap();
+            }
+            joint
+        };
+        let (one, many) = (run(64, 1e-3, 1), run(128, 1e-4, 16));
+        let what = format!("{profile:?} at gap {gap}, {cycles:e} cycles");
+        close_to(one.wear_volume(), many.wear_volume(), 5e-3, &format!("V of {what}"));
+        close_to(one.wear_depth(), many.wear_depth(), 1e-2, &format!("depth of {what}"));
+    }
+}
+
 /// After a large fall of the load a mesh would put the walls of what has worn elsewhere, even for
 /// next to no cycles: no block was short enough for the load that contacts exchange.
 #[test]
