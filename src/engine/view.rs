@@ -38,6 +38,8 @@ struct Reading {
     /// The same with nodes for the slip since then, and their transforms.
     surface: Option<Surface>,
     transforms: Option<Arc<NodeTransforms>>,
+    /// Those that were made here last, kept for their memory.
+    own_transforms: Option<Arc<NodeTransforms>>,
     /// Radii from which and up to which these nodes serve, m, where they do.
     span: Option<(f64, f64)>,
     /// Memory for nodes.
@@ -140,13 +142,13 @@ impl FrettingContact {
         let is_new = reading.span.replace(span).is_none();
         let surface = reading.surface.get_or_insert_with(|| self.surface.unworn());
         if surface.worn().is_none_or(|worn| worn.x() != nodes.x()) {
-            let own = reading.transforms.as_mut().and_then(Arc::get_mut);
-            match (self.memory.transforms_of(nodes), own) {
-                (None, Some(own)) => own.renew(nodes.x()),
-                (known, _) => {
-                    let made = || Arc::new(NodeTransforms::new(nodes.x()));
-                    reading.transforms = Some(known.unwrap_or_else(made));
+            reading.transforms = self.memory.transforms_of(nodes);
+            if reading.transforms.is_none() {
+                match reading.own_transforms.as_mut().and_then(Arc::get_mut) {
+                    Some(own) => own.renew(nodes.x()),
+                    None => reading.own_transforms = Some(Arc::new(NodeTransforms::new(nodes.x()))),
                 }
+                reading.transforms.clone_from(&reading.own_transforms);
             }
         } else if !is_new {
             return;
