@@ -172,7 +172,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if given[:1] == ["profile"]:
         from .profile import main as profile
 
-        return profile(given[1:])
+        return profile(given[1:], "python -m fretting_contact profile")
     parser = _parser()
     options, rest = parser.parse_known_args(given)
     if rest and (options.command == "demo" or not all("=" in text for text in rest)):

@@ -298,10 +298,10 @@ def summary(fit: ProfileFit) -> list[str]:
     ]
 
 
-def main(arguments: Sequence[str] | None = None) -> int:
-    """The command line; returns the exit status."""
+def main(arguments: Sequence[str] | None = None, prog: str = "cargo fmu profile") -> int:
+    """The command line, which is called ``prog``; returns the exit status."""
     parser = argparse.ArgumentParser(
-        prog="cargo fmu profile",
+        prog=prog,
         description="Makes a profile table for the FMU from a measured line scan.",
     )
     parser.add_argument(

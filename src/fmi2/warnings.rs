@@ -36,7 +36,7 @@ struct Scene<'a> {
 /// A row: when it is looked at, and the message where its condition holds.
 type Row = (Moment, fn(&Scene) -> Option<String>);
 
-const TABLE: [Row; 11] = [
+const TABLE: [Row; 12] = [
     (Moment::Start, |scene| {
         let Settings { youngs_modulus_1, youngs_modulus_2, .. } = *scene.settings;
         let moduli = [("youngs_modulus_1", youngs_modulus_1), ("youngs_modulus_2", youngs_modulus_2)];
@@ -130,6 +130,15 @@ const TABLE: [Row; 11] = [
             )
         })
     }),
+    (Moment::Step, |scene| {
+        let angle = scene.inputs.rotation;
+        (angle != 0.0 && scene.settings.contacts_file.is_empty()).then(|| {
+            format!(
+                "rotation = {angle:e} rad has no effect: a single contact lies on the axis of rotation; set contacts_file for a joint of \
+                 many, or leave rotation at 0"
+            )
+        })
+    }),
     (Moment::End, |scene| {
         let Run { touched, has_moved, largest_normal, .. } = *scene.run;
         let (name, unit) = match scene.settings.normal_control() {
@@ -211,8 +220,8 @@ struct Run {
     moved: f64,
     /// Way beyond which a step is looked at, over the indentation depth.
     far: f64,
-    /// The inputs that the loading does not use, when they were last looked at.
-    idle: [f64; 2],
+    /// The inputs that the run of a single contact does not use, when they were last looked at.
+    idle: [f64; 3],
     /// E*/G*.
     modulus_ratio: f64,
     loading: Loading,
@@ -238,7 +247,7 @@ impl Default for Warnings {
             place: [f64::NAN; 2],
             moved: 0.0,
             far: 0.0,
-            idle: [0.0; 2],
+            idle: [0.0; 3],
             modulus_ratio: 0.0,
             loading: Loading::Transient,
             touched: false,
@@ -302,8 +311,10 @@ impl Warnings {
             run.place[1] = y;
         }
         let idle = match run.loading {
-            Loading::Transient => [inputs.displacement_amplitude, 0.0],
-            Loading::Cyclic => inputs.place(),
+            Loading::Transient => [inputs.displacement_amplitude, 0.0, inputs.rotation],
+            Loading::Cyclic => {
+                [inputs.tangential_displacement, inputs.tangential_displacement_y, inputs.rotation]
+            }
         };
         let changed = idle != run.idle;
         run.idle = idle;

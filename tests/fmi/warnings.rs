@@ -181,6 +181,15 @@ fn motion_in_cyclic_loading_and_an_amplitude_in_transient_loading() {
 }
 
 #[test]
+fn a_rotation_of_a_single_contact() {
+    let texts = ["rotation = 1e-3 rad has no effect", "contacts_file"];
+    warned(&run(real("rotation", 1e-3), &STROKES), &texts);
+    warned(&run(|_| {}, &[&[("rotation", 1e-3)], &[("rotation", 2e-3)]]), &texts);
+    let cyclic = |fmu: &Fmu| assert_eq!(fmu.set_integer("loading", 2), OK);
+    warned(&run(cyclic, &[&[("rotation", 1e-3)], &[]]), &texts);
+}
+
+#[test]
 fn a_load_that_is_never_positive() {
     let messages =
         run(real("normal_force", 0.0), &[&[("normal_force", -50.0), (X, 1e-6)], &[("normal_force", -20.0)]]);

@@ -75,6 +75,12 @@ def test_profile_is_the_command_of_cargo(tmp_path, capsys):
     assert "radius of curvature at the apex: 10 mm" in capsys.readouterr().out
 
 
+def test_errors_of_profile_name_the_command_that_was_given(capsys):
+    with pytest.raises(SystemExit):
+        main(["profile"])
+    assert "python -m fretting_contact profile: error: " in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
