@@ -132,11 +132,13 @@ impl Patch {
         self.radii_of(&self.mesh.share, radius_squared)
     }
 
-    /// Radii of shares, the first of them 0, m.
+    /// Radii of shares from 0 to 1, m.
     pub(crate) fn radii_of(&self, shares: &[f64], radius_squared: f64) -> Vec<f64> {
         let (c2, span) = (self.inner_radius * self.inner_radius, self.span(radius_squared));
         let mut x: Vec<f64> = shares.iter().map(|phi| (c2 + span * phi).sqrt()).collect();
+        // both ends to the bit: beyond its rim a punch has no image
         x[0] = self.inner_radius;
+        x[shares.len() - 1] = radius_squared.sqrt();
         x
     }
 
