@@ -120,7 +120,7 @@ impl FrettingContact {
         // not on a line: a stroke goes on in gross slip with the limit that was found while all
         // stuck, and that of a narrow ring would ask for an update at every turn
         let slips = if self.state.row.is_plane() { stick } else { 0.0 };
-        let inner = stick.min(self.model.widest_stick(&self.state.contact, slips));
+        let inner = stick.min(self.model.widest_stick(self.surface.profile(), &self.state.contact, slips));
         wear::update_limit(self.model.parameters.tolerance, &self.surface, &self.state.contact, inner)
     }
 

@@ -64,11 +64,11 @@ impl Model {
         }
     }
 
-    /// Largest stick radius (m) by which wear is planned where springs slip outside an inner radius
-    /// (m): of a thinner annulus little wears. Around a flat that sticks the width counts from the
-    /// rim of the flat.
-    pub(super) fn widest_stick(&self, contact: &Contact, inner: f64) -> f64 {
-        let flat = self.parameters.profile.flat_radius();
+    /// Largest stick radius (m) by which wear of a body is planned where springs slip outside an
+    /// inner radius (m): of a thinner annulus little wears. Around a flat that sticks the width
+    /// counts from the rim of the flat.
+    pub(super) fn widest_stick(&self, body: &Profile, contact: &Contact, inner: f64) -> f64 {
+        let flat = body.flat_radius();
         let flat = if flat <= inner * (1.0 + ROUNDING) && flat < contact.radius { flat } else { 0.0 };
         flat + (1.0 - self.tuning.least_width) * (contact.radius - flat)
     }

@@ -1,7 +1,7 @@
 //! Many contacts that wear: against one contact, by the identity of volume and work, and to the bit
 //! where calls or threads are divided.
 
-use crate::common::{BALL, CONE, MU, close, close_to, seeded, uniform};
+use crate::common::{BALL, BLUNTED, CONE, MU, PUNCH, ROUNDED, close, close_to, seeded, uniform};
 use fretting_contact::{FrettingContact, Interface, NormalControl, Parameters, Profile, Summit};
 
 fn worn(wear_coefficient: f64) -> Parameters {
@@ -126,6 +126,36 @@ fn equal_contacts_at_a_given_approach_wear_as_one() {
     close_to(five.wear_volume(), 5.0 * one.wear_volume(), 1e-12, "worn volume");
     close_to(five.wear_depth(), one.wear_depth(), 1e-12, "wear depth");
     close_to(five.normal_reaction(), 5.0 * one.normal_reaction(), 1e-12, "force");
+}
+
+/// A contact with a radius factor is the scaled body, to the bit, where the body has a flat, too.
+#[test]
+fn a_radius_factor_wears_as_the_scaled_body() {
+    for body in [BLUNTED, ROUNDED, PUNCH, BALL] {
+        let parameters = |profile: Profile| Parameters {
+            profile,
+            normal_control: NormalControl::Indentation,
+            ..worn(0.32)
+        };
+        let scaled = parameters(body.scaled(0.7).unwrap());
+        let mut joint = Interface::new(
+            parameters(body.clone()),
+            &[Summit { radius_factor: 0.7, ..Summit::at_offset(0.0) }],
+        )
+        .unwrap();
+        let mut one = FrettingContact::new(scaled).unwrap();
+        let mut random = seeded(5);
+        joint.start_at(2e-6, [0.0; 2], 0.0).unwrap();
+        one.start_at(2e-6, 0.0).unwrap();
+        for _ in 0..40 {
+            let [x, y] = [0, 1].map(|_| uniform(&mut random, -2e-6, 2e-6));
+            joint.advance_to(2e-6, [x, y], 0.0).unwrap();
+            one.advance_to_planar(2e-6, [x, y]).unwrap();
+        }
+        assert!(one.counters().profile_updates > 5, "{body:?}: {}", one.counters());
+        assert_eq!(joint.wear_volume(), one.wear_volume(), "{body:?}");
+        assert_eq!(joint.tangential_force(), one.tangential_force(), "{body:?}");
+    }
 }
 
 /// While contacts of unequal height wear in steps, the tolerance bounds the error.
