@@ -62,7 +62,7 @@ pub enum Error {
     },
     /// Motion that a rigid body on several contacts cannot follow in one call.
     #[error(
-        "the interface wears too fast: {share:.3} of the normal force passes between contacts in one part of the step \
+        "the interface wears too fast: {share:.1e} of the normal force passes between contacts in one part of the step \
          ({what}), and it is not divided into more than {parts} parts: take smaller steps, or check wear_coefficient \
          and hardness"
     )]

@@ -113,7 +113,12 @@ impl Interface {
                 let part = k as f64 / parts as f64;
                 let before = mix(at, next, (k - 1) as f64 / parts as f64);
                 let here = from.towards(&to, mix(share, end, part));
-                self.walk_part((before, mix(at, next, part)), here, first)?;
+                let walked = self.walk_part((before, mix(at, next, part)), here, first)?;
+                if let Outcome::TooLong { lost } = walked {
+                    let [x, y] = to.displacement;
+                    let what = format!("to displacement ({x:e}, {y:e}) m, rotation {:e} rad", to.rotation);
+                    return Err(Error::InterfaceOutrun { share: lost, what, parts: MOST_PIECES.into() });
+                }
                 first = false;
             }
             (share, at) = (end, next);
@@ -145,23 +150,29 @@ impl Interface {
 
     /// Walks a part of a line to a force, N; where that wears so much that the approach would have
     /// to follow within it, in shorter parts. `first`: the step began here.
-    fn walk_part(&mut self, (from_force, force): (f64, f64), end: Pose, first: bool) -> Result<(), Error> {
+    fn walk_part(
+        &mut self,
+        (from_force, force): (f64, f64),
+        end: Pose,
+        first: bool,
+    ) -> Result<Outcome, Error> {
         let from = self.pose;
         let moves = end.displacement != from.displacement || end.rotation != from.rotation;
         if !self.wears() || !moves || force <= 0.0 {
-            return self.press_to(force, end).map(|_| ());
+            return self.press_to(force, end).map(|_| Outcome::Done { easy: true });
         }
         let mut length = 1.0;
         if first {
             // the marks of the step serve
             let updates = self.members.updates();
-            if let Outcome::Done { .. } = self.try_part(force, end, &updates)? {
-                return Ok(());
+            if let done @ Outcome::Done { .. } = self.try_part(force, end, &updates)? {
+                return Ok(done);
             }
             self.roll_back();
+            self.wear_off_at(from_force)?;
             length = 0.5;
         }
-        let (mut done, shortest) = (0.0, 1.0 / f64::from(MOST_PIECES));
+        let (mut done, mut is_worn_off, shortest) = (0.0, first, 1.0 / f64::from(MOST_PIECES));
         while done < 1.0 {
             let share: f64 = if done + length >= 1.0 { 1.0 } else { done + length };
             let pose = self.pose;
@@ -170,25 +181,33 @@ impl Interface {
             let updates = self.members.updates();
             match self.try_part(load, from.towards(&end, share), &updates)? {
                 Outcome::Done { easy } => {
-                    done = share;
+                    (done, is_worn_off) = (share, false);
                     if easy {
                         length *= 2.0;
                     }
                 }
-                Outcome::TooLong { lost } if length <= shortest => {
-                    let [x, y] = end.displacement;
-                    let what = format!("to displacement ({x:e}, {y:e}) m, rotation {:e} rad", end.rotation);
-                    return Err(Error::InterfaceOutrun { share: lost, what, parts: MOST_PIECES.into() });
-                }
+                too_long if is_worn_off && length <= shortest => return Ok(too_long),
                 Outcome::TooLong { lost } => {
                     self.members.return_to(&marks);
                     self.pose = pose;
+                    // what parts before have left to wear does not fall with the length
+                    if !is_worn_off {
+                        self.wear_off_at(mix(from_force, force, done))?;
+                        is_worn_off = true;
+                    }
                     // what is lost grows with the length
                     let shorter = (0.7 * self.most_lost() / lost).clamp(1.0 / 16.0, 0.5);
                     length = (length * shorter).max(shortest);
                 }
             }
         }
+        Ok(Outcome::Done { easy: false })
+    }
+
+    /// Lets all profiles follow what has slipped so far, and the approach their wear at a force, N.
+    fn wear_off_at(&mut self, force: f64) -> Result<(), Error> {
+        self.update_profiles()?;
+        self.follow(force)?;
         Ok(())
     }
 
