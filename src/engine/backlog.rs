@@ -77,11 +77,14 @@ impl FrettingContact {
         if wear.limit == 0.0 || share <= wear.limit {
             return false;
         }
-        // at constant load an update can wait for the reversal, which leaves strokes whole
+        // while the load hardly changes an update can wait for the reversal, which leaves strokes
+        // whole
+        let depth = self.state.contact.depth;
+        let near = self.model.tuning.load_share * (depth - self.surface.tip());
         self.turns(place)
             || self.state.row.is_plane()
             || share > self.model.tuning.stroke * wear.limit
-            || !wear.backlog.is_at(self.state.contact.depth)
+            || !wear.backlog.is_near(depth, near)
             || self.stick_radius() == 0.0
     }
 

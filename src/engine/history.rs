@@ -189,10 +189,8 @@ impl FrettingContact {
             return self.walk_on(value, place, divisible);
         }
         self.transaction(|this| {
-            this.bounded(|this| {
-                this.update_before(value)?;
-                this.walk_on(value, place, divisible)
-            })
+            this.update_before(value)?;
+            this.bounded(|this| this.walk_on(value, place, divisible))
         })
     }
 

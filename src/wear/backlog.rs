@@ -121,9 +121,12 @@ impl WearBacklog {
 
     /// Whether all slip was under one depth (m).
     pub(crate) fn is_at(&self, depth: f64) -> bool {
-        let is_at =
-            |level: &Level| (level.moment - depth * level.slip).abs() <= SAME * (depth * level.slip).abs();
-        self.levels.len() <= 1 && self.levels().all(|(level, _)| is_at(level))
+        self.levels.len() <= 1 && self.is_near(depth, SAME * depth.abs())
+    }
+
+    /// Whether the depths of all slip differ from one (m) by some length at most, m.
+    pub(crate) fn is_near(&self, depth: f64, most: f64) -> bool {
+        self.levels().all(|(level, _)| (level.moment - depth * level.slip).abs() <= most * level.slip)
     }
 
     /// Numbers that a backlog can have.

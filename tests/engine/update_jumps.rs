@@ -64,8 +64,9 @@ fn largest(parameters: Parameters, ends: impl Iterator<Item = End>) -> ((f64, f6
 /// Between updates T belongs to the profile of the last one. What it drifts meanwhile comes at once
 /// at the update: it goes with the volume that wears between two updates, so with the tolerance.
 /// Where the load varies an update comes before a step, so that T is a function of its end without
-/// a jump. At constant load it comes at a reversal, and jumps there. A step of a random history is
-/// a whole stroke in many pieces, with updates between them.
+/// a jump. While it hardly changes, as about the crest of a load that varies, it comes at a
+/// reversal, and jumps there. A step of a random history is a whole stroke in many pieces, with
+/// updates between them.
 #[test]
 fn the_tangential_force_jumps_by_less_than_the_tolerance() {
     let sine = |k: u32| (TAU * f64::from(k) / 40.0).sin();
@@ -100,7 +101,7 @@ fn the_tangential_force_jumps_by_less_than_the_tolerance() {
             assert!(updates > 0 && usual.0 < 1e-3, "{name}: {usual:?}");
             assert!(more > updates && fine.0 < 2e-4, "{name}: {fine:?}");
             if name == "varying load" {
-                assert_eq!((usual.1, fine.1), (0.0, 0.0), "{name}");
+                assert!(usual.1 == 0.0 && fine.1 < 2e-5, "{name}: {usual:?} {fine:?}");
             }
         }
     }

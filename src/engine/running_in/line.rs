@@ -181,7 +181,7 @@ impl FrettingContact {
         let before = self.model.parameters.friction_coefficient_after(self.state.work - wear.backlog.work);
         let drift = (self.model.constants.friction_coefficient / before - 1.0).abs();
         if drift > self.model.tuning.drift || self.update_is_due(place, work) {
-            self.bounded(|this| this.update_before(value))?;
+            self.update_before(value)?;
             self.follow_running_in();
         }
         Ok(())
