@@ -14,6 +14,7 @@ use super::history::MOST_PIECES;
 use super::{FrettingContact, Gradient};
 use crate::error::Error;
 use crate::parameters::Parameters;
+use crate::range;
 use crate::wear::{Constants, Part};
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -138,7 +139,8 @@ impl FrettingContact {
     /// [`Self::advance_to_planar`] with friction that runs in.
     pub(super) fn run_in_to(&mut self, normal: f64, target: Vector2<f64>) -> Result<(), Error> {
         let mut now = self.clone();
-        now.placed(|now| now.run_in_parts(normal, target))?;
+        let run = now.placed(|now| now.run_in_parts(normal, target));
+        run.map_err(|error| self.error_of_step(error, target.x))?;
         now.state.counters.steps = self.state.counters.steps + 1;
         *self = now;
         Ok(())
@@ -197,7 +199,8 @@ impl FrettingContact {
     pub(super) fn run_in_over(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         let mut now = self.clone();
         // refuses what cannot be done, and finds contact
-        now.advance_equal_cycles(normal, amplitude, (if cycles > 0.0 { 0.0 } else { cycles }, Part::Call))?;
+        let none = if (0.0..=range::MOST_CYCLES).contains(&cycles) { 0.0 } else { cycles };
+        now.advance_equal_cycles(normal, amplitude, (none, Part::Call))?;
         // with wear each part takes an integration of the profile
         let accuracy = if now.state.wear.is_some() { self.model.parameters.tolerance } else { ACCURACY };
         let (mut left, mut longest, mut trials, mut part) = (cycles, f64::INFINITY, 0, Part::Call);

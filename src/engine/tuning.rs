@@ -20,8 +20,8 @@ pub(super) struct Tuning {
     /// one place would dig a groove there.
     pub(super) placed_with: f64,
     /// Largest change of load, relative to the larger one, over which slip wears under one depth,
-    /// and the body behind a rig is taken to move evenly, and the bound of springs in the plane; and
-    /// of the depth, over which an update can wait for the next reversal.
+    /// and the body behind a rig is taken to move evenly, and the bound of springs in the plane;
+    /// and of the depth, over which an update can wait for the next reversal.
     pub(super) load_share: f64,
     /// Largest change of √F_N, relative to the larger one, over which the depth is taken for a
     /// parabola in F_N. The error of the friction work is of second order in it, 6e-5 in random

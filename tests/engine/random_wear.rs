@@ -293,8 +293,8 @@ fn a_light_load_after_a_heavy_one_wears_its_own_contact() {
 }
 
 /// A load that drifts or swings by little at every step: updates wait for the reversals, however
-/// many lines a cycle has, and V is that of one call for each cycle. (A mesh laid in the middle of a
-/// stroke let wear creep inside the stick radius: 40 lines were 1.2 % above 8.)
+/// many lines a cycle has, and V is that of one call for each cycle. (With updates within strokes,
+/// each at another front, 40 lines were 1.2 % above 8.)
 #[test]
 fn a_load_that_drifts_wears_stroke_by_stroke() {
     const CYCLES: u32 = 250;

@@ -562,3 +562,23 @@ fn the_derivatives_are_those_of_differences() {
         }
     }
 }
+
+/// A step and cycles that are refused while friction runs in are named as they were asked for.
+#[test]
+fn what_is_refused_is_named_as_it_was_asked_for() {
+    let fast = Parameters {
+        wear_coefficient: 50.0,
+        running_in_energy: 1e-2,
+        friction_coefficient_final: 0.5,
+        ..Parameters::default()
+    };
+    let mut contact = started(fast);
+    let refused = contact.advance_to(FORCE, 2e-6);
+    let is_named = matches!(refused, Err(Error::WearOutrun { from: 0.0, displacement: 2e-6 }));
+    assert!(is_named, "{refused:?}");
+    for cycles in [f64::INFINITY, 1e31, f64::NAN, -1.0] {
+        let refused = contact.advance_cycles(FORCE, 1e-6, cycles);
+        let is_named = matches!(refused, Err(Error::Input { name: "cycles", value, .. }) if value.to_bits() == cycles.to_bits());
+        assert!(is_named, "{cycles}: {refused:?}");
+    }
+}

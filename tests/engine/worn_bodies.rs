@@ -399,8 +399,8 @@ fn a_worn_rim_wears_on_behind_a_front_next_to_it() {
     assert_eq!(volumes[3], volumes[4]);
 }
 
-/// Gross slip of a flat punch until a core sticks. (One radius in twenty was refused: the mesh ended
-/// beyond the rim by rounding, where there is no body.)
+/// Gross slip of a flat punch until a core sticks. (One radius in twenty was refused: the mesh
+/// ended beyond the rim by rounding, where there is no body.)
 #[test]
 fn flat_punches_of_any_radius_wear_until_a_core_sticks() {
     let mut random = seeded(20);
