@@ -32,7 +32,7 @@ impl FrettingContact {
     pub(super) fn wear_steadily(
         &mut self,
         value: f64,
-        (sliding, mut part): (Sliding, Part),
+        (sliding, part): (Sliding, Part),
         amount: f64,
     ) -> Result<(), Error> {
         let (mut left, mut updates, mut next_trial) = (amount, 0, 1);
@@ -45,7 +45,6 @@ impl FrettingContact {
                 self.state.contact = self.contact_at(value)?;
                 return Ok(());
             }
-            part = Part::Call;
             while updates < next_trial && left > 0.0 {
                 if updates == MOST_PIECES {
                     return Err(refused(left, updates));

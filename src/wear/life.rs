@@ -62,7 +62,13 @@ pub(crate) fn integrate(
             }
         };
         let body = (&life.surface, outside);
-        let is_smooth = amount.part != Part::Call || worn_volume.is_some();
+        let is_smooth = worn_volume.is_some()
+            || match amount.part {
+                Part::Call => false,
+                // a stretch that a mesh could not follow has left lines, too
+                Part::Stretch => life.surface.worn().is_some_and(|nodes| nodes.mesh().is_some()),
+                Part::Update => true,
+            };
         let known = (worn_volume, is_smooth, course.left);
         let Some(start) = mesh_slip_zone(body, &contact, motion, constants, settings, known)? else { break };
         if life.mesh.is_none() && course.is_at_end(&start.0, &start.2) {

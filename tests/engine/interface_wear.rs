@@ -197,7 +197,7 @@ fn unequal_contacts_in_very_fast_wear_are_followed_in_steps_of_any_length() {
         for steps in [1, 5, 20, 1000] {
             close_to(pulled(1e-4, offset, steps), fine, 6e-3, &format!("{offset:e} m, {steps} steps"));
         }
-        close_to(pulled(1e-3, offset, 20), fine, 1e-2, &format!("{offset:e} m, usual tolerance"));
+        close_to(pulled(1e-3, offset, 20), fine, 2e-2, &format!("{offset:e} m, usual tolerance"));
     }
 }
 
