@@ -123,8 +123,17 @@ impl FrettingContact {
         // not on a line: a stroke goes on in gross slip with the limit that was found while all
         // stuck, and that of a narrow ring would ask for an update at every turn
         let slips = if self.state.row.is_plane() { stick } else { 0.0 };
-        let inner = stick.min(self.model.widest_stick(self.surface.profile(), &self.state.contact, slips));
+        let inner = stick.min(self.widest_stick(&self.state.contact, slips));
         wear::update_limit(self.model.parameters.tolerance, &self.surface, &self.state.contact, inner)
+    }
+
+    /// Largest stick radius (m) by which wear is planned where springs slip outside an inner radius
+    /// (m): of a thinner annulus little wears. Around a flat that sticks the width counts from the
+    /// rim of the flat.
+    pub(super) fn widest_stick(&self, contact: &Contact, inner: f64) -> f64 {
+        let flat = self.surface.profile().flat_radius();
+        let flat = if flat <= inner * (1.0 + ROUNDING) && flat < contact.radius { flat } else { 0.0 };
+        flat + (1.0 - self.model.tuning.least_width) * (contact.radius - flat)
     }
 
     /// Wears the backlog off and lets the contact settle at the present load and displacement.

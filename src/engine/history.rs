@@ -248,7 +248,7 @@ impl FrettingContact {
         let volume = self.model.constants.wear_per_work * work;
         let inner = if row.is_plane() {
             let slips = self.innermost_slip(to.radius);
-            self.model.widest_stick(self.surface.profile(), &to, slips)
+            self.widest_stick(&to, slips)
         } else {
             row.slip_zone(&to, self.model.bound_slope, place.x).0
         };

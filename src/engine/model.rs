@@ -7,7 +7,6 @@ use crate::error::Error;
 use crate::friction::Samples;
 use crate::parameters::{NormalControl, Parameters};
 use crate::profile::Profile;
-use crate::surface::{Contact, ROUNDING};
 use crate::wear::Constants;
 use std::sync::Arc;
 
@@ -62,15 +61,6 @@ impl Model {
             axes,
             tuning: USUAL,
         }
-    }
-
-    /// Largest stick radius (m) by which wear of a body is planned where springs slip outside an
-    /// inner radius (m): of a thinner annulus little wears. Around a flat that sticks the width
-    /// counts from the rim of the flat.
-    pub(super) fn widest_stick(&self, body: &Profile, contact: &Contact, inner: f64) -> f64 {
-        let flat = body.flat_radius();
-        let flat = if flat <= inner * (1.0 + ROUNDING) && flat < contact.radius { flat } else { 0.0 };
-        flat + (1.0 - self.tuning.least_width) * (contact.radius - flat)
     }
 
     /// Samples of springs across the contact.

@@ -85,11 +85,7 @@ impl FrettingContact {
         let share = (tuning.stroke * tolerance).min(tuning.steady_share);
         pace.work = pace.work.max(unit_work);
         // a worn rim may stick outside of what slips
-        let inner = if stick < contact.radius {
-            stick
-        } else {
-            self.model.widest_stick(self.surface.profile(), &contact, 0.0)
-        };
+        let inner = if stick < contact.radius { stick } else { self.widest_stick(&contact, 0.0) };
         pace.limit = pace.limit.max(wear::update_limit(share, &self.surface, &contact, inner));
         let limit = pace.limit * (unit_work / pace.work).sqrt();
         let volume = self.model.constants.wear_per_work * unit_work * left;
