@@ -113,12 +113,7 @@ impl Interface {
                 let part = k as f64 / parts as f64;
                 let before = mix(at, next, (k - 1) as f64 / parts as f64);
                 let here = from.towards(&to, mix(share, end, part));
-                let walked = self.walk_part((before, mix(at, next, part)), here, first)?;
-                if let Outcome::TooLong { lost } = walked {
-                    let [x, y] = to.displacement;
-                    let what = format!("to displacement ({x:e}, {y:e}) m, rotation {:e} rad", to.rotation);
-                    return Err(Error::InterfaceOutrun { share: lost, what, parts: MOST_PIECES.into() });
-                }
+                self.walk_part((before, mix(at, next, part)), (here, &to), first)?;
                 first = false;
             }
             (share, at) = (end, next);
@@ -149,24 +144,25 @@ impl Interface {
     }
 
     /// Walks a part of a line to a force, N; where that wears so much that the approach would have
-    /// to follow within it, in shorter parts. `first`: the step began here.
+    /// to follow within it, in shorter parts. `to` is the end of the line; `first`: the step began
+    /// here.
     fn walk_part(
         &mut self,
         (from_force, force): (f64, f64),
-        end: Pose,
+        (end, to): (Pose, &Pose),
         first: bool,
-    ) -> Result<Outcome, Error> {
+    ) -> Result<(), Error> {
         let from = self.pose;
         let moves = end.displacement != from.displacement || end.rotation != from.rotation;
         if !self.wears() || !moves || force <= 0.0 {
-            return self.press_to(force, end).map(|_| Outcome::Done { easy: true });
+            return self.press_to(force, end).map(|_| ());
         }
         let mut length = 1.0;
         if first {
             // the marks of the step serve
             let updates = self.members.updates();
-            if let done @ Outcome::Done { .. } = self.try_part(force, end, &updates)? {
-                return Ok(done);
+            if let Outcome::Done { .. } = self.try_part(force, end, &updates)? {
+                return Ok(());
             }
             self.roll_back();
             self.wear_off_at(from_force)?;
@@ -186,7 +182,11 @@ impl Interface {
                         length *= 2.0;
                     }
                 }
-                too_long if is_worn_off && length <= shortest => return Ok(too_long),
+                Outcome::TooLong { lost } if is_worn_off && length <= shortest => {
+                    let [x, y] = to.displacement;
+                    let what = format!("to displacement ({x:e}, {y:e}) m, rotation {:e} rad", to.rotation);
+                    return Err(Error::InterfaceOutrun { share: lost, what, parts: MOST_PIECES.into() });
+                }
                 Outcome::TooLong { lost } => {
                     self.members.return_to(&marks);
                     self.pose = pose;
@@ -201,14 +201,13 @@ impl Interface {
                 }
             }
         }
-        Ok(Outcome::Done { easy: false })
+        Ok(())
     }
 
     /// Lets all profiles follow what has slipped so far, and the approach their wear at a force, N.
     fn wear_off_at(&mut self, force: f64) -> Result<(), Error> {
         self.update_profiles()?;
-        self.follow(force)?;
-        Ok(())
+        self.follow(force).map(|_| ())
     }
 
     /// Share of the force by which the wear of one part of a step may change those of the contacts.
