@@ -25,6 +25,14 @@ impl FrettingContact {
     /// [`Error::TooMuchWear`] where one call asks for more wear than can be followed;
     /// [`Error::WearOutrun`] where more of it than the tolerance finds no place on the profile.
     pub fn advance_cycles(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
+        for (name, value, most) in
+            [("displacement_amplitude", amplitude, range::MOST_INPUT), ("cycles", cycles, range::MOST_CYCLES)]
+        {
+            if !(0.0..=most).contains(&value) {
+                let requirement = "it has to be finite and not negative, at most 1e60 m and 1e30 cycles";
+                return Err(Error::Input { name, value, requirement });
+            }
+        }
         if self.is_running_in() {
             return self.run_in_over(normal, amplitude, cycles);
         }
@@ -39,14 +47,6 @@ impl FrettingContact {
         (cycles, part): (f64, Part),
     ) -> Result<(), Error> {
         let value = self.checked(normal, 0.0)?;
-        for (name, value, most) in
-            [("displacement_amplitude", amplitude, range::MOST_INPUT), ("cycles", cycles, range::MOST_CYCLES)]
-        {
-            if !(0.0..=most).contains(&value) {
-                let requirement = "it has to be finite and not negative, at most 1e60 m and 1e30 cycles";
-                return Err(Error::Input { name, value, requirement });
-            }
-        }
         let run = self.transaction(|this| {
             this.placed(|this| this.run_cycles_on_coating(value, amplitude, (cycles, part)))
         });

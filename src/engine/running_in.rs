@@ -14,7 +14,6 @@ use super::history::MOST_PIECES;
 use super::{FrettingContact, Gradient};
 use crate::error::Error;
 use crate::parameters::Parameters;
-use crate::range;
 use crate::wear::{Constants, Part};
 use nalgebra::Vector2;
 use std::sync::Arc;
@@ -198,9 +197,8 @@ impl FrettingContact {
     /// [`Self::advance_cycles`] with friction that runs in.
     pub(super) fn run_in_over(&mut self, normal: f64, amplitude: f64, cycles: f64) -> Result<(), Error> {
         let mut now = self.clone();
-        // refuses what cannot be done, and finds contact
-        let none = if (0.0..=range::MOST_CYCLES).contains(&cycles) { 0.0 } else { cycles };
-        now.advance_equal_cycles(normal, amplitude, (none, Part::Call))?;
+        // refuses a load that cannot be carried, and finds contact
+        now.advance_equal_cycles(normal, amplitude, (0.0, Part::Call))?;
         // with wear each part takes an integration of the profile
         let accuracy = if now.state.wear.is_some() { self.model.parameters.tolerance } else { ACCURACY };
         let (mut left, mut longest, mut trials, mut part) = (cycles, f64::INFINITY, 0, Part::Call);
