@@ -310,12 +310,11 @@ impl Warnings {
             run.moved += (y - run.place[1]).abs();
             run.place[1] = y;
         }
-        let idle = match run.loading {
-            Loading::Transient => [inputs.displacement_amplitude, 0.0, inputs.rotation],
-            Loading::Cyclic => {
-                [inputs.tangential_displacement, inputs.tangential_displacement_y, inputs.rotation]
-            }
+        let [first, second] = match run.loading {
+            Loading::Transient => [inputs.displacement_amplitude, 0.0],
+            Loading::Cyclic => inputs.place(),
         };
+        let idle = [first, second, inputs.rotation];
         let changed = idle != run.idle;
         run.idle = idle;
         !run.touched | changed | (run.moved > run.far * contact.indentation_depth())

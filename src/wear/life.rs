@@ -67,6 +67,7 @@ pub(crate) fn integrate(
                 Part::Call => false,
                 // a stretch that a mesh could not follow has left lines, too
                 Part::Stretch => life.surface.worn().is_some_and(|nodes| nodes.mesh().is_some()),
+                // with lines the profile of strokes in gross slip is 6 % off
                 Part::Update => true,
             };
         let known = (worn_volume, is_smooth, course.left);
