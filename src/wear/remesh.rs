@@ -230,5 +230,8 @@ fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
     all.x.push(front);
     all.image.push(image);
     all.depth.push(depth);
-    all.thinned(THINNING * tolerance)
+    // next to its front the mesh that has worn here has narrow cells and some noise; nodes of
+    // others may be those of a wall
+    let own_mesh = surface.worn().and_then(|nodes| Some(nodes.x()[nodes.mesh()?.first]));
+    all.thinned(THINNING * tolerance, own_mesh.unwrap_or(f64::INFINITY))
 }

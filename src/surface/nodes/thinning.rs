@@ -3,23 +3,31 @@
 /// Share of the largest image that thinning may take at the usual tolerance.
 const USUAL_SHARE: f64 = 5e-5;
 
-/// How much further off the depth may be: it makes the volume, and no pressure. With 1 and 5 the
-/// volumes of a worn rim are the same.
-const OF_DEPTH: f64 = 20.0;
+/// How much further off than an image a depth may be, since it makes the volume and no pressure;
+/// and both, where nodes crowd. Half of it and twice give the same volumes
+/// (docs/decisions/wear_backlog.md).
+const NEARLY: f64 = 20.0;
 
-/// Indices of nodes such that the line (in x²) between neighbours meets all others within a share
-/// of the largest image, or that crowd at the end: there each lies a part of its distance from the
-/// end apart from the next, or of the radius, which falls with the root of the share, as the error
-/// of a line does with the square of its length.
-pub(crate) fn kept_nodes(x: &[f64], image: &[f64], share: f64) -> Vec<usize> {
+/// Indices of nodes such that the lines (in x²) between neighbours meet image and depth of all
+/// others, the image within a share of the largest.
+///
+/// Nodes crowd at the end where they lie closer together than a part of their distance from it, or
+/// of the radius, which falls with the root of the share, as the error of a line does with the
+/// square of its length. From an `own` radius on, where the mesh that ends there has left them,
+/// such nodes are left out; elsewhere if the lines meet them nearly. They do not meet a wall that
+/// other loads have left.
+pub(crate) fn kept_nodes([x, image, depth]: [&[f64]; 3], (share, own): (f64, f64)) -> Vec<usize> {
     let last = x.len() - 1;
     let spread = (share / USUAL_SHARE).sqrt().min(1.0);
     let crowded = |anchor: usize, end: usize| {
         let close = spread * (0.25 * (x[last] - x[anchor])).min(0.01 * x[last]);
         x[end] - x[anchor] < close
     };
-    let meets = met_by_lines(x, image, share);
-    thinned_while(x, image, |anchor, end| crowded(anchor, end) || meets(anchor, end + 1))
+    let met = |share| both_met_by_lines(x, image, depth, share);
+    let (meets, meets_nearly) = (met(share), met(NEARLY * share));
+    thinned_while(x, image, |anchor, end| {
+        crowded(anchor, end) && (x[anchor] >= own || meets_nearly(anchor, end + 1)) || meets(anchor, end + 1)
+    })
 }
 
 /// Indices of nodes without those that may be left out of the cell that begins at a kept one: asked
@@ -53,7 +61,7 @@ pub(super) fn both_met_by_lines(
     depth: &[f64],
     share: f64,
 ) -> impl Fn(usize, usize) -> bool {
-    let (image, depth) = (met_by_lines(x, image, share), met_by_lines(x, depth, OF_DEPTH * share));
+    let (image, depth) = (met_by_lines(x, image, share), met_by_lines(x, depth, NEARLY * share));
     move |anchor, end| image(anchor, end) && depth(anchor, end)
 }
 
@@ -82,7 +90,7 @@ mod tests {
         let image = [0.0, 0.0, 0.0, 0.0, 1e-9, 0.5, 1.0];
         let meets = both_met_by_lines(&x, &image, &[0.0; 7], 0.01);
         assert_eq!(thinned_while(&x, &image, |anchor, end| meets(anchor, end + 1))[..2], [0, 3]);
-        assert_eq!(kept_nodes(&x, &image, 0.01)[..2], [0, 3]);
+        assert_eq!(kept_nodes([&x, &image, &[0.0; 7]], (0.01, 0.0))[..2], [0, 3]);
     }
 
     /// The image of a slip zone that has worn free is flat behind its front, its depth is not.
@@ -95,7 +103,7 @@ mod tests {
             let meets = both_met_by_lines(&x, &image, depth, share);
             thinned_while(&x, &image, |anchor, end| meets(anchor, end + 1))
         };
-        let (alone, both) = (thinned(&image, 0.01), thinned(&depth, 0.01 / OF_DEPTH));
+        let (alone, both) = (thinned(&image, 0.01), thinned(&depth, 0.01 / NEARLY));
         assert_eq!(alone, [0, 40]);
         let meets = |pair: &[usize]| met_by_lines(&x, &depth, 0.01)(pair[0], pair[1]);
         assert!(both.len() > 4 && both.windows(2).all(meets), "{both:?}");

@@ -73,10 +73,10 @@ impl Frozen {
         self.image.last().copied().unwrap_or(0.0)
     }
 
-    /// Without the nodes that the line (in x²) between those which stay meets within a share of the
-    /// largest image.
-    pub(crate) fn thinned(&self, share: f64) -> Self {
-        let kept = crate::surface::kept_nodes(&self.x, &self.image, share);
+    /// Without the nodes that the lines (in x²) between those which stay meet, the image within a
+    /// share of the largest, and without those of an own radius (m) on that crowd at the edge.
+    pub(crate) fn thinned(&self, share: f64, own: f64) -> Self {
+        let kept = crate::surface::kept_nodes([&self.x, &self.image, &self.depth], (share, own));
         let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect();
         Self { x: pick(&self.x), image: pick(&self.image), depth: pick(&self.depth) }
     }
