@@ -178,3 +178,14 @@ fn every_error_of_the_engine_is_listed() {
         assert!(messages.iter().any(|message| text.contains(message.as_str())), "not in the guide: {text}");
     }
 }
+
+/// The recipe for a compliant fixture is the code that the tests run.
+#[test]
+fn the_recipe_for_a_fixture_is_the_one_that_is_tested() {
+    let page = read("docs/interface.md");
+    let start = page.find("/// Takes an interface in a fixture").expect("the recipe is there");
+    let recipe = page[start..].split("```").next().unwrap_or_default();
+    assert!(recipe.contains("fn drive("), "{recipe}");
+    let tests = read("tests/engine/interface_derivatives.rs");
+    assert!(tests.contains(recipe), "the test has another recipe");
+}
