@@ -139,18 +139,11 @@ impl FrettingContact {
     }
 
     /// Stick radius and side s of the slip zone for going on; s = ±1 also where that zone is still
-    /// empty.
-    fn moving_zone(&self) -> (f64, f64) {
-        let onward = if self.state.direction.x < 0.0 { -1.0 } else { 1.0 };
-        (self.sticking(onward), onward)
-    }
-
-    /// Radius up to which springs stick for going on to a side, m.
-    #[inline]
-    pub(super) fn sticking(&self, onward: f64) -> f64 {
+    /// empty. Where the load falls as fast as the motion turns back, the zone stays on its side.
+    pub(super) fn moving_zone(&self) -> (f64, f64) {
         let (stick, side) = self.slip_zone();
-        // a zone on the side that the motion leaves comes off its bound
-        if side * onward < 0.0 { self.state.contact.radius } else { stick }
+        let onward = if self.state.direction.x < 0.0 { -1.0 } else { 1.0 };
+        (stick, if side == 0.0 { onward } else { side })
     }
 
     /// I = ∫ from c to a of (d − g) dx, m².

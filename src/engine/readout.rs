@@ -136,13 +136,13 @@ impl FrettingContact {
     }
 
     /// ∂T/∂U for going on in the direction of the last movement, N/m: 2G* times the length of
-    /// springs that stick.
+    /// springs that stick. Where others slip as the load falls, it is that with them slipping on.
     pub fn tangential_stiffness(&self) -> f64 {
         if self.state.row.is_plane() {
             let ahead = self.state.direction;
             return ahead.dot(&(self.tangent().stiffness * ahead));
         }
-        2.0 * self.model.constants.tangential_modulus * self.sticking(self.state.direction.x)
+        2.0 * self.model.constants.tangential_modulus * self.moving_zone().0
     }
 }
 

@@ -133,6 +133,30 @@ fn derivatives_agree_with_differences_along_the_path() {
     }
 }
 
+/// After a small reversal the load falls, at rest or with motion back: the outer springs slip on
+/// where they were. (The zone of the last movement was taken, which was empty: derivatives by the
+/// load were 0.)
+#[test]
+fn a_zone_that_slips_as_the_load_falls_counts_after_a_reversal() {
+    for profile in [BALL, CONE, ROUNDED] {
+        for control in [NormalControl::Force, NormalControl::Indentation] {
+            let (mut contact, normal) = usual(&profile, control);
+            let full = exact(&profile, FORCE).full_slip();
+            to(&mut contact, normal, 0.7 * full);
+            to(&mut contact, normal, 0.68 * full);
+            for back in [0.0, 1e-3] {
+                let mut unloaded = contact.clone();
+                let at = (0.9 * normal, (0.68 - back) * full);
+                to(&mut unloaded, at.0, at.1);
+                let step = (-1e-5 * normal, -1e-4 * back * full);
+                agrees_along(&unloaded, at, step, 1e-4, &[], &format!("{profile:?}, {control:?}, {back}"));
+                let slope = unloaded.tangential_force_gradient().displacement;
+                close_to(unloaded.tangential_stiffness(), slope, 1e-12, "stiffness");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_sticking_contact_goes_on_elastically() {
     for control in CONTROLS {
