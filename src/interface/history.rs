@@ -109,23 +109,26 @@ impl Interface {
         let (mut share, mut at, mut first) = (0.0, start, true);
         for (end, next) in ends.into_iter().flatten() {
             let parts = self.parts(at, next, &from.towards(&to, end))?;
-            for k in 1..=parts {
-                let part = k as f64 / parts as f64;
-                let before = mix(at, next, (k - 1) as f64 / parts as f64);
+            let mut begin = 0.0;
+            for part in parts {
                 let here = from.towards(&to, mix(share, end, part));
-                self.walk_part((before, mix(at, next, part)), (here, &to), first)?;
-                first = false;
+                self.walk_part((mix(at, next, begin), mix(at, next, part)), (here, &to), first)?;
+                (begin, first) = (part, false);
             }
             (share, at) = (end, next);
         }
         Ok(())
     }
 
-    /// Parts of a line between two forces (N) in which the approach is straight.
-    fn parts(&mut self, from: f64, to: f64, end: &Pose) -> Result<u64, Error> {
+    /// Shares of a line between two forces (N) where parts end in which the approach is straight.
+    ///
+    /// The springs that touch in a part do so at a displacement that is off by an eighth of the
+    /// relative change of the stiffness in it, times its length; the tangential force is off by a
+    /// twelfth of the square of that change where all parts have the same.
+    fn parts(&mut self, from: f64, to: f64, end: &Pose) -> Result<Vec<f64>, Error> {
         let moves = end.displacement != self.pose.displacement || end.rotation != self.pose.rotation;
         if !moves || from == to || (from <= 0.0 && to <= 0.0) {
-            return Ok(1);
+            return Ok(vec![1.0]);
         }
         let before = self.normal_stiffness();
         let found = self.approach_or_touch(to)?;
@@ -133,14 +136,24 @@ impl Interface {
         let (change, pose) = self.force_change((from, to), found.clone(), end);
         self.ahead = Some((to, found));
         if self.members.change_evenly(&self.pose, &pose, &change) {
-            return Ok(1);
+            return Ok(vec![1.0]);
         }
-        let change = (after - before).abs() / after.max(before);
-        // the springs that touch in a part do so at a displacement that is off by an eighth of this
-        // change, which makes an error of the tangential force of a twelfth of its square
-        let parts = change / self.parameters.tolerance.sqrt();
-        // a share that is no number has one part, too
-        Ok(parts.ceil().clamp(1.0, f64::from(MOST_PIECES)) as u64)
+        let (tolerance, largest) = (self.parameters.tolerance, after.max(before));
+        // where contacts touch, the stiffness is that of none: no part is too short to be off
+        let most = largest * tolerance.sqrt().max(1.0 / f64::from(MOST_PIECES));
+        let (mut done, mut ahead, mut parts) = ((0.0, before), vec![(1.0, after)], Vec::new());
+        while let Some(&(share, stiffness)) = ahead.last() {
+            let length: f64 = share - done.0;
+            if (stiffness - done.1).abs() > most && length > tolerance {
+                let middle = done.0 + 0.5 * length;
+                ahead.push((middle, self.approach_or_touch(mix(from, to, middle))?.stiffness));
+            } else {
+                parts.push(share);
+                done = (share, stiffness);
+                ahead.pop();
+            }
+        }
+        Ok(parts)
     }
 
     /// Walks a part of a line to a force, N; where that wears so much that the approach would have
