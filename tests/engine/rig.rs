@@ -5,7 +5,7 @@
 use crate::common::*;
 use fretting_contact::problems::{History, Problem};
 use fretting_contact::reference::{ConstantDepthEnd, NormalContact};
-use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile, SlipState};
+use fretting_contact::{Error, FrettingContact, NormalControl, Parameters, Profile, SlipState};
 use std::f64::consts::PI;
 
 use NormalControl::{Force, Indentation};
@@ -591,6 +591,23 @@ fn cycles_at_constant_depth_wear_alike_in_one_call_and_many() {
         let error = volume(1, 1e-3) / volume(30, 1e-4) - 1.0;
         println!("{profile:?}: V {error:+e}");
         assert!(error.abs() < 5e-3, "{profile:?}: V {error:+e}");
+    }
+}
+
+/// Cycles in gross slip that wear more than can be followed are refused behind a rig as without.
+/// (Each of ever shorter stretches took all the steps that there are: 1e10 cycles did not return in
+/// minutes.)
+#[test]
+fn gross_slip_beyond_what_can_be_followed_is_refused_behind_a_rig() {
+    for rig_stiffness in [f64::INFINITY, 2e7] {
+        let mut contact = started(Parameters { rig_stiffness, resolution: 16, ..Parameters::default() });
+        let before = contact.clone();
+        match contact.advance_cycles(FORCE, 2e-5, 1e12) {
+            Err(Error::TooMuchWear { cycles: 1e12, left, amplitude: 2e-5, .. }) => assert!(left < 1e12),
+            other => panic!("{other:?}"),
+        }
+        assert_eq!(contact.wear_volume(), before.wear_volume());
+        contact.advance_cycles(FORCE, 2e-5, 1e6).unwrap();
     }
 }
 

@@ -124,6 +124,13 @@ impl FrettingContact {
                 Err(beyond @ (Error::BeyondTable { .. } | Error::NonMonotoneImage { .. })) => {
                     return Err(beyond);
                 }
+                // in gross slip the amplitude stays, and shorter stretches wear no less
+                Err(Error::TooMuchWear { left: of_stretch, steps, .. })
+                    if before.slips_as_a_whole(drive, amplitude) =>
+                {
+                    let left = left - stretch + of_stretch;
+                    return Err(Error::TooMuchWear { cycles, left, amplitude: drive, steps });
+                }
                 ends => ends.ok().flatten(),
             };
             let error_against = |at_once: Option<[f64; 2]>| {
@@ -146,6 +153,13 @@ impl FrettingContact {
             stretch *= (0.9 / error.sqrt()).clamp(0.1, 4.0);
         }
         Err(Error::TooMuchWear { cycles, left, amplitude: drive, steps: MOST_PIECES })
+    }
+
+    /// Whether an amplitude of the contact (m) in cycles of a drive is that of gross slip at
+    /// constant force: what is left of the drive's beside μF_N/k_rig.
+    fn slips_as_a_whole(&self, drive: f64, amplitude: f64) -> bool {
+        let stretched = self.model.compliance * self.friction_limit();
+        self.model.constants.force_control && (drive - amplitude - stretched).abs() <= ROUNDING * drive
     }
 
     /// Amplitudes (m) that the drive would make after cycles of the contact itself at that of the
