@@ -139,7 +139,8 @@ impl Interface {
             return Ok(vec![1.0]);
         }
         let (tolerance, largest) = (self.parameters.tolerance, after.max(before));
-        // where contacts touch, the stiffness is that of none: no part is too short to be off
+        // where contacts touch, the stiffness rises from 0, at first without bound: there a part as
+        // short as the tolerance is short enough
         let most = largest * tolerance.sqrt().max(1.0 / f64::from(MOST_PIECES));
         let (mut done, mut ahead, mut parts) = ((0.0, before), vec![(1.0, after)], Vec::new());
         while let Some(&(share, stiffness)) = ahead.last() {

@@ -117,16 +117,18 @@ impl FrettingContact {
                 return Ok(amplitude);
             }
             stretch = stretch.min(left);
-            let before = self.clone();
+            let mut before = self.clone();
             let ends = match self.amplitudes_after(value, (drive, amplitude), (stretch, part)) {
                 // the amplitude grows along a stretch: what leaves the table with that of its start
                 // leaves it
                 Err(beyond @ (Error::BeyondTable { .. } | Error::NonMonotoneImage { .. })) => {
                     return Err(beyond);
                 }
-                // in gross slip the amplitude stays, and shorter stretches wear no less
+                // in gross slip at constant force the amplitude stays, so that shorter stretches
+                // need as many steps
                 Err(Error::TooMuchWear { left: of_stretch, steps, .. })
-                    if before.slips_as_a_whole(drive, amplitude) =>
+                    if before.model.constants.force_control
+                        && before.unit_work(Sliding::Cycles(amplitude)).1 == 0.0 =>
                 {
                     let left = left - stretch + of_stretch;
                     return Err(Error::TooMuchWear { cycles, left, amplitude: drive, steps });
@@ -153,13 +155,6 @@ impl FrettingContact {
             stretch *= (0.9 / error.sqrt()).clamp(0.1, 4.0);
         }
         Err(Error::TooMuchWear { cycles, left, amplitude: drive, steps: MOST_PIECES })
-    }
-
-    /// Whether an amplitude of the contact (m) in cycles of a drive is that of gross slip at
-    /// constant force: what is left of the drive's beside μF_N/k_rig.
-    fn slips_as_a_whole(&self, drive: f64, amplitude: f64) -> bool {
-        let stretched = self.model.compliance * self.friction_limit();
-        self.model.constants.force_control && (drive - amplitude - stretched).abs() <= ROUNDING * drive
     }
 
     /// Amplitudes (m) that the drive would make after cycles of the contact itself at that of the
