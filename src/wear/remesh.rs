@@ -230,8 +230,8 @@ fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
     all.x.push(front);
     all.image.push(image);
     all.depth.push(depth);
-    // next to its front the mesh that has worn here has narrow cells and some noise; nodes of
-    // others may be those of a wall
-    let own_mesh = surface.worn().and_then(|nodes| Some(nodes.x()[nodes.mesh()?.first]));
-    all.thinned(THINNING * tolerance, own_mesh.unwrap_or(f64::INFINITY))
+    // the moving mesh has narrow cells next to its front, with an error of some 1e-3 of the image;
+    // crowded nodes elsewhere may belong to a steep step that other loads have worn
+    let mesh_start = surface.worn().and_then(|nodes| Some(nodes.x()[nodes.mesh()?.first]));
+    all.thinned(THINNING * tolerance, mesh_start.unwrap_or(f64::INFINITY))
 }

@@ -73,25 +73,25 @@ fn gradients_on_worn_profiles_are_differences() {
 }
 
 /// Takes an interface in a fixture of stiffness k (N/m) to a displacement D (m) of its drive.
-/// Returns the number of trials and the force that is left over, N.
+/// Returns the number of trials and the residual force, N.
 fn drive(joint: &mut Interface, force: f64, drive: f64, stiffness: f64) -> Result<(u32, f64), Error> {
     let start = joint.clone();
-    let (mut u, mut between) = (start.displacement(), [f64::NEG_INFINITY, f64::INFINITY]);
+    let (mut u, mut bounds) = (start.displacement(), [f64::NEG_INFINITY, f64::INFINITY]);
     let mut trials = 0;
     loop {
         trials += 1;
         *joint = start.clone();
         joint.advance_to(force, [u, 0.0], 0.0)?;
-        let pull = stiffness * (drive - u) - joint.tangential_force();
-        if pull.abs() <= 1e-10 * stiffness * drive.abs().max(u.abs()) || trials == 50 {
-            return Ok((trials, pull));
+        let residual = stiffness * (drive - u) - joint.tangential_force();
+        if residual.abs() <= 1e-10 * stiffness * drive.abs().max(u.abs()) || trials == 50 {
+            return Ok((trials, residual));
         }
-        // the pull falls as U grows, so that each trial is a bound
-        between[usize::from(pull < 0.0)] = u;
+        // the residual falls as U grows, so that each trial is a bound
+        bounds[usize::from(residual < 0.0)] = u;
         let slope = joint.total_gradient(FrettingContact::tangential_force_gradient).displacement;
-        u += pull / (stiffness + slope);
-        if u <= between[0] || u >= between[1] {
-            u = 0.5 * (between[0] + between[1]);
+        u += residual / (stiffness + slope);
+        if u <= bounds[0] || u >= bounds[1] {
+            u = 0.5 * (bounds[0] + bounds[1]);
         }
     }
 }
@@ -114,8 +114,8 @@ fn a_fixture_around_an_interface_is_the_rig_of_one_contact() {
     close_to(three.displacement(), 1e-5 - MU * FORCE / rig_stiffness, 1e-8, "U in sliding");
 }
 
-/// Steps that reverse in gross slip, in a soft fixture. (Newton's method without bounds went to and
-/// fro between slip forward and backward, and ended with 2 μF_N left over.)
+/// Steps that reverse in gross slip, in a soft fixture. (Newton's method without bounds alternated
+/// between slip forward and backward, and ended with a residual of 2 μF_N after 50 trials.)
 #[test]
 fn steps_that_reverse_in_gross_slip_are_solved_in_a_soft_fixture() {
     let stiffness = started(without_wear(BALL)).tangential_stiffness();

@@ -168,8 +168,8 @@ fn the_division_of_a_step_does_not_matter_to_the_tolerance() {
     assert!(errors[3] < errors[1] / 20.0, "{errors:?}");
 }
 
-/// A step from apart, in which contacts touch and slip. (Parts of even force took a third of the
-/// stiffness in the first one: T was off by 2e-3 of μF_N, the work by up to 2.4 %.)
+/// A step from separation, in which contacts touch and slip. (Parts of equal force had a third of
+/// the stiffness in the first one: T was off by 2e-3 of μF_N, the work by up to 2.4 %.)
 #[test]
 fn contacts_that_touch_and_slip_in_one_step_follow_the_line() {
     for (profile, spread) in [(BALL, 2e-7), (CONE, 5e-7)] {

@@ -4,19 +4,19 @@
 const USUAL_SHARE: f64 = 5e-5;
 
 /// How much further off than an image a depth may be, since it makes the volume and no pressure;
-/// and both, where nodes crowd. Half of it and twice give the same volumes
+/// and both, where nodes lie close together at the end. Half of it and twice give the same volumes
 /// (docs/decisions/wear_backlog.md).
 const NEARLY: f64 = 20.0;
 
-/// Indices of nodes such that the lines (in x²) between neighbours meet image and depth of all
-/// others, the image within a share of the largest.
+/// Indices of the nodes to keep: the lines (in x²) between them meet image and depth of all others,
+/// the image within a share of the largest.
 ///
-/// Nodes crowd at the end where they lie closer together than a part of their distance from it, or
-/// of the radius, which falls with the root of the share, as the error of a line does with the
-/// square of its length. From an `own` radius on, where the mesh that ends there has left them,
-/// such nodes are left out; elsewhere if the lines meet them nearly. They do not meet a wall that
-/// other loads have left.
-pub(crate) fn kept_nodes([x, image, depth]: [&[f64]; 3], (share, own): (f64, f64)) -> Vec<usize> {
+/// Nodes are crowded at the end where they lie closer together than a part of their distance from
+/// it, or of the radius, which falls with the root of the share, as the error of a line does with
+/// the square of its length. From `mesh_start` (m) on they are cells of the moving mesh that ends
+/// there, and are left out. Elsewhere they are left out where the lines meet them nearly, which
+/// they do not at a steep step in the profile that other loads have worn.
+pub(crate) fn kept_nodes([x, image, depth]: [&[f64]; 3], (share, mesh_start): (f64, f64)) -> Vec<usize> {
     let last = x.len() - 1;
     let spread = (share / USUAL_SHARE).sqrt().min(1.0);
     let crowded = |anchor: usize, end: usize| {
@@ -26,7 +26,8 @@ pub(crate) fn kept_nodes([x, image, depth]: [&[f64]; 3], (share, own): (f64, f64
     let met = |share| both_met_by_lines(x, image, depth, share);
     let (meets, meets_nearly) = (met(share), met(NEARLY * share));
     thinned_while(x, image, |anchor, end| {
-        crowded(anchor, end) && (x[anchor] >= own || meets_nearly(anchor, end + 1)) || meets(anchor, end + 1)
+        let may_crowd = || x[anchor] >= mesh_start || meets_nearly(anchor, end + 1);
+        crowded(anchor, end) && may_crowd() || meets(anchor, end + 1)
     })
 }
 

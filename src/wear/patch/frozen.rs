@@ -74,9 +74,10 @@ impl Frozen {
     }
 
     /// Without the nodes that the lines (in x²) between those which stay meet, the image within a
-    /// share of the largest, and without those of an own radius (m) on that crowd at the edge.
-    pub(crate) fn thinned(&self, share: f64, own: f64) -> Self {
-        let kept = crate::surface::kept_nodes([&self.x, &self.image, &self.depth], (share, own));
+    /// share of the largest, and without those from the start of a mesh (m) on that are crowded at
+    /// the edge.
+    pub(crate) fn thinned(&self, share: f64, mesh_start: f64) -> Self {
+        let kept = crate::surface::kept_nodes([&self.x, &self.image, &self.depth], (share, mesh_start));
         let pick = |field: &[f64]| kept.iter().map(|&k| field[k]).collect();
         Self { x: pick(&self.x), image: pick(&self.image), depth: pick(&self.depth) }
     }
