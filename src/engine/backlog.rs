@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::friction::{Resting, Row, SlipPiece};
 use crate::parameters::Parameters;
 use crate::surface::{Contact, FrontMotion, Nodes, ROUNDING, Surface};
-use crate::wear::{self, Part, RepeatedMotion, Sliding, SlipAtDepth, SlipFields};
+use crate::wear::{self, Part, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, Update};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 use std::mem::{replace, take};
@@ -316,29 +316,22 @@ impl FrettingContact {
             self.defer(lost);
         }
         self.surface.set_worn(Some(nodes));
-        let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(true) };
+        let Some(wear) = &self.state.wear else { return Ok(true) };
         let taken = wear.deferred_share(self.model.tuning.placed_with * work.abs());
         let work = work + taken;
-        let (transforms, made) = self.memory.get().transforms.get(nodes);
-        self.state.counters.transform_tables += u64::from(made);
-        let body = (&self.surface, nodes);
-        let fields = SlipFields::of_law(body, &transforms, (law, work), &self.model.constants)?;
-        if fields.slip_path.iter().all(|path| *path <= 0.0) {
-            self.defer_law(work - taken);
-            return Ok(true);
-        }
-        if fields.are_free() {
-            return Ok(false);
-        }
+        let (fields, update) = self.update_within_nodes(law, work)?;
+        let Some(update) = update else {
+            let slips = fields.slip();
+            if !slips {
+                self.defer_law(work - taken);
+            }
+            return Ok(!slips);
+        };
+        let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(true) };
+        let (transforms, _) = self.memory.get().transforms.get(nodes);
         wear.deferred_work -= taken;
-        self.state.counters.pressure_transforms += fields.transforms;
-        self.state.counters.descent_transforms += fields.transforms;
         wear.clipped += fields.clipped;
         wear.defect += fields.defect;
-        let control = self.model.parameters.normal_control;
-        let update = wear::worn_depth(&self.surface, &transforms, &fields, control, &self.model.constants)?;
-        self.state.counters.descent_transforms += update.iterations;
-        self.state.counters.pressure_transforms += update.iterations;
         if !update.followed {
             if per_work * work <= NEGLIGIBLE * nodes.worn_volume() {
                 self.defer_law(work);
@@ -353,7 +346,7 @@ impl FrettingContact {
         let scale_to = |target: f64| if volume > 0.0 { (target / volume).min(MOST_SCALE) } else { 0.0 };
         let full = scale_to(per_work * work);
         let grown: Vec<f64> = change.1.iter().map(|h| full * h).collect();
-        let share = wear::mean_work_share(&self.surface, law, &grown, control);
+        let share = wear::mean_work_share(&self.surface, law, &grown, self.model.parameters.normal_control);
         let target = per_work * work * share;
         let scale = scale_to(target);
         wear.deferred_work += (target - scale * volume) / per_work;
@@ -364,6 +357,37 @@ impl FrettingContact {
         self.state.counters.profile_updates += 1;
         self.look_at_coating();
         Ok(true)
+    }
+
+    /// What a slip law of some work (J) does on the nodes of the surface, and the update that it
+    /// brings, unless nothing slips or what slips is free. Where a contact grows beyond the nodes,
+    /// there are more: wear that ended at the last one would leave a step there.
+    fn update_within_nodes(
+        &mut self,
+        law: &[SlipAtDepth],
+        work: f64,
+    ) -> Result<(SlipFields, Option<Update>), Error> {
+        let (constants, control) = (self.model.constants, self.model.parameters.normal_control);
+        loop {
+            let Some(nodes) = self.surface.worn() else { return Ok((SlipFields::none(0), None)) };
+            let (transforms, made) = self.memory.get().transforms.get(nodes);
+            let counters = &mut self.state.counters;
+            counters.transform_tables += u64::from(made);
+            let fields = SlipFields::of_law((&self.surface, nodes), &transforms, (law, work), &constants)?;
+            if !fields.slip() || fields.are_free() {
+                return Ok((fields, None));
+            }
+            let update = wear::worn_depth(&self.surface, &transforms, &fields, control, &constants)?;
+            let transforms = fields.transforms + update.iterations;
+            counters.pressure_transforms += transforms;
+            counters.descent_transforms += transforms;
+            let outgrown = update.followed && update.depth[nodes.last()] > 0.0;
+            let reach = (fields.contact.radius, self.surface.profile());
+            match outgrown.then(|| nodes.reaching_further(reach)).flatten() {
+                Some(more) => self.surface.set_worn(Some(more)),
+                None => return Ok((fields, Some(update))),
+            }
+        }
     }
 
     /// Radius up to which springs stuck (m) while others slipped in contacts up to a radius (m),

@@ -58,12 +58,17 @@ impl SlipFields {
         Ok(fields)
     }
 
+    /// Whether anything slips.
+    pub(crate) fn slip(&self) -> bool {
+        self.slip_path.iter().any(|path| *path > 0.0)
+    }
+
     /// Whether what slips carries no load any more.
     pub(crate) fn are_free(&self) -> bool {
         self.work_per_area.iter().all(|work| *work <= 0.0)
     }
 
-    fn none(count: usize) -> Self {
+    pub(crate) fn none(count: usize) -> Self {
         let contact = Contact { control: 0.0, depth: 0.0, radius: 0.0, load: 0.0 };
         let (work_per_area, slip_path) = (vec![0.0; count], vec![0.0; count]);
         Self { work_per_area, slip_path, contact, clipped: 0.0, defect: 0.0, transforms: 0 }

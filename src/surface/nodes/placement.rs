@@ -325,6 +325,25 @@ impl Nodes {
         }
     }
 
+    /// These nodes and more at their end, in cells that grow fast; `None` where they end far beyond
+    /// a contact radius (m), or the body does.
+    pub(crate) fn reaching_further(&self, (radius, profile): (f64, &Profile)) -> Option<Self> {
+        let far = (FAR * radius).min(profile.outer_radius());
+        if self.x[self.last()] >= far {
+            return None;
+        }
+        let mut more = self.clone();
+        more.leave_mesh();
+        for _ in 0..SPARE {
+            let end = more.x[more.last()];
+            if end < far {
+                more.append((end + more.next_width(2.0)).min(far));
+            }
+        }
+        more.update_integrals(profile);
+        Some(more)
+    }
+
     /// Width of a cell beyond the last, m: by a factor wider, up to an even one.
     fn next_width(&self, factor: f64) -> f64 {
         let (end, before) = (self.x[self.last()], self.x[self.last() - 1]);
