@@ -239,18 +239,15 @@ impl Surface {
         value: f64,
         force_scale: f64,
     ) -> Result<Contact, Error> {
+        // under a force that of a disc is found on the lines between its nodes: with another edge
+        // than theirs the springs next to it would not be at their bound
         if let Some(place) = self.worn().and_then(Nodes::mesh)
             && place.contact.value_of(control) == value
+            && (place.region, control) != (Region::Disc, NormalControl::Force)
         {
-            let radius = place.contact.radius;
+            let Contact { depth, radius, load, .. } = place.contact;
             self.check_one_disc(radius)?;
-            let Contact { depth, load, .. } = place.contact;
-            // lines between the nodes carry the force
-            let (depth, load) = match (place.region, control) {
-                (Region::Disc, NormalControl::Force) => (self.depth_at_edge(radius, value), value),
-                (Region::Disc, NormalControl::Indentation) => (value, self.load_at_edge(radius, value)),
-                _ => (depth, load),
-            };
+            let load = if place.region == Region::Disc { self.load_at_edge(radius, depth) } else { load };
             // as below, a NaN has to stay one
             let load = if load < 0.0 { 0.0 } else { load };
             range::contact(radius, depth, load, load * force_scale)?;

@@ -4,7 +4,7 @@ use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Resting, Row, SlipPiece};
 use crate::parameters::Parameters;
-use crate::surface::{Contact, FrontMotion, Nodes, ROUNDING, Surface};
+use crate::surface::{Contact, FrontMotion, Nodes, ROUNDING, Region, Surface};
 use crate::wear::{self, Part, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, Update};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -277,17 +277,25 @@ impl FrettingContact {
         self.defer(work);
     }
 
-    /// Whether a motion is worth a moving mesh: on the unworn body, or where it has been seen
-    /// before. A single stroke from anywhere to anywhere looks like half a cycle.
+    /// Whether a motion is worth a moving mesh: on the unworn body, on the mesh that is there, or
+    /// where it has been seen before. A single stroke from anywhere to anywhere looks like half a
+    /// cycle.
     fn is_followed(&self, motion: &RepeatedMotion) -> bool {
         let Some(nodes) = self.surface.worn() else { return true };
+        let mesh = nodes.mesh().map(|mesh| mesh.region);
         match (motion.sliding, self.state.wear.as_ref().and_then(|wear| wear.expected)) {
-            (Sliding::Onward, _) => nodes.mesh().is_some(),
+            (Sliding::Onward, _) => mesh.is_some(),
+            (Sliding::Cycles(a), _) if mesh == Some(Region::Disc) && a >= self.full_slip() => true,
             (Sliding::Cycles(a), Some(Sliding::Cycles(b))) => {
                 (a - b).abs() <= self.model.parameters.tolerance * b
             }
             _ => false,
         }
+    }
+
+    /// Displacement from rest at which all springs slip, m.
+    pub(super) fn full_slip(&self) -> f64 {
+        self.model.bound_slope * (self.state.contact.depth - self.surface.tip())
     }
 
     fn expect(&mut self, motion: Option<RepeatedMotion>) {

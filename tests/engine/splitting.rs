@@ -151,6 +151,49 @@ fn strokes_on_rough_tables_may_be_split() {
     }
 }
 
+/// Strokes that begin in gross slip, one by one, against as many cycles in one call; bodies that
+/// are flat at their tip come to stick there as their rim wears. (After an update of the moving
+/// mesh the springs at the contact edge were not at their bound, so that the next strokes did not
+/// look alike, and were worn on nodes at rest: V of r⁸ was 20 % too large, of r⁴ 11 %, and at a
+/// tolerance of 1e-4 7 % off.)
+#[test]
+fn strokes_that_begin_in_gross_slip_wear_as_whole_cycles() {
+    let power_law = |exponent, coefficient| Profile::PowerLaw { exponent, coefficient };
+    for (profile, amplitude, steps, most) in [
+        (power_law(8.0, 1e25), 1.15, 1, 3e-3),
+        (power_law(8.0, 1e25), 1.15, 20, 3e-3),
+        (power_law(4.0, 1e9), 1.25, 1, 3e-3),
+        (power_law(4.0, 1e9), 1.25, 20, 3e-3),
+        (BLUNTED, 1.1, 1, 3e-3),
+        (ROUNDED, 1.1, 1, 3e-3),
+        // the rim wears before all else
+        (PUNCH, 1.02, 1, 5e-2),
+    ] {
+        for tolerance in [1e-3, 1e-4] {
+            let start = exact(&profile, FORCE);
+            let (a, d) = (start.normal.radius(), start.normal.depth());
+            let amplitude = amplitude * start.full_slip();
+            let mut parameters = Parameters { profile: profile.clone(), tolerance, ..Parameters::default() };
+            parameters.wear_coefficient =
+                PI * a * a * d / (500.0 * MU * FORCE * amplitude) * parameters.hardness;
+            let mut stepped = started(parameters.clone());
+            let mut whole = started(parameters);
+            in_steps(&mut stepped, (FORCE, 0.0), (FORCE, amplitude), steps);
+            whole.advance_cycles(FORCE, amplitude, 0.25).unwrap();
+            for part in 1..=4 {
+                for _ in 0..100 {
+                    in_steps(&mut stepped, (FORCE, amplitude), (FORCE, -amplitude), steps);
+                    in_steps(&mut stepped, (FORCE, -amplitude), (FORCE, amplitude), steps);
+                }
+                whole.advance_cycles(FORCE, amplitude, 100.0).unwrap();
+                let off = stepped.wear_volume() / whole.wear_volume() - 1.0;
+                println!("{profile:?}, {steps} steps, {tolerance:e}, part {part}: V {off:+.1e}");
+                assert!(off.abs() < most, "{profile:?}, {steps} steps, {tolerance:e}: V {off:e}");
+            }
+        }
+    }
+}
+
 /// Strokes in gross slip, each walked in so many steps, leave the profile of as many cycles in one
 /// call on fine cells. Updates go to and fro between the moving mesh and nodes at rest, and a
 /// contact edge that moved with each change would dig a groove: of 21 to 31 % of the wear depth, in
