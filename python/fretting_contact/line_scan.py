@@ -43,19 +43,3 @@ def difference_noise(z: Array) -> float:
     """Standard deviation of independent noise on a smooth curve, from its third differences."""
     third = np.diff(z, 3)
     return float(np.median(np.abs(third - np.median(third)))) * 1.4826 / np.sqrt(20)
-
-
-def vertex_of(scan: Scan) -> float:
-    """Position of the vertex of the parabola through all points, m."""
-    middle, half = (scan.x[0] + scan.x[-1]) / 2, (scan.x[-1] - scan.x[0]) / 2
-    square, slope, _ = np.polyfit((scan.x - middle) / half, scan.z, 2)
-    return middle + half * float(np.clip(-slope / (2 * square), -0.8, 0.8)) if square else middle
-
-
-def is_one_sided(scan: Scan, centre: float | None) -> bool:
-    """Whether the positions are radii: they begin at 0, and so does the body."""
-    span = float(np.ptp(scan.x))
-    starts_at_axis = abs(scan.x[0]) <= 1e-9 * span
-    return bool(
-        starts_at_axis and (vertex_of(scan) <= 0.15 * span if centre is None else centre == 0.0)
-    )

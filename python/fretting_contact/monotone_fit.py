@@ -6,7 +6,7 @@ from math import inf, log
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import least_squares, minimize_scalar, nnls
+from scipy.optimize import least_squares, nnls
 
 from .image_shapes import SHARP, SPHERE, Array, FlatTip, Shape, candidates
 from .line_scan import FEWEST_POINTS, Scan, ScanError
@@ -115,9 +115,16 @@ def _price(shape: Shape, points: int, count: int) -> float:
 class Window:
     """The points within `width` of a centre, in units of that width and of their height range."""
 
-    def __init__(self, scan: Scan, centre: float, width: float, keep: NDArray[np.bool_]) -> None:
+    def __init__(
+        self,
+        scan: Scan,
+        centre: float,
+        width: float,
+        keep: NDArray[np.bool_],
+        usual_tilt: float = USUAL_TILT,
+    ) -> None:
         self.inside = (np.abs(scan.x - centre) <= width * (1 + 1e-9)) & keep
-        self.centre, self.width = centre, width
+        self.centre, self.width, self.usual_tilt = centre, width, usual_tilt
         x, z = scan.x[self.inside], scan.z[self.inside]
         if len(x) < FEWEST_POINTS:
             raise ScanError(
@@ -138,30 +145,11 @@ class Window:
 
     def tilt_weight(self, noise: float) -> float:
         """A tilt in units times this is a usual tilt times the standard deviation."""
-        return max(noise, LEAST_NOISE) * self.rise / (self.width * USUAL_TILT)
+        return max(noise, LEAST_NOISE) * self.rise / (self.width * self.usual_tilt)
 
     def noise(self, left: Array, count: int) -> float:
         """Standard deviation of a point from the residual of a fit of `count` shapes."""
         return max(float(np.sqrt(left @ left / max(len(left) - 3 - count, 1))), LEAST_NOISE)
-
-
-def best_shift(window: Window, noise: float) -> float:
-    """The shift about which any monotone image fits best, in units of the window's half-width."""
-    shapes = candidates(10)
-    span = 0.3
-
-    def cost(shift: float) -> float:
-        x = (window.x - shift) / (1 - span)
-        part = np.abs(x) <= 1
-        left = _Columns(x[part], window.z[part], window.tilt_weight(noise) / (1 - span)).fit(
-            shapes
-        )[1]
-        return float(left @ left) / part.sum()
-
-    shifts = np.linspace(-span, span, 31)
-    start = float(shifts[np.argmin([cost(float(shift)) for shift in shifts])])
-    step = shifts[1] - shifts[0]
-    return float(minimize_scalar(cost, bounds=(start - step, start + step), method="bounded").x)
 
 
 @dataclass(frozen=True)
@@ -217,9 +205,11 @@ def _simpler(shapes: list[Shape]) -> list[list[Shape]]:
     return others
 
 
-def best_model(window: Window, noise: float, centre_is_free: bool) -> _Model | None:
-    """The fewest shapes that explain the heights within their noise; none if the heights do not
-    rise.
+def best_model(
+    window: Window, noise: float, centre_is_free: bool, most: int = MOST_SHAPES
+) -> _Model | None:
+    """The fewest shapes, `most` at most, that explain the heights within their noise; none if the
+    heights do not rise.
 
     Shapes are added to a sphere one by one. Centre and positions are refined each time. Then shapes
     that are no longer needed are left out.
@@ -230,7 +220,7 @@ def best_model(window: Window, noise: float, centre_is_free: bool) -> _Model | N
     model = _refined(window, sphere, noise, 0.0, centre_is_free) if sphere else None
     if model and model.cost * noise**2 >= columns.target @ columns.target:
         model = None
-    while model is None or len(model.shapes) < MOST_SHAPES:
+    while model is None or len(model.shapes) < most:
         shift, known = (model.shift, model.shapes) if model else (0.0, [])
         chosen = _with_one_more(window.columns(shift, noise), window.candidates, known, noise)
         if chosen is None:

@@ -15,11 +15,13 @@ from math import degrees, inf, sqrt
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .command_errors import OutputError, check_output, finite, report
 from .image_shapes import Array, Power, Shape, profile_of_image
-from .line_scan import UNITS, Scan, ScanError, difference_noise, is_one_sided, read_scan, vertex_of
-from .monotone_fit import Window, best_model, best_shift
+from .line_scan import FEWEST_POINTS, UNITS, Scan, ScanError, difference_noise, read_scan
+from .monotone_fit import USUAL_TILT, Window, best_model
+from .scan_centre import Start, is_peak, mirrored, spikes, starting_axis, starts_at_axis
 from .text_table import TextTableError
 
 __all__ = [
@@ -35,9 +37,6 @@ __all__ = [
 
 OUTLIER = 6.0
 """A point this many standard deviations off the first fit is dropped."""
-
-OUTLIER_ROUNDS = 20
-"""Repetitions of the search for outliers."""
 
 LEAST_OUTLIER = 1e-3
 """A point that is less than this off, in units of the height range, is no outlier."""
@@ -135,17 +134,21 @@ def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = Non
     The fewest shapes that explain the heights within that noise are taken (`monotone_fit`). The
     centre and the positions of the shapes are fitted as well (scipy.optimize.least_squares).
     """
-    mirrored = is_one_sided(scan, centre)
-    if mirrored:
-        scan, centre = (
-            Scan(np.concatenate([-scan.x[:0:-1], scan.x]), np.concatenate([scan.z[:0:-1], scan.z])),
-            0.0,
+    if len(scan.x) < FEWEST_POINTS:
+        raise ScanError(f"{len(scan.x)} point(s), but at least {FEWEST_POINTS} are needed")
+    if not np.ptp(scan.x) > 0:
+        raise ScanError(
+            f"the positions are all {scan.x[0]:g} m: give a scan along x, position in column 1"
         )
-    vertex = vertex_of(scan) if centre is None else centre
-    curvature = np.polyfit((scan.x - vertex) / np.ptp(scan.x), scan.z, 2)[0]
-    is_peak = bool(curvature < 0)
-    upward = Scan(scan.x, -scan.z if is_peak else scan.z)
-    keep = np.ones(len(scan.x), dtype=bool)
+    wild = spikes(scan)
+    start = Start(centre or 0.0, USUAL_TILT, centre == 0.0 and starts_at_axis(scan))
+    if centre is None:
+        start = starting_axis(Scan(scan.x[~wild], scan.z[~wild]))
+    if start.mirrored:
+        scan, wild, centre = mirrored(scan), np.concatenate([wild[:0:-1], wild]), 0.0
+    turned = is_peak(Scan(scan.x[~wild], scan.z[~wild]))
+    upward = Scan(scan.x, -scan.z if turned else scan.z)
+    keep = ~wild
     noise_of_points = difference_noise(scan.z)
 
     def window_about(middle: float) -> Window:
@@ -158,42 +161,48 @@ def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = Non
             )
         if width <= 0:
             raise ScanError(
-                f"centre = {middle:g} m, but the scan goes from {scan.x[0]:g} m to "
-                f"{scan.x[-1]:g} m: give a --center inside"
+                f"the centre, x = {middle:g} m, is not inside the scan, which goes from "
+                f"{scan.x[0]:g} m to {scan.x[-1]:g} m: scan further on both sides, or give "
+                "another --center"
             )
-        return Window(upward, middle, width if radius is None else radius, keep)
+        return Window(upward, middle, width if radius is None else radius, keep, start.usual_tilt)
 
-    if centre is None:
-        first = window_about(vertex)
-        vertex += best_shift(first, noise_of_points / first.rise) * first.width
-    for _ in range(OUTLIER_ROUNDS):
+    def drop(window: Window, left: Array) -> bool:
+        """Drops the outliers among the points of a window; whether there are any."""
+        off = np.abs(left[:-1])
+        deviation = 1.4826 * float(np.median(off))
+        # the largest first: they bend the fit, and then their neighbours are off as well
+        wrong = off > max(OUTLIER * deviation, LEAST_OUTLIER, 0.5 * float(off.max()))
+        keep[np.flatnonzero(window.inside)[wrong]] = False
+        dropped = int(np.sum(~keep))
+        if dropped > MOST_OUTLIERS * len(keep):
+            raise ScanError(
+                f"{dropped} of {len(keep)} points lie more than {OUTLIER:g} standard "
+                "deviations off any profile of a round tip: "
+                "cut the scan to the tip, or check that it passes over the axis"
+            )
+        return bool(wrong.any())
+
+    vertex = start.centre if centre is None else centre
+    while True:  # each further round drops points, which are a share at most
         window = window_about(vertex)
         columns = window.columns(0.0, noise_of_points / window.rise)
         coefficients, left = columns.fit(window.candidates)
-        deviation = 1.4826 * float(np.median(np.abs(left[:-1])))
-        off = np.abs(left[:-1])
-        # the largest first: they bend the fit, and then their neighbours are off as well
-        wrong = off > max(OUTLIER * deviation, LEAST_OUTLIER, 0.5 * float(off.max()))
-        if not wrong.any():
-            break
-        keep[np.flatnonzero(window.inside)[wrong]] = False
-    dropped = int(np.sum(~keep))
-    if dropped > MOST_OUTLIERS * len(keep):
-        raise ScanError(
-            f"{dropped} of {len(keep)} points lie more than {OUTLIER:g} standard "
-            "deviations off any profile of a round tip: "
-            "cut the scan to the tip, or check that it passes over the axis"
-        )
-    noise = window.noise(left, int(np.sum(coefficients > 0)))
-    if mirrored:
-        noise *= sqrt(2)  # each point counts twice
-    model = best_model(window, noise, centre is None)
-    if model is None:
-        raise ScanError(
-            "the heights do not rise from the centre by more than their noise: scan further out"
-        )
-    final = window_about(vertex + model.shift * window.width)
-    return _result(upward, final, model.shapes, window, noise, is_peak, mirrored, dropped)
+        if drop(window, left):
+            continue
+        noise = window.noise(left, int(np.sum(coefficients > 0)))
+        if start.mirrored:
+            noise *= sqrt(2)  # each point counts twice
+        model = best_model(window, noise, centre is None)
+        if model is None:
+            raise ScanError(
+                "the heights do not rise from the centre by more than their noise: scan further out"
+            )
+        final = window_about(vertex + model.shift * window.width)
+        fit = _result(upward, final, model.shapes, window, noise, turned, start.mirrored, keep)
+        # the last window may reach further than the one whose outliers are out
+        if not drop(final, np.append(fit.residual / final.rise, 0.0)):
+            return fit
 
 
 def _result(
@@ -204,7 +213,7 @@ def _result(
     noise: float,
     is_peak: bool,
     mirrored: bool,
-    dropped: int,
+    keep: NDArray[np.bool_],
 ) -> ProfileFit:
     """The fit about its final centre, in SI units."""
     scale = units.width / window.width
@@ -212,6 +221,7 @@ def _result(
     columns = window.columns(0.0, noise)
     coefficients, left = columns.fit(shapes)
     level, slope = columns.level(window.z - columns.heights(shapes, coefficients))
+    dropped = int(np.sum(~keep))
     last = float(sum(c * shape.image(np.array(1.0)) for c, shape in zip(coefficients, shapes)))
     terms = [(float(c), shape) for c, shape in zip(coefficients, shapes) if c > 0] + [
         (LEAST_RISE * last, Power(2))

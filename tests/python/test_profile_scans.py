@@ -93,6 +93,58 @@ def test_outliers_are_dropped_and_reported():
     assert fit.tip_radius == pytest.approx(0.01, rel=0.01)
 
 
+@pytest.mark.parametrize("seed", [1, 5, 7])
+def test_few_wide_outliers_are_dropped(seed):
+    """Three spikes of 5 µm on a worn flat with 20 nm of noise: 0 to 2 stayed in, or the scan was
+    refused.
+    """
+    scan = WORN_FLAT.scan(20e-9, 2e-6, seed)
+    random = np.random.default_rng(300 + seed)
+    wrong = random.choice(len(scan.x), 3, replace=False)
+    scan.z[wrong] += 5e-6 * random.choice([-1, 1], 3)
+    fit = fit_scan(scan)
+    assert fit.dropped == 3 and np.max(np.abs(fit.residual)) < 6 * 20e-9
+    assert fit.tip_radius == inf and fit.flat_radius == pytest.approx(100e-6, rel=0.05)
+
+
+def tilted(body, degrees, centre, first=0.0):
+    """A scan of a body about `centre` in units of the half-width; its first position is `first`."""
+    x = np.linspace(-body.half_width, body.half_width, 401)
+    heights = body.height(np.abs(x - centre * body.half_width)) + np.tan(np.radians(degrees)) * x
+    noise = 2e-8 * np.random.default_rng(0).standard_normal(x.size)
+    return Scan(x - x[0] + first, heights + noise)
+
+
+@pytest.mark.parametrize("degrees", [-5.0, 1.0, 2.0, 5.0])
+@pytest.mark.parametrize("centre", [0.0, 0.3, 0.6])
+@pytest.mark.parametrize("body", [BALL, SMALL_BALL, WORN_FLAT], ids=lambda body: body.name)
+def test_a_tilt_does_not_matter(body, centre, degrees):
+    """Up to 5°, also where positions begin at 0 as radii do."""
+    for first in (0.0, -3e-4):
+        fit = fit_scan(tilted(body, degrees, centre, first))
+        assert not fit.mirrored
+        assert np.max(np.abs(fit.height - body.height(fit.radius))) < 2 * 2e-8
+        if body is WORN_FLAT:
+            middle = first + body.half_width * (1 + centre)
+            assert fit.centre == pytest.approx(middle, abs=3e-6)
+            assert np.degrees(fit.tilt) == pytest.approx(degrees, abs=0.05)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 1.0, 5.0])
+def test_a_tilted_cone_is_a_cone(degrees):
+    x = np.linspace(0.0, 1e-3, 401)
+    noise = 2e-8 * np.random.default_rng(0).standard_normal(x.size)
+    z = 0.02 * np.abs(x - 6.5e-4) + np.tan(np.radians(degrees)) * x + noise
+    fit = fit_scan(Scan(x, z))
+    assert fit.centre == pytest.approx(6.5e-4, abs=1e-6) and fit.tip_radius == 0.0
+    assert fit.height == pytest.approx(0.02 * fit.radius, abs=4e-8)
+
+
+def test_a_scan_of_one_position_is_named():
+    with pytest.raises(ScanError, match="the positions are all 1 m: give a scan along x"):
+        fit_scan(Scan(np.ones(50), np.arange(50.0)))
+
+
 def test_given_centre_and_radius():
     fit = fit_scan(WORN_FLAT.scan(10e-9, 2e-6, 5), centre=40e-6, radius=300e-6)
     assert (fit.centre, fit.radius[-1]) == pytest.approx((40e-6, 300e-6))
