@@ -43,7 +43,8 @@ _numbers = itertools.count(1)
 def _log(
     _environment: object, instance_name: bytes, status: int, _category: bytes, message: bytes
 ) -> None:
-    text = (message or b"").decode("utf-8", "replace")
+    # FMI has a hash in a message doubled
+    text = (message or b"").decode("utf-8", "replace").replace("##", "#")
     _messages.setdefault((instance_name or b"").decode(), []).append((status, text))
 
 
@@ -156,6 +157,7 @@ class ContactFmu:
     ) -> dict[str, NDArray[np.float64]]:
         """Follows equally long sequences of Real inputs, one step for each value.
 
+        Outputs that are no Real are recorded as numbers: enumerations by that of their item.
         Returns {output: array}, the state after each step. `step_size`: s, one for all or one a
         step.
         """
@@ -163,15 +165,38 @@ class ContactFmu:
             [np.asarray(values, dtype=float) for values in inputs.values()]
         ).tolist()
         sizes = np.broadcast_to(np.asarray(step_size, dtype=float), len(rows)).tolist()
-        to_set, to_get = self._references(inputs), self._references(outputs)
-        found = np.empty((len(rows), len(to_get)))
+        to_set = self._references(inputs)
+        read = self._reader(outputs)
+        found = np.empty((len(rows), len(outputs)))
         for k, (row, size) in enumerate(zip(rows, sizes)):
             self._call(self.slave.setReal, to_set, row)
             self._call(self.slave.doStep, self.time, size)
             self.time += size
             self.has_moved = True
-            found[k] = self._call(self.slave.getReal, to_get)
+            found[k] = read()
         return dict(zip(outputs, found.T))
+
+    def _reader(self, names: Sequence[str]) -> Callable[[], list[float]]:
+        """A function that reads variables as numbers, in the order of the names."""
+        declared = [self.fmu.variables[name].type for name in names]
+        types = [{"Enumeration": "Integer"}.get(type_, type_) for type_ in declared]
+        parts = []
+        for type_ in dict.fromkeys(types):
+            places = [k for k, each in enumerate(types) if each == type_]
+            references = self._references(names[k] for k in places)
+            parts.append((getattr(self.slave, f"get{type_}"), places, references))
+
+        def read() -> list[float]:
+            row = [0.0] * len(names)
+            for getter, places, references in parts:
+                for place, value in zip(places, self._call(getter, references)):
+                    row[place] = value
+            return row
+
+        if list(dict.fromkeys(types)) == ["Real"]:  # the usual case, without a loop
+            getter, _, references = parts[0]
+            return lambda: self._call(getter, references)
+        return read
 
     def _references(self, names: Iterable[str]) -> list[int]:
         return [self.fmu.variables[name].valueReference for name in names]
@@ -200,6 +225,12 @@ class ContactFmu:
         if variable.type == "Boolean":
             return bool(value)
         return value.decode() if isinstance(value, bytes) else value
+
+    def __reduce__(self) -> Any:
+        # two objects would free one instance
+        raise TypeError(
+            "a contact cannot be copied or pickled: make a new one, and give it bytes(save())"
+        )
 
     def _check_open(self) -> Any:
         if not self._is_open:

@@ -6,7 +6,7 @@ import os
 import struct
 import tempfile
 import warnings
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from ctypes import c_void_p
 from functools import cached_property
 from numbers import Integral, Real
@@ -44,6 +44,15 @@ class SavedState:
             contact.slave.serializeFMUstate, self._pointer
         )
 
+    def __copy__(self) -> "SavedState":
+        return self  # a state does not change; a second object would free it twice
+
+    def __deepcopy__(self, _: Any) -> "SavedState":
+        return self
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a saved state cannot be pickled: store bytes(state)")
+
     def __del__(self) -> None:
         if self._contact._is_open:
             self._contact.slave.freeFMUstate(self._pointer)
@@ -55,7 +64,8 @@ class Contact(ContactFmu):
     Parameters and initial inputs go by their names in the component (docs/variables.md) and are
     in SI units: m, N, Pa, rad, Hz, N/m. A text with a unit is converted: `radius="10 mm"`,
     `youngs_modulus_1="210 GPa"`. Enumerations are texts: `loading="cyclic"`. `profile_file` may
-    also be the result of `fit_scan`, or a pair of arrays r and f in m; `profile` is "table" then.
+    also be the result of `fit_scan`, a pair of arrays r and f in m, or an array with these two
+    columns; `profile` is "table" then.
     `fmu`: path of the FMU; that of the package if not given.
 
     Read values with `contact["wear_volume"]`, fields with `contact["pressure"]` (an array at
@@ -74,6 +84,7 @@ class Contact(ContactFmu):
         super().__init__(fmu if isinstance(fmu, FmuFile) else shared_file(fmu))
         self._table: Path | None = None
         self.given: dict[str, Any] = {}  # what has been set before the first step
+        self._is_initialised = False
         try:
             self.start(**parameters)
         except BaseException:
@@ -100,19 +111,52 @@ class Contact(ContactFmu):
     def start(self, **parameters: Any) -> "Contact":
         """Initialises with these parameters and inputs; others have their start values."""
         super().start(**parameters)
-        if self._table is not None:  # it has been read
-            self._table.unlink(missing_ok=True)
-            self._table = None
+        self._is_initialised = True
+        self._remove_table()  # it has been read
         return self
 
     def restart(self, **parameters: Any) -> "Contact":
         """The same instance as a new contact with these parameters; faster than a new instance."""
-        self.reset()
-        self.given = {}
-        return self.start(**parameters)
+        with self.unchanged_if_refused():
+            self.reset()
+            self.given = {}
+            self._is_initialised = False
+            return self.start(**parameters)
+
+    @contextlib.contextmanager
+    def unchanged_if_refused(self) -> Iterator[None]:
+        """Returns to the present state where a call inside is refused."""
+        state = None
+        with contextlib.suppress(ContactError):  # a contact that has failed has no state
+            state = self.save()
+        try:
+            yield
+        except BaseException:
+            self._remove_table()
+            if state is not None:
+                self.restore(state)
+                self._is_initialised = True
+            raise
 
     def set(self, **values: Any) -> None:
         """Sets inputs, tunable parameters (between steps), or parameters (before the start)."""
+        with self._inputs_kept(values):
+            self._apply(values)
+
+    def step(self, size: float = 1e-3, **inputs: Any) -> "Contact":
+        """Sets inputs and advances by `size`, s, along the straight line to the new inputs.
+
+        In cyclic loading a step makes `frequency` times `size` cycles.
+        """
+        given, size = self.given, float(size)
+        with self._inputs_kept(inputs):
+            if inputs:
+                self._apply(inputs)
+            self.given = given
+            super().step(size)
+        return self
+
+    def _apply(self, values: dict[str, Any]) -> None:
         given = values
         if values.get("profile_file") is not None and not isinstance(
             values["profile_file"], (str, os.PathLike)
@@ -126,15 +170,26 @@ class Contact(ContactFmu):
         if not self.has_moved:
             self.given = {**self.given, **given}
 
-    def step(self, size: float = 1e-3, **inputs: Any) -> "Contact":
-        """Sets inputs and advances by `size`, s, along the straight line to the new inputs.
-
-        In cyclic loading a step makes `frequency` times `size` cycles.
-        """
-        given = self.given
-        super().step(float(size), **inputs)
-        self.given = given
-        return self
+    @contextlib.contextmanager
+    def _inputs_kept(self, values: dict[str, Any]) -> Iterator[None]:
+        """Puts inputs and tunable parameters back where a call inside is refused."""
+        before: dict[str, Any] = {}
+        if self._is_initialised and self._is_open:
+            variables = [self._require(name) for name in values]
+            names = [
+                each.name
+                for each in variables
+                if each.causality in SETTABLE and each.variability != "fixed"
+            ]
+            if names:
+                found = self.get(*names)
+                before = dict(zip(names, found if len(names) > 1 else [found]))
+        try:
+            yield
+        except BaseException:
+            if before:
+                super().set(**before)
+            raise
 
     def __getitem__(self, name: str) -> Any:
         """The value of a variable; an array for the name of a field."""
@@ -165,7 +220,7 @@ class Contact(ContactFmu):
         """The present state; `restore` returns to it."""
         return SavedState(self, self._call(self.slave.getFMUstate))
 
-    def restore(self, state: SavedState | bytes) -> "Contact":
+    def restore(self, state: SavedState | bytes | bytearray | memoryview) -> "Contact":
         """Returns to a state of this contact, or takes one over from bytes."""
         self._check_open()
         if isinstance(state, SavedState):
@@ -176,6 +231,11 @@ class Contact(ContactFmu):
             self._call(self.slave.setFMUstate, state._pointer)
             self.time, self.has_moved, self.given = state.time, state.has_moved, state._given
             return self
+        if not isinstance(state, (bytes, bytearray, memoryview)):
+            raise ParameterError(
+                f"{type(state).__name__} is no state: give what save() or bytes(save()) returned"
+            )
+        state = bytes(state)
         if len(state) < 8:
             raise ParameterError(
                 f"{len(state)} byte(s) are no state: give what bytes(contact.save()) returned"
@@ -200,8 +260,12 @@ class Contact(ContactFmu):
 
     def _free(self) -> None:
         super()._free()
+        self._remove_table()
+
+    def _remove_table(self) -> None:
         if self._table is not None:
             self._table.unlink(missing_ok=True)
+            self._table = None
 
     def _require(self, name: str) -> Any:
         variable = self.fmu.variables.get(name)
@@ -225,6 +289,8 @@ class Contact(ContactFmu):
                 name, value, {item.name: int(item.value) for item in variable.declaredType.items}
             )
         if variable.type == "String":
+            if not isinstance(value, (str, os.PathLike)):
+                raise ParameterError(f"{name} = {value!r}: give a text")
             return os.fspath(value)
         if isinstance(value, str):
             return in_si(value, variable.unit or getattr(variable.declaredType, "unit", None), name)
@@ -242,11 +308,12 @@ class Contact(ContactFmu):
 
     def _write_table(self, profile: Any) -> str:
         """Writes a profile of r and f in m to a file that lives until it has been read."""
-        r, f = (profile.radius, profile.height) if hasattr(profile, "radius") else profile
+        table = _table_of(profile)
+        self._remove_table()
         handle, path = tempfile.mkstemp(prefix="fretting-profile-", suffix=".txt")
         os.close(handle)
         self._table = Path(path)
-        np.savetxt(path, np.column_stack([r, f]), fmt="%.17e")
+        np.savetxt(path, table, fmt="%.17e")
         return path
 
     def _call(self, function: Callable[..., Any], *arguments: Any, **keywords: Any) -> Any:
@@ -256,6 +323,24 @@ class Contact(ContactFmu):
             if status == 1:
                 warnings.warn(text, ContactWarning, stacklevel=4)
         return result
+
+
+def _table_of(profile: Any) -> NDArray[np.float64]:
+    """The columns r and f of a fit, of a pair of arrays, or of an array with these columns."""
+    try:
+        if hasattr(profile, "radius"):
+            return np.column_stack([profile.radius, profile.height]).astype(float)
+        table = np.asarray(profile, dtype=float)
+    except (TypeError, ValueError):
+        table = np.zeros(0)
+    if table.ndim == 2 and len(table) == 2:  # r and f
+        return table.T
+    if table.ndim == 2 and table.shape[1] == 2:
+        return table
+    raise ParameterError(
+        f"profile_file is {type(profile).__name__}: give a path, the result of fit_scan, a pair of "
+        "equally long arrays r and f in m, or an array with these two columns"
+    )
 
 
 def _near(name: str, names: Iterable[str]) -> str:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .contact import Contact
+from .contact import Contact, ParameterError
 from .history import OUTPUTS, Array, MotionHistory
 from .quantities import in_si
 
@@ -90,7 +90,8 @@ def drive(
     `time`: s, rising. `displacement`: m, in the direction of `tangential_displacement`;
     `displacement_y`: m, across it. `normal_force`: N, one value, which may be a text with a unit,
     or one a sample; that of the contact if not given. Lists, arrays and pandas columns are
-    accepted. `outputs`: further outputs to record, by name. A contact that has not been moved yet
+    accepted. `outputs`: further outputs to record, by name; enumerations are recorded by number,
+    Booleans as 0 or 1. A contact that has not been moved yet
     is pressed on at the first sample, so that an offset of the displacement does no harm; another
     one goes straight there. Noise of a displacement wears: filter it first (docs/noisy_signals.md).
 
@@ -107,10 +108,10 @@ def drive(
     if displacement_y is not None:
         signals["tangential_displacement_y"] = _signal("displacement_y", displacement_y)
     if normal_force is not None:
-        load = np.asarray(_number(normal_force, "N", "normal_force"), dtype=float)
+        load = _number(normal_force, "N", "normal_force")
         signals["normal_force"] = (
-            np.full(signals["time"].shape, load)
-            if load.ndim == 0
+            np.full(signals["time"].shape, _signal("normal_force", [load])[0])
+            if np.ndim(load) == 0
             else _signal("normal_force", load)
         )
     count = len(signals["time"])
@@ -129,21 +130,26 @@ def drive(
             f"{given[k]:g} s: sort the samples"
         )
     for name in outputs:
-        contact._require(name)
+        if contact._require(name).type == "String":
+            raise ParameterError(f"outputs has {name!r}, a text: give names of numbers")
     names = [*OUTPUTS.values(), *outputs]
-    if not contact.has_moved:
-        contact.restart(
-            **{**contact.given, **{name: values[0] for name, values in signals.items()}}
-        )
-        first = contact.get(*names)
-        rest = contact.follow(
-            names, steps, **{name: values[1:] for name, values in signals.items()}
-        )
-        found = {name: np.concatenate([[value], rest[name]]) for name, value in zip(names, first)}
-    else:
-        # the way to the first sample takes one more step of time, of no influence on what happens
-        lead = float(steps[0]) if count > 1 else 1e-3
-        found = contact.follow(names, np.concatenate([[lead], steps]), **signals)
+    with contact.unchanged_if_refused():
+        if not contact.has_moved:
+            contact.restart(
+                **{**contact.given, **{name: values[0] for name, values in signals.items()}}
+            )
+            first = contact._reader(names)()
+            rest = contact.follow(
+                names, steps, **{name: values[1:] for name, values in signals.items()}
+            )
+            found = {
+                name: np.concatenate([[value], rest[name]]) for name, value in zip(names, first)
+            }
+        else:
+            # the way to the first sample takes one more step of time, without influence on what
+            # happens
+            lead = float(steps[0]) if count > 1 else 1e-3
+            found = contact.follow(names, np.concatenate([[lead], steps]), **signals)
     columns = {field: found[name] for field, name in OUTPUTS.items()}
     more = {name: found[name] for name in outputs}
     return MotionHistory(
@@ -158,7 +164,21 @@ def _number(value: Any, unit: str, name: str) -> Any:
 
 def _signal(name: str, values: ArrayLike) -> Array:
     """A finite one-dimensional array."""
-    array = np.asarray(values, dtype=float)
+    if np.ma.is_masked(values):
+        k = int(np.argmax(np.ma.getmaskarray(values)))
+        raise SignalError(
+            f"{name}[{k}] is masked: interpolate the gap or cut the signal there"
+        )
+    given = np.asarray(values)
+    if given.dtype.kind in "Mm":
+        raise SignalError(
+            f"{name} has the type {given.dtype}: give numbers, times in seconds such as "
+            '(t - t[0]) / np.timedelta64(1, "s")'
+        )
+    try:
+        array = given.astype(float)
+    except (TypeError, ValueError):
+        raise SignalError(f"{name} has the type {given.dtype}: give numbers") from None
     if array.ndim != 1 or len(array) == 0:
         raise SignalError(f"{name} has the shape {array.shape}: give a sequence of samples")
     if not np.all(np.isfinite(array)):

@@ -102,23 +102,26 @@ def life(
         raise SignalError(
             f"at ends with {numbers[-1]:g}, beyond cycles = {cycles:g}: raise cycles or shorten at"
         )
-    given = {"displacement_amplitude": amplitude, "normal_force": normal_force}
-    contact.set(**{name: value for name, value in given.items() if value is not None})
-    frequency = contact.get("frequency")
-    if not frequency > 0:
-        raise SignalError(f"frequency = {frequency:g} Hz makes no cycles: set a frequency above 0")
-    rows: list[Sequence[float]] = []
-    fields: dict[str, list[Array]] = {"radius_probe": [], "worn_depth": [], "pressure": []}
-    done = 0.0
-    for number in numbers:
-        if number > done:
-            contact.step((number - done) / frequency)
-            done = number
-        rows.append(contact.get(*_OUTPUTS))
-        for name, values in fields.items():
-            values.append(contact.field(name))
-    if cycles > done:
-        contact.step((cycles - done) / frequency)
+    with contact.unchanged_if_refused():
+        given = {"displacement_amplitude": amplitude, "normal_force": normal_force}
+        contact.set(**{name: value for name, value in given.items() if value is not None})
+        frequency = contact.get("frequency")
+        if not frequency > 0:
+            raise SignalError(
+                f"frequency = {frequency:g} Hz makes no cycles: set a frequency above 0"
+            )
+        rows: list[Sequence[float]] = []
+        fields: dict[str, list[Array]] = {"radius_probe": [], "worn_depth": [], "pressure": []}
+        done = 0.0
+        for number in numbers:
+            if number > done:
+                contact.step((number - done) / frequency)
+                done = number
+            rows.append(contact.get(*_OUTPUTS))
+            for name, values in fields.items():
+                values.append(contact.field(name))
+        if cycles > done:
+            contact.step((cycles - done) / frequency)
     columns = dict(zip(_OUTPUTS, np.array(rows, dtype=float).T))
     radius, worn_depth, pressure = (np.array(values) for values in fields.values())
     return WearLife(

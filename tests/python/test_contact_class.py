@@ -1,5 +1,7 @@
 """The class Contact: parameters by name and unit, states, fields, messages, FMU file."""
 
+import copy
+import pickle
 import shutil
 import warnings
 
@@ -12,7 +14,11 @@ from fretting_contact import (
     ContactWarning,
     FmuNotFoundError,
     ParameterError,
+    SignalError,
+    drive,
     fmu_file,
+    life,
+    loop,
 )
 from fretting_contact.component import ContactFmu
 from fretting_contact.fmu_file import FmuFile, file_of_bytes, shared_file
@@ -94,6 +100,79 @@ def test_a_refusal_has_the_message_of_the_component_and_changes_nothing():
         with pytest.raises(ContactError, match="NaN"):
             contact.step(tangential_displacement=float("nan"))
         assert contact["tangential_force"] == before
+
+
+READ = ("tangential_force", "contact_displacement", "normal_reaction", "radius")
+SHORT = (np.linspace(0, 4e-4, 50), np.linspace(0, 4e-4, 50) ** 2 / 0.02)
+TIME = np.linspace(0, 1, 20)
+SINE = 1e-6 * np.sin(6 * TIME)
+REFUSED_CALLS = {
+    "restart, value": lambda contact: contact.restart(radius=-1),
+    "restart, name": lambda contact: contact.restart(raduis=1),
+    "set": lambda contact: contact.set(normal_force=50.0, resolution=32),
+    "step, size": lambda contact: contact.step(-1, tangential_displacement=5e-6),
+    "step, load": lambda contact: contact.step(normal_force=1e5, tangential_displacement=5e-6),
+    "drive, load at the start": lambda contact: drive(contact, TIME, SINE, normal_force=1e5),
+    "drive, load": lambda contact: drive(contact, TIME, SINE, normal_force=100 + 1e5 * TIME),
+    "drive, name": lambda contact: drive(contact, TIME, SINE, outputs=["profile_file"]),
+    "loop": lambda contact: loop(contact, 1e-6, normal_force=1e5),
+}
+
+
+@pytest.mark.parametrize("moved", [False, True])
+@pytest.mark.parametrize("call", REFUSED_CALLS)
+def test_a_refused_call_leaves_the_contact_as_it_was(call, moved):
+    with Contact(profile_file=SHORT, normal_force=100.0) as contact:
+        if moved:
+            contact.step(tangential_displacement=1e-6)
+        before = contact.get(*READ), contact.time, contact.has_moved, contact.given
+        with pytest.raises((ContactError, ParameterError)):
+            REFUSED_CALLS[call](contact)
+        assert before == (contact.get(*READ), contact.time, contact.has_moved, contact.given)
+        contact.step()  # with the inputs from before
+        assert contact.get(*READ) == before[0]
+
+
+def test_a_refused_life_leaves_the_contact_as_it_was():
+    names = ("displacement_amplitude", "normal_force", "wear_volume")
+    with Contact(profile_file=SHORT, loading="cyclic", frequency=0.0) as contact:
+        before = contact.get(*names)
+        with pytest.raises(SignalError, match="frequency = 0 Hz"):
+            life(contact, 1e3, amplitude=2e-6, normal_force=50.0)
+        assert contact.get(*names) == before
+
+
+def test_a_message_has_a_hash_once(tmp_path):
+    path = tmp_path / "a#b.txt"
+    with pytest.raises(ContactError) as caught:
+        Contact(profile="table", profile_file=path)
+    assert "a#b.txt" in str(caught.value)
+
+
+def test_a_copy_of_a_state_is_the_state():
+    with Contact() as contact:
+        contact.step(tangential_displacement=1e-6)
+        state, force = contact.save(), contact["tangential_force"]
+        for kind in (copy.copy, copy.deepcopy):
+            other = kind(state)
+            del other
+        contact.step(tangential_displacement=2e-6)
+        assert contact.restore(state)["tangential_force"] == force
+        for kind in (copy.copy, copy.deepcopy, pickle.dumps):
+            with pytest.raises(TypeError, match="a contact cannot be copied or pickled"):
+                kind(contact)
+        with pytest.raises(TypeError, match=r"store bytes\(state\)"):
+            pickle.dumps(state)
+
+
+@pytest.mark.parametrize("kind", [bytes, bytearray, memoryview])
+def test_a_state_is_restored_from_any_kind_of_bytes(kind):
+    with Contact() as contact, Contact() as other:
+        contact.step(tangential_displacement=1e-6)
+        other.restore(kind(bytes(contact.save())))
+        assert other["tangential_force"] == contact["tangential_force"]
+        with pytest.raises(ParameterError, match="str is no state: give what"):
+            other.restore("state")
 
 
 def test_warnings_of_the_component_are_those_of_python():
@@ -238,10 +317,16 @@ def test_a_profile_is_given_as_arrays_or_as_a_fit():
     x = np.linspace(-5e-4, 5e-4, 400)
     fit = fit_scan(Scan(x, x**2 / 0.02 + 1e-9 * np.random.default_rng(0).standard_normal(400)))
     with Contact(normal_force=100.0) as ball:
-        for profile in (r, r**2 / 0.02), fit:
+        for profile in (r, r**2 / 0.02), np.column_stack([r, r**2 / 0.02]), fit:
             with Contact(profile_file=profile, normal_force=100.0) as contact:
                 assert contact["profile"] == "table"
                 assert contact["contact_radius"] == pytest.approx(ball["contact_radius"], rel=2e-3)
+
+
+@pytest.mark.parametrize("profile", [3, [1.0], np.zeros((3, 4)), ([0.0, 1.0], [0.0]), {"r": 1}])
+def test_what_is_no_profile_is_named(profile):
+    with pytest.raises(ParameterError, match="profile_file is .*: give a path, the result of"):
+        Contact(profile_file=profile)
 
 
 def test_the_fmu_is_found_where_it_is_said(fmu_path, tmp_path, monkeypatch):

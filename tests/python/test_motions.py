@@ -130,6 +130,22 @@ def test_motion_in_the_plane_has_both_directions():
     ) == pytest.approx(60.0, rel=1e-4)
 
 
+def test_outputs_that_are_no_real_are_recorded_as_numbers():
+    time = np.linspace(0, 1, 5)
+    outputs = ["slip_state", "wear_depth", "worn_through", "contact_count_in_touch"]
+    for moved in (False, True):
+        with Contact(coating_thickness=1e-12) as contact:
+            if moved:
+                contact.step(tangential_displacement=1e-9)
+            done = drive(contact, time, 4e-6 * time, outputs=outputs)
+            items = contact.fmu.variables["slip_state"].declaredType.items
+            number = {item.name: int(item.value) for item in items}
+            assert done.more["slip_state"][-1] == number[contact["slip_state"]]
+            assert done.more["worn_through"][-1] == 1.0
+            assert done.more["contact_count_in_touch"].tolist() == [1.0] * 5
+            assert done.more["wear_depth"][-1] == contact["wear_depth"]
+
+
 REFUSED = [
     (([0.0, 1.0], [0.0]), {}, "tangential_displacement has 1 samples and time has 2"),
     (
@@ -140,6 +156,18 @@ REFUSED = [
     (([0.0, 1.0], [0.0, np.nan]), {}, r"displacement\[1\] = nan is not finite: interpolate"),
     (([0.0, 1.0], [[0.0, 1.0]]), {}, r"displacement has the shape \(1, 2\)"),
     (([0.0, 1.0], [0.0, 1e-6], [1.0]), {}, "normal_force has 1 samples"),
+    (([0.0, 1.0], [0.0, 1e-6], np.nan), {}, r"normal_force\[0\] = nan is not finite"),
+    (
+        ([0.0, 1.0], np.ma.masked_array([0.0, 1e-6], [False, True])),
+        {},
+        r"displacement\[1\] is masked: interpolate the gap",
+    ),
+    (
+        (np.arange(2).astype("datetime64[s]"), [0.0, 1e-6]),
+        {},
+        r"time has the type datetime64\[s\]: give numbers, times in seconds",
+    ),
+    (([0.0, 1.0], ["a", "b"]), {}, "displacement has the type <U1: give numbers"),
 ]
 
 
