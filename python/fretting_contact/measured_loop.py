@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .history import Array
+from .quantities import in_si
 from .text_table import read_columns
 
 MOST_HARMONICS = 25
@@ -28,7 +29,7 @@ class MeasuredLoop:
     force: Array
     """Tangential force, N, of the sign of the displacement."""
     normal_force: float
-    """Normal force, N."""
+    """Normal force, N, or a text with a unit."""
     cycles: int = 1
     """Number of cycles in the record."""
 
@@ -50,6 +51,9 @@ class MeasuredLoop:
                 f"{count} points for {self.cycles} cycle(s): at least {FEWEST_POINTS} "
                 "points a cycle are needed"
             )
+        if isinstance(self.normal_force, str):
+            load = in_si(self.normal_force, "N", "normal_force")
+            object.__setattr__(self, "normal_force", load)
         if not self.normal_force > 0:
             raise LoopError(f"normal_force = {self.normal_force} N: give a number > 0")
 
@@ -66,7 +70,7 @@ class MeasuredLoop:
     @staticmethod
     def read(
         path: str | os.PathLike[str],
-        normal_force: float,
+        normal_force: float | str,
         cycles: int = 1,
         displacement_unit: float = 1.0,
         force_unit: float = 1.0,
@@ -105,6 +109,19 @@ class Drive:
         return self.basis @ self.coefficients
 
 
+def _check_force(loop: MeasuredLoop) -> None:
+    """Raises where the force is not that of friction and springs along the displacement."""
+    if not np.ptp(loop.force) > 0:
+        raise LoopError(f"force is {loop.force[0]:g} N at all points: a loop needs a varying force")
+    u, force = loop.displacement - loop.displacement.mean(), loop.force - loop.force.mean()
+    work = float(np.trapezoid(np.r_[force, force[0]], np.r_[u, u[0]]))
+    if work < 0 and float(u @ force) < 0:
+        raise LoopError(
+            f"force has the opposite sign of displacement: the loop makes {work:.2g} J of friction "
+            "work, which has to be positive; give -force"
+        )
+
+
 def smooth_drive(loop: MeasuredLoop) -> Drive:
     """The Fourier series whose number of harmonics has the least Bayesian criterion."""
     count = len(loop.displacement)
@@ -120,6 +137,7 @@ def smooth_drive(loop: MeasuredLoop) -> Drive:
     amplitude = float(np.ptp(loop.displacement) / 2)
     if not amplitude > 0:
         raise LoopError("displacement is constant: a loop needs a motion")
+    _check_force(loop)
     best: tuple[float, Drive] | None = None
     for size in range(3, 2 * most + 2, 2):
         columns = basis[:, :size]

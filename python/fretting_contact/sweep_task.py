@@ -1,5 +1,6 @@
 """What a worker of a sweep does: one contact for each set of parameters."""
 
+import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -8,6 +9,7 @@ from typing import Any
 from .component import ContactError
 from .contact import Contact, ContactWarning, ParameterError
 from .fmu_file import file_of_bytes
+from .motion import SignalError
 from .quantities import QuantityError
 
 Task = Callable[[Contact], dict[str, Any]]
@@ -36,10 +38,20 @@ class CyclicLife:
     """Many cycles of one amplitude: the contact in the first cycle and after all of them."""
 
     cycles: float
-    """Number of cycles, at least 1."""
+    """Number of cycles, above 0."""
+
+    def __post_init__(self) -> None:
+        if not 0 < self.cycles < math.inf:
+            raise SignalError(f"cycles = {self.cycles:g}: give a finite number above 0")
 
     def __call__(self, contact: Contact) -> dict[str, Any]:
-        cycle = 1.0 / contact.get("frequency")
+        contact.require(loading="cyclic")
+        frequency = contact.get("frequency")
+        if not frequency > 0:
+            raise SignalError(
+                f"frequency = {frequency:g} Hz makes no cycles: set a frequency above 0"
+            )
+        cycle, part = 1.0 / frequency, min(self.cycles, 1.0)
         outputs = (
             "tangential_force",
             "dissipated_energy",
@@ -48,9 +60,10 @@ class CyclicLife:
             "wear_volume",
             "wear_depth",
         )
-        contact.step(cycle)
+        contact.step(part * cycle)
         force, work, stick, radius, *_ = contact.get(*outputs)
-        first = {"regime": regime(stick, radius), "force_amplitude": force, "work_per_cycle": work}
+        first = {"regime": regime(stick, radius), "force_amplitude": force}
+        first |= {"work_per_cycle": work / part}
         if self.cycles > 1:
             contact.step((self.cycles - 1) * cycle)
         force, work, stick, radius, volume, depth = contact.get(*outputs)
@@ -91,7 +104,7 @@ def run_batch(
                     else Contact(fmu=file_of_bytes(content), **values)
                 )
                 outcome = {**task(contact), "error": ""}
-            except (ContactError, ParameterError, QuantityError) as problem:
+            except (ContactError, ParameterError, QuantityError, SignalError) as problem:
                 outcome = {"error": str(problem)}
             results.append(
                 {**row, **outcome, "warning": " / ".join(str(note.message) for note in noted)}

@@ -9,11 +9,15 @@ from scipy.optimize import least_squares
 
 from .contact import Contact, ParameterError
 from .history import Array
+from .quantities import in_si
 
 
 @dataclass(frozen=True)
 class WornVolume:
-    """The volume that a wear test wore at constant load and amplitude of the drive."""
+    """The volume that a wear test wore at constant load and amplitude of the drive.
+
+    Quantities may be texts with a unit: `volume="0.0115 mm3"`.
+    """
 
     volume: float
     """Worn volume, m³."""
@@ -25,6 +29,18 @@ class WornVolume:
     """Number of cycles."""
     uncertainty: float | None = None
     """Standard deviation of the volume, m³; from the scatter of several volumes if not given."""
+
+    def __post_init__(self) -> None:
+        units = {"volume": "m3", "normal_force": "N", "amplitude": "m", "uncertainty": "m3"}
+        for name, unit in units.items():
+            value = getattr(self, name)
+            if isinstance(value, str):
+                object.__setattr__(self, name, in_si(value, unit, name))
+        for name in "volume", "uncertainty":
+            value = getattr(self, name)
+            if value is not None and not 0 < value < np.inf:
+                hint = "" if name == "volume" else ", or leave it out"
+                raise ParameterError(f"{name} = {value!r} m3: give a finite number above 0{hint}")
 
 
 def fit_volumes(
@@ -39,7 +55,8 @@ def fit_volumes(
     """Adds the worn volume over friction work to the values of a fit to loops."""
     measured = np.log([volume.volume for volume in volumes])
     given = [
-        volume.uncertainty / volume.volume if volume.uncertainty else np.nan for volume in volumes
+        np.nan if volume.uncertainty is None else volume.uncertainty / volume.volume
+        for volume in volumes
     ]
     relative = np.array(given)
     if np.isnan(relative).any():

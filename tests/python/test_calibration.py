@@ -94,6 +94,14 @@ def test_one_volume_gives_the_wear_coefficient_and_two_its_scatter():
     assert two.std("wear_per_work") / two["wear_per_work"] == pytest.approx(0.095, rel=0.1)
 
 
+def test_quantities_of_a_wear_test_may_be_texts():
+    test = WornVolume("0.0115 mm3", "0.1 kN", "8 um", 2e5, uncertainty="0.001 mm3")
+    found = (test.volume, test.normal_force, test.amplitude, test.uncertainty)
+    assert found == pytest.approx((1.15e-11, 100.0, 8e-6, 1e-12), rel=1e-14, abs=0)
+    drive, force = exact_loop(100.0, 8e-6)
+    assert MeasuredLoop(drive, force, "100 N").normal_force == 100.0
+
+
 def test_several_cycles_in_a_record_are_one_loop():
     drive, force = exact_loop(100.0, 8e-6)
     noise = 0.5 * np.random.default_rng(3).standard_normal(4 * force.size)
@@ -153,6 +161,27 @@ REFUSED = [
         lambda: smooth_drive(MeasuredLoop(*exact_loop(1e2, 8e-6), 1e2, 3)),
         LoopError,
         "does not make 3 cycle",
+    ),
+    (
+        lambda: smooth_drive(MeasuredLoop(exact_loop(1e2, 8e-6)[0], np.zeros(100), 1e2)),
+        LoopError,
+        "force is 0 N at all points",
+    ),
+    (
+        lambda: calibrate(MeasuredLoop(measured().displacement, -measured().force, 100.0)),
+        LoopError,
+        "force has the opposite sign of displacement.*give -force",
+    ),
+    (
+        lambda: WornVolume(0.0, 100.0, 8e-6, 1e5),
+        ParameterError,
+        "volume = 0.0 m3: give a finite number above 0",
+    ),
+    (lambda: WornVolume(-1e-11, 100.0, 8e-6, 1e5), ParameterError, "volume = -1e-11 m3"),
+    (
+        lambda: WornVolume(1e-11, 100.0, 8e-6, 1e5, uncertainty=0.0),
+        ParameterError,
+        "uncertainty = 0.0 m3: give a finite number above 0, or leave it out",
     ),
     (lambda: calibrate([]), ParameterError, "one measured loop at least"),
     (

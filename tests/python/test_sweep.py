@@ -10,7 +10,7 @@ import sys
 import numpy as np
 import pytest
 from conftest import ROOT
-from fretting_contact import grid, read_sets, spread, sweep
+from fretting_contact import SignalError, grid, read_sets, spread, sweep
 from fretting_contact.parameter_sets import SetsError
 from fretting_contact.sweep_folder import SweepFolderError, parts
 from fretting_contact.sweep_task import CyclicLife, run_batch
@@ -181,6 +181,35 @@ def test_a_refused_set_has_its_message_and_the_others_come_out(fmu_path, tmp_pat
     assert results["regime"][:2].tolist() == ["partial"] * 2 and results["regime"][4] == "separated"
     assert np.isnan(results["wear_volume"][refused]).all()
     assert "hardness = 8e2 Pa" in results["warning"][1] and results["warning"][0] == ""
+
+
+@pytest.mark.parametrize(
+    ("parameters", "message"),
+    [
+        ({"frequency": 0.0}, "frequency = 0 Hz makes no cycles: set a frequency above 0"),
+        ({"profile_file": 3}, "profile_file is int: give a path"),
+        ({"loading": "transient"}, "loading = 'transient', but 'cyclic' is needed"),
+    ],
+)
+def test_a_set_that_makes_no_cycles_has_a_message(fmu_path, parameters, message):
+    rows = run_batch(fmu_path.read_bytes(), {"loading": "cyclic"}, [parameters, {}], CyclicLife(10))
+    assert message in rows[0]["error"] and rows[1]["error"] == ""
+    assert rows[1]["wear_volume"] > 0
+
+
+@pytest.mark.parametrize("cycles", [0, -5, float("nan"), float("inf")])
+def test_a_number_of_cycles_that_is_none_is_refused(fmu_path, cycles):
+    with pytest.raises(SignalError, match="cycles = .*: give a finite number above 0"):
+        sweep({}, {"normal_force": [1.0]}, fmu=fmu_path, cycles=cycles)
+
+
+def test_half_a_cycle_wears_half(fmu_path):
+    half, whole = (
+        run_batch(fmu_path.read_bytes(), {"loading": "cyclic"}, [{}], CyclicLife(cycles))[0]
+        for cycles in (0.5, 1.0)
+    )
+    assert half["wear_volume"] / whole["wear_volume"] == pytest.approx(0.5, rel=1e-3)
+    assert half["work_per_cycle"] / whole["work_per_cycle"] == pytest.approx(1.0, rel=1e-3)
 
 
 @pytest.mark.parametrize("share", [(2, 2), (-1, 2)])
