@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from .component import ContactError, ContactFmu
 from .fmu_file import FmuFile, shared_file
@@ -85,6 +85,7 @@ class Contact(ContactFmu):
         self._table: Path | None = None
         self.given: dict[str, Any] = {}  # what has been set before the first step
         self._is_initialised = False
+        self._accepted: dict[str, Any] = {}  # inputs of the last calls that were not refused
         try:
             self.start(**parameters)
         except BaseException:
@@ -112,6 +113,7 @@ class Contact(ContactFmu):
         """Initialises with these parameters and inputs; others have their start values."""
         super().start(**parameters)
         self._is_initialised = True
+        self._accepted = {}
         self._remove_table()  # it has been read
         return self
 
@@ -156,6 +158,10 @@ class Contact(ContactFmu):
             super().step(size)
         return self
 
+    def follow(self, *arguments: Any, **inputs: ArrayLike) -> dict[str, NDArray[np.float64]]:
+        self._accepted = {}
+        return super().follow(*arguments, **inputs)
+
     def _apply(self, values: dict[str, Any]) -> None:
         given = values
         if values.get("profile_file") is not None and not isinstance(
@@ -173,7 +179,7 @@ class Contact(ContactFmu):
     @contextlib.contextmanager
     def _inputs_kept(self, values: dict[str, Any]) -> Iterator[None]:
         """Puts inputs and tunable parameters back where a call inside is refused."""
-        before: dict[str, Any] = {}
+        names = []
         if self._is_initialised and self._is_open:
             variables = [self._require(name) for name in values]
             names = [
@@ -181,15 +187,17 @@ class Contact(ContactFmu):
                 for each in variables
                 if each.causality in SETTABLE and each.variability != "fixed"
             ]
-            if names:
-                found = self.get(*names)
-                before = dict(zip(names, found if len(names) > 1 else [found]))
+        unknown = [name for name in names if name not in self._accepted]
+        if unknown:
+            found = self.get(*unknown)
+            self._accepted.update(zip(unknown, found if len(unknown) > 1 else [found]))
         try:
             yield
         except BaseException:
-            if before:
-                super().set(**before)
+            if names:
+                super().set(**{name: self._checked(name, self._accepted[name]) for name in names})
             raise
+        self._accepted.update({name: values[name] for name in names})
 
     def __getitem__(self, name: str) -> Any:
         """The value of a variable; an array for the name of a field."""
@@ -223,6 +231,7 @@ class Contact(ContactFmu):
     def restore(self, state: SavedState | bytes | bytearray | memoryview) -> "Contact":
         """Returns to a state of this contact, or takes one over from bytes."""
         self._check_open()
+        self._accepted = {}
         if isinstance(state, SavedState):
             if state._contact is not self:
                 raise ParameterError(
