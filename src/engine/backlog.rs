@@ -177,8 +177,13 @@ impl FrettingContact {
             self.expect(Some(motion));
         } else {
             let way = if self.state.row.is_plane() { FrontMotion::Creeps } else { FrontMotion::Returns };
-            if !self.absorb_law((&law, way), backlog.work, backlog.radius)? {
-                self.defer_law(backlog.work);
+            match self.absorb_law((&law, way), backlog.work, backlog.radius) {
+                Ok(true) => {}
+                Ok(false) => self.defer_law(backlog.work),
+                Err(Error::WearOutrun { .. }) if self.is_negligible(backlog.work) => {
+                    self.defer_law(backlog.work);
+                }
+                Err(other) => return Err(other),
             }
             let lost = self.rest_on_worn(&old, zone)?;
             if !begins_at_reversal {
@@ -221,6 +226,12 @@ impl FrettingContact {
         if let Some(wear) = &mut self.state.wear {
             wear.deferred_work += work;
         }
+    }
+
+    /// Whether work (J) wears next to nothing of what has worn.
+    fn is_negligible(&self, work: f64) -> bool {
+        let worn = self.surface.worn().map_or(0.0, Nodes::worn_volume);
+        self.model.constants.wear_per_work * work <= NEGLIGIBLE * worn
     }
 
     /// Defers the wear of a whole law of some work (J): the nodes keep their wide cells.
@@ -335,18 +346,14 @@ impl FrettingContact {
             }
             return Ok(!slips);
         };
+        if !update.followed {
+            return Err(Error::WearOutrun { from: self.state.place.x, displacement: self.state.place.x });
+        }
         let (Some(wear), Some(nodes)) = (&mut self.state.wear, self.surface.worn()) else { return Ok(true) };
         let (transforms, _) = self.memory.get().transforms.get(nodes);
         wear.deferred_work -= taken;
         wear.clipped += fields.clipped;
         wear.defect += fields.defect;
-        if !update.followed {
-            if per_work * work <= NEGLIGIBLE * nodes.worn_volume() {
-                self.defer_law(work);
-                return Ok(true);
-            }
-            return Err(Error::WearOutrun { from: self.state.place.x, displacement: self.state.place.x });
-        }
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape
         // and takes that volume
         let change = (&update.depth[..], &transforms.abel(&update.depth)[..]);
