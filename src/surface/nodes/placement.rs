@@ -319,8 +319,13 @@ impl Nodes {
     /// Appends nodes until enough lie beyond `a` (or the body ends). Cells grow by a fiftieth each,
     /// up to 1/resolution of their radius.
     fn extend_beyond(&mut self, a: f64, outer: f64) {
+        self.extend_growing(1.02, (a, outer));
+    }
+
+    /// The same in cells that grow by a factor.
+    fn extend_growing(&mut self, factor: f64, (a, outer): (f64, f64)) {
         while self.served_radius() <= a && self.x[self.last()] < outer {
-            let end = self.x[self.last()] + self.next_width(1.02);
+            let end = self.x[self.last()] + self.next_width(factor);
             self.append(end.min(outer));
         }
     }
@@ -328,20 +333,16 @@ impl Nodes {
     /// These nodes and more at their end, in cells that grow fast; `None` where they end far beyond
     /// a contact radius (m), or the body does.
     pub(crate) fn reaching_further(&self, (radius, profile): (f64, &Profile)) -> Option<Self> {
+        let last = self.last();
         let far = (FAR * radius).min(profile.outer_radius());
-        if self.x[self.last()] >= far {
-            return None;
-        }
-        let mut more = self.clone();
-        more.leave_mesh();
-        for _ in 0..SPARE {
-            let end = more.x[more.last()];
-            if end < far {
-                more.append((end + more.next_width(2.0)).min(far));
-            }
-        }
-        more.update_integrals(profile);
-        Some(more)
+        (self.x[last] < far).then(|| {
+            let mut more = self.clone();
+            more.leave_mesh();
+            // as many as lie ready outside a contact
+            more.extend_growing(2.0, (self.x[last - 1], far));
+            more.update_integrals(profile);
+            more
+        })
     }
 
     /// Width of a cell beyond the last, m: by a factor wider, up to an even one.
