@@ -157,6 +157,14 @@ def drive(
     )
 
 
+def frequency_of(contact: Contact) -> float:
+    """The frequency of cyclic loading, Hz."""
+    frequency: float = contact.get("frequency")
+    if not frequency > 0:
+        raise SignalError(f"frequency = {frequency:g} Hz makes no cycles: set a frequency above 0")
+    return frequency
+
+
 def _number(value: Any, unit: str, name: str) -> Any:
     """The value in `unit` where it is a text with a unit; another one is left as it is."""
     return in_si(value, unit, name) if isinstance(value, str) else value

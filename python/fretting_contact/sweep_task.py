@@ -9,7 +9,7 @@ from typing import Any
 from .component import ContactError
 from .contact import Contact, ContactWarning, ParameterError
 from .fmu_file import file_of_bytes
-from .motion import SignalError
+from .motion import SignalError, frequency_of
 from .quantities import QuantityError
 
 Task = Callable[[Contact], dict[str, Any]]
@@ -46,12 +46,7 @@ class CyclicLife:
 
     def __call__(self, contact: Contact) -> dict[str, Any]:
         contact.require(loading="cyclic")
-        frequency = contact.get("frequency")
-        if not frequency > 0:
-            raise SignalError(
-                f"frequency = {frequency:g} Hz makes no cycles: set a frequency above 0"
-            )
-        cycle, part = 1.0 / frequency, min(self.cycles, 1.0)
+        cycle, part = 1.0 / frequency_of(contact), min(self.cycles, 1.0)
         outputs = (
             "tangential_force",
             "dissipated_energy",

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from .contact import Contact
 from .history import CUBIC_MM, MICRO, Array, History, new_axes
-from .motion import SignalError
+from .motion import SignalError, frequency_of
 
 _OUTPUTS = (
     "tangential_force",
@@ -105,11 +105,7 @@ def life(
     with contact.unchanged_if_refused():
         given = {"displacement_amplitude": amplitude, "normal_force": normal_force}
         contact.set(**{name: value for name, value in given.items() if value is not None})
-        frequency = contact.get("frequency")
-        if not frequency > 0:
-            raise SignalError(
-                f"frequency = {frequency:g} Hz makes no cycles: set a frequency above 0"
-            )
+        frequency = frequency_of(contact)
         rows: list[Sequence[float]] = []
         fields: dict[str, list[Array]] = {"radius_probe": [], "worn_depth": [], "pressure": []}
         done = 0.0
