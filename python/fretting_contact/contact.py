@@ -121,14 +121,17 @@ class Contact(ContactFmu):
         """The same instance as a new contact with these parameters; faster than a new instance."""
         with self.unchanged_if_refused():
             self.reset()
-            self.given = {}
-            self._is_initialised = False
             return self.start(**parameters)
+
+    def reset(self) -> None:
+        """Back to the state right after the instance was made; `start` goes on from there."""
+        super().reset()
+        self.given, self._accepted, self._is_initialised = {}, {}, False
 
     @contextlib.contextmanager
     def unchanged_if_refused(self) -> Iterator[None]:
         """Returns to the present state where a call inside is refused."""
-        state = None
+        state, was_initialised = None, self._is_initialised
         with contextlib.suppress(ContactError):  # a contact that has failed has no state
             state = self.save()
         try:
@@ -137,7 +140,7 @@ class Contact(ContactFmu):
             self._remove_table()
             if state is not None:
                 self.restore(state)
-                self._is_initialised = True
+                self._is_initialised = was_initialised
             raise
 
     def set(self, **values: Any) -> None:

@@ -133,6 +133,14 @@ def test_a_refused_call_leaves_the_contact_as_it_was(call, moved):
         assert contact.get(*READ) == before[0]
 
 
+def test_a_contact_that_was_reset_takes_inputs_at_its_start():
+    with Contact(normal_force=100.0) as contact, Contact(radius=0.02, normal_force=50.0) as other:
+        contact.step(tangential_displacement=1e-6)
+        contact.reset()
+        contact.start(radius=0.02, normal_force=50.0)
+        assert contact.get(*READ) == other.get(*READ)
+
+
 def test_a_refused_life_leaves_the_contact_as_it_was():
     names = ("displacement_amplitude", "normal_force", "wear_volume")
     with Contact(profile_file=SHORT, loading="cyclic", frequency=0.0) as contact:
