@@ -120,10 +120,9 @@ class ContactFmu:
     def set(self, **values: Any) -> None:
         """Sets variables by name."""
         for type_, group in self._by_type(values).items():
-            setter = getattr(self.slave, "set" + {"Enumeration": "Integer"}.get(type_, type_))
             references = [variable.valueReference for variable in group]
             self._call(
-                setter,
+                self._function("set", type_),
                 references,
                 [self._encode(variable, values[variable.name]) for variable in group],
             )
@@ -132,8 +131,8 @@ class ContactFmu:
         """Values of variables: one for one name, otherwise a list in the requested order."""
         found = {}
         for type_, group in self._by_type(names).items():
-            getter = getattr(self.slave, "get" + {"Enumeration": "Integer"}.get(type_, type_))
-            values = self._call(getter, [variable.valueReference for variable in group])
+            references = [variable.valueReference for variable in group]
+            values = self._call(self._function("get", type_), references)
             found.update(
                 {variable.name: self._decode(variable, x) for variable, x in zip(group, values)}
             )
@@ -178,25 +177,26 @@ class ContactFmu:
 
     def _reader(self, names: Sequence[str]) -> Callable[[], list[float]]:
         """A function that reads variables as numbers, in the order of the names."""
-        declared = [self.fmu.variables[name].type for name in names]
-        types = [{"Enumeration": "Integer"}.get(type_, type_) for type_ in declared]
-        parts = []
-        for type_ in dict.fromkeys(types):
-            places = [k for k, each in enumerate(types) if each == type_]
-            references = self._references(names[k] for k in places)
-            parts.append((getattr(self.slave, f"get{type_}"), places, references))
+        parts = [
+            (self._function("get", type_), [variable.name for variable in group])
+            for type_, group in self._by_type(names).items()
+        ]
+        calls = [(getter, self._references(group), group) for getter, group in parts]
+        if len(calls) == 1:  # in the order of the names already
+            getter, references, _ = calls[0]
+            return lambda: self._call(getter, references)
 
         def read() -> list[float]:
-            row = [0.0] * len(names)
-            for getter, places, references in parts:
-                for place, value in zip(places, self._call(getter, references)):
-                    row[place] = value
-            return row
+            found: dict[str, float] = {}
+            for getter, references, group in calls:
+                found.update(zip(group, self._call(getter, references)))
+            return [found[name] for name in names]
 
-        if list(dict.fromkeys(types)) == ["Real"]:  # the usual case, without a loop
-            getter, _, references = parts[0]
-            return lambda: self._call(getter, references)
         return read
+
+    def _function(self, verb: str, type_: str) -> Callable[..., Any]:
+        """The function of the FMU that gets or sets variables of a type."""
+        return getattr(self.slave, verb + {"Enumeration": "Integer"}.get(type_, type_))
 
     def _references(self, names: Iterable[str]) -> list[int]:
         return [self.fmu.variables[name].valueReference for name in names]
