@@ -36,7 +36,7 @@ __all__ = [
 ]
 
 OUTLIER = 6.0
-"""A point this many standard deviations off the first fit is dropped."""
+"""A point this many standard deviations off a fit is dropped."""
 
 LEAST_OUTLIER = 1e-3
 """A point that is less than this off, in units of the height range, is no outlier."""
