@@ -13,12 +13,6 @@ use std::mem::{replace, take};
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
 pub(super) const MOST_SCALE: f64 = 1.5;
 
-/// Share of the largest image, times the square of the number of cells, that thinning may take
-/// however tight the tolerance. A line in X over one of n even cells misses 0.25/n² of an image
-/// that goes like X². Of a short life at a tolerance of 1e-6, which takes 3.2 s, half of the value
-/// and twice change V by 2e-4 on the way and 2e-5 at the end; it then takes 4.0 and 2.5 s.
-const LEAST_THINNING: f64 = 0.01;
-
 /// Share of all that has worn up to which an update that cannot be solved is deferred. Where
 /// cycles have worn all that they can, the overlap that strokes find is rounding: of 72 such
 /// scenes 11 were refused.
@@ -376,13 +370,15 @@ impl FrettingContact {
 
     /// What a slip law of some work (J) does on the nodes of the surface, and the update that it
     /// brings, unless nothing slips or what slips is free. Where a contact grows beyond the nodes,
-    /// there are more: wear that ended at the last one would leave a step there.
+    /// there are more, if the update can be solved on them: wear that ended at the last one would
+    /// leave a step there.
     fn update_within_nodes(
         &mut self,
         law: &[SlipAtDepth],
         work: f64,
     ) -> Result<(SlipFields, Option<Update>), Error> {
         let (constants, control) = (self.model.constants, self.model.parameters.normal_control);
+        let mut before: Option<(Surface, SlipFields, Update)> = None;
         loop {
             let Some(nodes) = self.surface.worn() else { return Ok((SlipFields::none(0), None)) };
             let (transforms, made) = self.memory.get().transforms.get(nodes);
@@ -398,10 +394,14 @@ impl FrettingContact {
             counters.descent_transforms += transforms;
             let outgrown = update.followed && update.depth[nodes.last()] > 0.0;
             let reach = (fields.contact.radius, self.surface.profile());
-            match outgrown.then(|| nodes.reaching_further(reach)).flatten() {
-                Some(more) => self.surface.set_worn(Some(more)),
-                None => return Ok((fields, Some(update))),
+            let more = outgrown.then(|| nodes.reaching_further(reach)).flatten();
+            if let Some((surface, fields, update)) = before.filter(|_| !update.followed) {
+                self.surface = surface;
+                return Ok((fields, Some(update)));
             }
+            let Some(more) = more else { return Ok((fields, Some(update))) };
+            before = Some((self.surface.clone(), fields, update));
+            self.surface.set_worn(Some(more));
         }
     }
 
@@ -446,7 +446,7 @@ impl FrettingContact {
             left = spread;
         }
         let Parameters { tolerance, resolution, .. } = *self.model.parameters;
-        let share = (wear::THINNING * tolerance).max(LEAST_THINNING / (resolution as f64).powi(2));
+        let share = wear::thinning(tolerance, resolution);
         let crossed = self.model.tuning.way_of_edge * volume / (PI * radius * deepest);
         if let Some(thinned) = left.thinned(share, radius, crossed, profile) {
             left = thinned;

@@ -3,7 +3,7 @@
 use super::Constants;
 use super::mesh::UnitMesh;
 use super::patch::{FRONT_CELLS, Frozen, Motion, Outside, Patch, RIM, Rate, State, edge_not_found};
-use super::settings::{IntegrationSettings, THINNING};
+use super::settings::{IntegrationSettings, thinning, tolerance_in_space};
 use crate::error::Error;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
@@ -53,10 +53,10 @@ const EDGE_CELLS: f64 = 1.0;
 const MISSING: f64 = 0.05;
 
 /// Volume that a mesh made on a profile of other loads may put elsewhere, over the volume that the
-/// motion is about to wear and over the tolerance. Within a cell it has a line where there is a
-/// wall, as at a former front: few cycles of a large amplitude among many of a small one then leave
-/// the wall worn off, and the many wear again what they had worn. A third and three times as much
-/// changed V of such blocks by up to 2.5 %.
+/// motion is about to wear and over the tolerance in space. Within a cell it has a line where there
+/// is a wall, as at a former front: few cycles of a large amplitude among many of a small one then
+/// leave the wall worn off, and the many wear again what they had worn. A third and three times as
+/// much changed V of such blocks by up to 2.5 %.
 const MISPLACED: f64 = 300.0;
 
 /// The slipping region of a contact, with the state that its surface gives it and the rate of that;
@@ -101,7 +101,8 @@ pub(super) fn mesh_slip_zone(
     }
     let a = if rim { outer } else { a };
     let start = |front: f64, radius_squared: f64, images: &dyn Fn(&[f64]) -> Vec<f64>| {
-        let places = (front, inside(surface, front, settings.tolerance), outside.clone());
+        let inside = inside(surface, front, thinning(settings.tolerance, settings.cells));
+        let places = (front, inside, outside.clone());
         let patch = Patch::new(surface.unworn(), mesh.clone(), places, *motion, rim, constants);
         let depth = patch.depths(&images(&patch.radii(radius_squared)), radius_squared);
         let rate = patch.rate(&depth, radius_squared)?;
@@ -135,8 +136,8 @@ pub(super) fn mesh_slip_zone(
             let own = patch.own_volume(rate);
             let most = (MISSING * own).max(settings.tolerance * may_wear).min(MISSING * volume);
             let to_wear = rate.volume_rate * left;
-            let is_in_place =
-                |patch| misplaced(surface, nodes, patch, a) <= MISPLACED * settings.tolerance * to_wear;
+            let may_misplace = MISPLACED * tolerance_in_space(settings.tolerance, settings.cells) * to_wear;
+            let is_in_place = |patch| misplaced(surface, nodes, patch, a) <= may_misplace;
             own >= -most
                 && (is_smooth || is_in_place(patch))
                 && (patch.volume(rate) - volume).abs() <= most
@@ -205,8 +206,8 @@ fn fits(nodes: &Nodes, place: &MeshPlace, mesh: &UnitMesh, (front, resolution): 
 }
 
 /// What lies inside the front: the surface's nodes up to there, without those that a line through
-/// others replaces.
-fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
+/// others replaces within a share of the largest image.
+fn inside(surface: &Surface, front: f64, share: f64) -> Frozen {
     if front == 0.0 {
         return Frozen::default();
     }
@@ -233,5 +234,5 @@ fn inside(surface: &Surface, front: f64, tolerance: f64) -> Frozen {
     // the moving mesh has narrow cells next to its front, with an error of some 1e-3 of the image;
     // crowded nodes elsewhere may belong to a steep step that other loads have worn
     let mesh_start = surface.worn().and_then(|nodes| Some(nodes.x()[nodes.mesh()?.first]));
-    all.thinned(THINNING * tolerance, mesh_start.unwrap_or(f64::INFINITY))
+    all.thinned(share, mesh_start.unwrap_or(f64::INFINITY))
 }
