@@ -74,6 +74,13 @@ pub(crate) fn update_limit(tolerance: f64, surface: &Surface, contact: &Contact,
     tolerance * annulus(contact, stick_radius) * room.max(0.1 * contact.depth.abs())
 }
 
+/// Volume that may wear between two updates where strokes slip outside a radius, however thin that
+/// annulus is, m³.
+pub(crate) fn limit_of_zone(tolerance: f64, surface: &Surface, contact: &Contact, inner: f64) -> f64 {
+    let overlap = contact.depth - surface.image(inner);
+    tolerance * annulus(contact, inner) * room(surface, contact, inner).max(0.1 * overlap)
+}
+
 /// Twice the mean approach d − g of the slipping annulus, m; 0 where there is none.
 fn room(surface: &Surface, contact: &Contact, stick_radius: f64) -> f64 {
     let width = (contact.radius - stick_radius).max(0.0);

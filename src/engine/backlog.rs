@@ -68,8 +68,11 @@ impl FrettingContact {
         let Some(wear) = &self.state.wear else { return false };
         let density = wear.backlog.work_density + wear::per_disc(work, &self.state.contact);
         let share = self.model.constants.wear_per_work * density;
-        if wear.limit == 0.0 || share <= wear.limit {
+        if wear.limit == 0.0 {
             return false;
+        }
+        if share <= wear.limit {
+            return self.turns(place) && self.exceeds_limit_of_zone(share);
         }
         // while the load hardly changes an update can wait for the reversal, which leaves strokes
         // whole
@@ -80,6 +83,18 @@ impl FrettingContact {
             || share > self.model.tuning.stroke * wear.limit
             || !wear.backlog.is_near(depth, near)
             || self.stick_radius() == 0.0
+    }
+
+    /// Whether some wear, over the disc, is much of what can wear where the strokes of the backlog
+    /// have slipped: `limit` knows no thinner zone than `least_width`.
+    fn exceeds_limit_of_zone(&self, share: f64) -> bool {
+        let (Some(wear), contact) = (&self.state.wear, &self.state.contact) else { return false };
+        let inner = self.radius_of_front(wear.backlog.front(), contact.radius);
+        if inner <= self.widest_stick(contact, 0.0) || inner >= contact.radius {
+            return false;
+        }
+        let limit = wear::limit_of_zone(self.model.parameters.tolerance, &self.surface, contact, inner);
+        share > wear::per_disc(limit, contact)
     }
 
     /// Work (J) that a slide may do before an update may be due.

@@ -416,7 +416,9 @@ pub(super) fn between(surface: &Surface, p: &Knot, q: &Knot, share: f64) -> Knot
         // the front from stroke to stroke
         let steep = surface.worn().is_some() && (place.image - image).abs() > 1e-12 * q.place.image.abs();
         let image = if steep { image } else { place.image };
-        Knot { place: Place { image, ..place }, origin }
+        // dφ/dg = x
+        let load = place.load + place.x * (image - place.image);
+        Knot { place: Place { image, load, ..place }, origin }
     } else {
         Knot { place: surface.place(p.place.x + share * (q.place.x - p.place.x)), origin }
     }

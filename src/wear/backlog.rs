@@ -231,6 +231,18 @@ impl WearBacklog {
         law
     }
 
+    /// Image of the innermost spring that has slipped, m.
+    pub(crate) fn front(&self) -> f64 {
+        let front = |(level, hinges): (&Level, &[Hinge])| {
+            let rounding = level.rounding(hinges);
+            let innermost = hinges.iter().rfind(|hinge| hinge.slope.abs() > rounding);
+            let place = innermost.map_or(0.0, |hinge| hinge.place);
+            let core = level.constant.abs().max(level.slope.abs() * place);
+            if core > rounding * place { f64::NEG_INFINITY } else { self.reference - place }
+        };
+        self.levels().map(front).fold(f64::INFINITY, f64::min)
+    }
+
     /// The levels, each with its hinges.
     pub(super) fn levels(&self) -> impl Iterator<Item = (&Level, &[Hinge])> {
         self.levels.iter()
@@ -254,6 +266,11 @@ impl Level {
         self.moment / self.slip
     }
 
+    /// Slope that is rounding, as what strokes that cancel leave in their bins.
+    fn rounding(&self, hinges: &[Hinge]) -> f64 {
+        CANCELLED * hinges.iter().map(|hinge| hinge.slope.abs()).fold(self.slope.abs(), f64::max)
+    }
+
     /// Place of the contact edge under that depth, m.
     fn edge(&self, reference: f64) -> f64 {
         reference - self.depth()
@@ -262,9 +279,7 @@ impl Level {
     fn law_into(&self, (hinges, bins): (&[Hinge], Bins), reference: f64, law: &mut SlipAtDepth) {
         let knots = &mut law.knots;
         knots.clear();
-        // what strokes that cancel leave in their bins is rounding
-        let largest = hinges.iter().map(|hinge| hinge.slope.abs()).fold(self.slope.abs(), f64::max);
-        let rounding = CANCELLED * largest;
+        let rounding = self.rounding(hinges);
         for ends in hinges.chunk_by(|a, b| bins.of(a) == bins.of(b)) {
             if let [low, high] = ends {
                 let sum = low.slope + high.slope;

@@ -51,11 +51,17 @@ fn equal_cycles_make_their_closed_law_whatever_the_steps() {
     // the first quarter is a fourth of a cycle
     let exact = SlipAtDepth::of_motion(Sliding::Cycles(amplitude), 10.25, DEPTH, M);
     for steps in [1, 7, 40] {
-        let law = strokes(&ends, steps).law();
+        let backlog = strokes(&ends, steps);
+        let law = backlog.law();
         assert_eq!(law.len(), 1, "{steps} steps");
         assert!((law[0].depth / DEPTH - 1.0).abs() < 1e-14);
         let front = DEPTH - amplitude / M;
         assert!((law[0].front() - front).abs() < 1e-9 * DEPTH, "{steps} steps: {:e}", law[0].front() - front);
+        assert!(
+            (backlog.front() - front).abs() < 1e-9 * DEPTH,
+            "{steps} steps: {:e}",
+            backlog.front() - front
+        );
         for k in 0..=100 {
             let image = DEPTH * f64::from(k) / 100.0;
             let (slip, expected) = (law[0].at(image).0, exact.at(image).0);
