@@ -32,7 +32,7 @@ mod settings;
 mod system;
 mod update;
 
-pub(crate) use backlog::{RepeatedMotion, SlipAtDepth, WearBacklog};
+pub(crate) use backlog::{RepeatedMotion, SAME, SlipAtDepth, WearBacklog};
 pub(crate) use fields::SlipFields;
 pub(crate) use first_order::FirstOrderWear;
 pub(crate) use life::integrate;

@@ -169,7 +169,10 @@ impl FrettingContact {
         if let Some(law) = only {
             zone.0 = zone.0.max(self.radius_of_front(law.front(), backlog.radius));
         }
-        let repeated = only.and_then(|law| law.repeated_motion(self.model.bound_slope, self.surface.tip()));
+        // strokes are not quite alike while friction runs in
+        let share = if self.is_running_in() { 0.25 * self.model.tuning.drift } else { wear::SAME };
+        let (bound_slope, tip) = (self.model.bound_slope, self.surface.tip());
+        let repeated = only.and_then(|law| law.repeated_motion(bound_slope, tip, share));
         if let Some(motion) = repeated.filter(|motion| self.is_followed(motion))
             && let drive = self.drive_of(&motion)
             && self.absorb_motion(&motion, drive, backlog.work)?

@@ -98,7 +98,7 @@ pub(crate) struct RepeatedMotion {
 }
 
 /// Relative difference of two places of hinges, or of two slips, that are taken for one.
-const SAME: f64 = 1e-6;
+pub(crate) const SAME: f64 = 1e-6;
 
 /// Most by which the image at the contact edge may differ from the depth by rounding, where a worn
 /// body is steep.
@@ -375,26 +375,26 @@ impl SlipAtDepth {
         }
     }
 
-    /// The motion that makes this law, where it is one that repeats in the contact of its depth;
-    /// `tip` is the image at the axis.
-    pub(crate) fn repeated_motion(&self, bound_slope: f64, tip: f64) -> Option<RepeatedMotion> {
+    /// The motion that makes this law, where it is one that repeats in the contact of its depth, but
+    /// for a share of the slip; `tip` is the image at the axis.
+    pub(crate) fn repeated_motion(&self, bound_slope: f64, tip: f64, share: f64) -> Option<RepeatedMotion> {
         let (whole, slope) = self.at(self.depth);
         if whole <= 0.0 {
             return None;
         }
-        if self.knots.is_empty() && (self.at(tip).0 - whole).abs() <= SAME * whole {
+        if self.knots.is_empty() && (self.at(tip).0 - whole).abs() <= share * whole {
             return Some(RepeatedMotion { sliding: Sliding::Onward, amount: whole });
         }
         // E(d) = 4 N U₀ and dE/dg = 4 N m, of whole quarters
         let quarters = (slope / bound_slope).round();
-        if quarters < 1.0 || (slope / bound_slope - quarters).abs() > SAME * quarters {
+        if quarters < 1.0 || (slope / bound_slope - quarters).abs() > share * quarters {
             return None;
         }
         let slope = quarters * bound_slope;
         // both are lines between these places
         let front = self.depth - whole / slope;
         let of_cycles = |image: f64| (slope * (image - front)).max(0.0);
-        let alike = |image: f64| (self.at(image).0 - of_cycles(image)).abs() <= SAME * whole;
+        let alike = |image: f64| (self.at(image).0 - of_cycles(image)).abs() <= share * whole;
         let mut places = self.knots.iter().map(|knot| knot.0).chain([tip, front]);
         let inside = |place: &f64| (tip..self.depth).contains(place);
         places

@@ -208,7 +208,7 @@ fn a_random_history_leaves_a_bounded_backlog() {
 #[test]
 fn a_law_of_equal_cycles_is_recognised() {
     let full = M * DEPTH;
-    let motion = |ends: &[f64]| strokes(ends, 5).law()[0].repeated_motion(M, 0.0);
+    let motion = |ends: &[f64]| strokes(ends, 5).law()[0].repeated_motion(M, 0.0, SAME);
     for amplitude in [0.3 * full, 0.9 * full] {
         let found = motion(&[amplitude, -amplitude, amplitude]).expect("they are cycles");
         let Sliding::Cycles(size) = found.sliding else { panic!("{found:?}") };
@@ -216,7 +216,7 @@ fn a_law_of_equal_cycles_is_recognised() {
     }
     assert_eq!(motion(&[0.9 * full, 0.2 * full, 0.9 * full]), None);
     assert_eq!(motion(&[0.5 * full, -0.5 * full, 0.8 * full]), None);
-    let slide = SlipAtDepth::of_motion(Sliding::Onward, 3e-6, DEPTH, M).repeated_motion(M, 0.0);
+    let slide = SlipAtDepth::of_motion(Sliding::Onward, 3e-6, DEPTH, M).repeated_motion(M, 0.0, SAME);
     assert_eq!(slide, Some(RepeatedMotion { sliding: Sliding::Onward, amount: 3e-6 }));
 }
 
@@ -235,6 +235,6 @@ fn a_law_with_its_front_elsewhere_is_none_of_cycles() {
             law.at(DEPTH).0,
             SlipAtDepth::of_motion(Sliding::Cycles(0.9 * full), 1.0, DEPTH, M).at(DEPTH).0
         );
-        assert_eq!(law.repeated_motion(M, 0.0), None, "{shift}");
+        assert_eq!(law.repeated_motion(M, 0.0, SAME), None, "{shift}");
     }
 }
