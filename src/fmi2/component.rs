@@ -225,8 +225,8 @@ impl Component {
                 &format!(
                     "{name} is not a number: friction work per area is known as worn depth over wear coefficient, so only with \
                      wear_coefficient > 0 or wear_coefficient_2 > 0, and as long as these are not changed between steps. \
-                     Set them before the initialization (wear_coefficient = 1e-12 leaves the profile as it is), or do \
-                     not read energy_density"
+                     Set them before the initialization (wear_coefficient = 1e-12 leaves the profile as it is; an ellipse \
+                     has no wear), or do not read energy_density"
                 ),
             );
         }

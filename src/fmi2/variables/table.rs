@@ -91,7 +91,7 @@ pub(super) static TABLE: [Variable; COUNT] = {
             "shear_traction",
             "Pa",
             FrettingContact::shear_traction_at,
-            "Tangential traction at radius_probe"
+            "Tangential traction along tangential_displacement at radius_probe"
         ),
         &at_every_probe!(
             "image",
@@ -382,13 +382,11 @@ const fn coating() -> [Variable; 4] {
         real("coating_thickness", "m", thickness, |s| &mut s.coating_thickness)
             .about("Thickness of a coating, the wear_depth at which worn_through becomes true; 0: none"),
         variable("worn_through", DataType::Boolean, Access::WornThrough)
-            .about("Whether wear_depth has reached coating_thickness; false without a coating")
-            .independent_of(&["rotation"]),
+            .about("Whether wear_depth has reached coating_thickness; false without a coating"),
         event("worn_through_time", "s", WearThrough::Time).about(
             "Time at which worn_through became true, 0 before: in cyclic loading that of the cycle, in transient loading \
              the end of the step in which it was found",
-        )
-        .independent_of(&["rotation"]),
+        ),
         event("cycles_to_wear_through", "1", WearThrough::Cycles).about(
             "Cycles of cyclic loading since the start at which worn_through became true, 0 before, within tolerance",
         )
