@@ -375,8 +375,8 @@ impl SlipAtDepth {
         }
     }
 
-    /// The motion that makes this law, where it is one that repeats in the contact of its depth, but
-    /// for a share of the slip; `tip` is the image at the axis.
+    /// The motion that makes this law, where it is one that repeats in the contact of its depth up
+    /// to a share of the slip; `tip` is the image at the axis.
     pub(crate) fn repeated_motion(&self, bound_slope: f64, tip: f64, share: f64) -> Option<RepeatedMotion> {
         let (whole, slope) = self.at(self.depth);
         if whole <= 0.0 {

@@ -49,7 +49,9 @@ const EDGE_CELLS: f64 = 1.0;
 /// depths are then raised to it. Where next to nothing has worn in the region it may miss the
 /// tolerance of all that can. A mesh whose own volume is below zero, since the depth that belongs
 /// to the image inside is larger, is refused, but for what it may miss: the image of one went to
-/// -27 µm at its front.
+/// -27 µm at its front. In gross slip under a force it is a share of the overlap, which carries the
+/// force however much has worn: a mesh that missed 2 % of the volume had the edge 2 % further out,
+/// and springs at its rim lost contact.
 const MISSING: f64 = 0.05;
 
 /// Volume that a mesh made on a profile of other loads may put elsewhere, over the volume that the
@@ -131,10 +133,12 @@ pub(super) fn mesh_slip_zone(
     let image = |x: &f64| if is_smooth { nodes.smooth_image(*x) } else { surface.worn_image(*x) };
     let may_wear = PI * (a * a - front * front) * free_slip;
     let volume = volume.or(outside.whole_volume()).unwrap_or_else(|| nodes.worn_volume());
+    let is_held = region == Region::Disc && motion.control == NormalControl::Force;
+    let held = if is_held { volume.min(PI * a * contact.load) } else { volume };
     start(front, a * a, &|x| x.iter().map(image).collect())
         .filter(|(patch, state, rate)| {
             let own = patch.own_volume(rate);
-            let most = (MISSING * own).max(settings.tolerance * may_wear).min(MISSING * volume);
+            let most = (MISSING * own).max(settings.tolerance * may_wear).min(MISSING * held);
             let to_wear = rate.volume_rate * left;
             let may_misplace = MISPLACED * tolerance_in_space(settings.tolerance, settings.cells) * to_wear;
             let is_in_place = |patch| misplaced(surface, nodes, patch, a) <= may_misplace;
