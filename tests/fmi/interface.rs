@@ -34,6 +34,24 @@ fn with_contacts(file: &File, set: impl Fn(&Fmu)) -> Fmu {
 }
 
 #[test]
+fn a_rotation_wears_a_coating_through() {
+    let file = File::with(TABLE);
+    for (angle, worn_through) in [(0.0, false), (0.015, true)] {
+        let fmu = with_contacts(&file, |fmu| {
+            for (name, value) in [("wear_coefficient", 3e-2), ("coating_thickness", 2e-9)] {
+                assert_eq!(fmu.set_real(name, value), OK);
+            }
+        });
+        for k in 1..=20 {
+            let side = if k % 2 == 0 { 1.0 } else { -1.0 };
+            fmu.step_with(&[("normal_force", 100.0), ("rotation", side * angle)], f64::from(k - 1), 1.0);
+        }
+        assert_eq!(boolean(&fmu, "worn_through"), worn_through, "rotation of {angle}");
+        assert_eq!(fmu.real("worn_through_time") > 0.0, worn_through, "rotation of {angle}");
+    }
+}
+
+#[test]
 fn outputs_are_those_of_the_interface() {
     let file = File::with(TABLE);
     let fmu = with_contacts(&file, |fmu| assert_eq!(fmu.set_real("wear_coefficient", 3.2e-2), OK));
