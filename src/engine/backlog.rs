@@ -90,7 +90,8 @@ impl FrettingContact {
     fn exceeds_limit_of_zone(&self, share: f64) -> bool {
         let (Some(wear), contact) = (&self.state.wear, &self.state.contact) else { return false };
         let inner = self.radius_of_front(wear.backlog.front(), contact.radius);
-        if inner <= self.widest_stick(contact, 0.0) || inner >= contact.radius {
+        let thinnest = contact.radius * (1.0 - wear::THINNEST);
+        if inner <= self.widest_stick(contact, 0.0) || inner >= thinnest {
             return false;
         }
         let limit = wear::limit_of_zone(self.model.parameters.tolerance, &self.surface, contact, inner);

@@ -36,7 +36,7 @@ const FEWEST_CELLS: usize = 24;
 
 /// Width of a slipping annulus, relative to the contact radius, below which it wears nothing worth
 /// a mesh.
-const THINNEST: f64 = 1e-5;
+pub(crate) const THINNEST: f64 = 1e-5;
 
 // The next two say when a mesh is made on a worn surface. Beyond them, updates on nodes at rest
 // do the same, only slower.
