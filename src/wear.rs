@@ -71,15 +71,18 @@ impl Constants {
 /// Largest worn volume between two profile updates, m³: a share of what the slipping annulus still
 /// has to lose. The scale is at least a tenth of the depth, as the contact nears its final state.
 pub(crate) fn update_limit(tolerance: f64, surface: &Surface, contact: &Contact, stick_radius: f64) -> f64 {
-    let room = room(surface, contact, stick_radius);
-    tolerance * annulus(contact, stick_radius) * room.max(0.1 * contact.depth.abs())
+    tolerance * left_to_lose(surface, contact, stick_radius, contact.depth.abs())
 }
 
-/// Volume that may wear between two updates where strokes slip outside a radius, however thin that
-/// annulus is, m³.
+/// The same where strokes slip outside a radius (m), however thin that annulus is: the scale is at
+/// least a tenth of the overlap there.
 pub(crate) fn limit_of_zone(tolerance: f64, surface: &Surface, contact: &Contact, inner: f64) -> f64 {
-    let overlap = contact.depth - surface.image(inner);
-    tolerance * annulus(contact, inner) * room(surface, contact, inner).max(0.1 * overlap)
+    tolerance * left_to_lose(surface, contact, inner, contact.depth - surface.image(inner))
+}
+
+/// Volume that an annulus still has to lose, m³, by at least a tenth of an overlap, m.
+fn left_to_lose(surface: &Surface, contact: &Contact, inner: f64, overlap: f64) -> f64 {
+    annulus(contact, inner) * room(surface, contact, inner).max(0.1 * overlap)
 }
 
 /// Twice the mean approach d − g of the slipping annulus, m; 0 where there is none.

@@ -194,11 +194,33 @@ fn strokes_that_begin_in_gross_slip_wear_as_whole_cycles() {
     }
 }
 
-/// Strokes that slip in an annulus of 0.1 to 5 % of the radius wear it off as whole cycles, until
-/// nothing is left to wear. (An update waited for a share of what an annulus of a tenth of the
-/// radius can lose: V was up to three times too large, since the profile was updated once or never.
-/// At tighter settings strokes stopped to wear before the end, up to 30 % low, since the load at a
-/// front was that of another image.)
+/// How far the worn volume of strokes is off that of whole cycles, and the volume of their profile
+/// off that, after each of some parts of so many cycles.
+fn strokes_off_cycles(
+    parameters: Parameters,
+    amplitude: f64,
+    (parts, cycles): (usize, u32),
+) -> Vec<[f64; 2]> {
+    let (mut stepped, mut whole) = (started(parameters.clone()), started(parameters));
+    stepped.advance_to(FORCE, amplitude).unwrap();
+    whole.advance_cycles(FORCE, amplitude, 0.25).unwrap();
+    let mut part = || {
+        for _ in 0..cycles {
+            stepped.advance_to(FORCE, -amplitude).unwrap();
+            stepped.advance_to(FORCE, amplitude).unwrap();
+        }
+        whole.advance_cycles(FORCE, amplitude, f64::from(cycles)).unwrap();
+        let worn = stepped.wear_volume();
+        [worn / whole.wear_volume() - 1.0, stepped.profile_volume() / worn - 1.0]
+    };
+    (0..parts).map(|_| part()).collect()
+}
+
+/// Strokes of 0.02 to 0.1 of full slip wear their thin annulus off as whole cycles, until nothing
+/// is left to wear. (An update waited for a share of what an annulus of a tenth of the radius can
+/// lose: V was up to three times too large, since the profile was updated once or never. At tighter
+/// settings strokes stopped wearing before the end, up to 30 % low, since the load at a front was
+/// that of another image.) The largest error is 2.4e-3 at 1e-3, and 1.1e-4 at 1e-4.
 #[test]
 fn strokes_that_slip_in_a_thin_annulus_wear_as_whole_cycles() {
     let power_law = Profile::PowerLaw { exponent: 8.0, coefficient: 1e25 };
@@ -214,21 +236,10 @@ fn strokes_that_slip_in_a_thin_annulus_wear_as_whole_cycles() {
                 let faster = 3.0 * life.wear_volume() / (100.0 * per_cycle);
                 let wear_coefficient = faster * parameters.wear_coefficient;
                 let parameters = Parameters { wear_coefficient, ..parameters };
-                let mut stepped = started(parameters.clone());
-                let mut whole = started(parameters);
-                stepped.advance_to(FORCE, amplitude).unwrap();
-                whole.advance_cycles(FORCE, amplitude, 0.25).unwrap();
-                for part in 1..=4 {
-                    for _ in 0..25 {
-                        stepped.advance_to(FORCE, -amplitude).unwrap();
-                        stepped.advance_to(FORCE, amplitude).unwrap();
-                    }
-                    whole.advance_cycles(FORCE, amplitude, 25.0).unwrap();
-                    let off = stepped.wear_volume() / whole.wear_volume() - 1.0;
-                    let of_profile = stepped.profile_volume() / stepped.wear_volume() - 1.0;
+                for (part, off) in strokes_off_cycles(parameters, amplitude, (4, 25)).iter().enumerate() {
                     let name = format!("{profile:?}, {share} of full slip, {tolerance:e}, part {part}");
-                    println!("{name}: V {off:+.1e}, profile {of_profile:+.1e}");
-                    assert!(off.abs() < most && of_profile.abs() < most, "{name}: {off:e}, {of_profile:e}");
+                    println!("{name}: V {:+.1e}, profile {:+.1e}", off[0], off[1]);
+                    assert!(off.iter().all(|off| off.abs() < most), "{name}: {off:?}");
                 }
             }
         }
@@ -238,6 +249,7 @@ fn strokes_that_slip_in_a_thin_annulus_wear_as_whole_cycles() {
 /// While friction runs in, strokes wear as whole cycles, and both end. (Strokes of which each has
 /// a slightly other coefficient of friction were no cycles to the engine, and were worn on nodes at
 /// rest: V was 5 to 50 % too large after 1,200 cycles and rose on and on, or a step was refused.)
+/// The largest error is 4.3e-3.
 #[test]
 fn strokes_wear_as_whole_cycles_while_friction_runs_in() {
     for (profile, amplitude) in [(BALL, 0.6), (BLUNTED, 0.4), (ROUNDED, 0.3)] {
@@ -253,20 +265,10 @@ fn strokes_wear_as_whole_cycles_while_friction_runs_in() {
             };
             parameters.wear_coefficient =
                 PI * a * a * d / (100.0 * MU * FORCE * amplitude) * parameters.hardness;
-            let mut stepped = started(parameters.clone());
-            let mut whole = started(parameters);
-            stepped.advance_to(FORCE, amplitude).unwrap();
-            whole.advance_cycles(FORCE, amplitude, 0.25).unwrap();
-            for part in 1..=3 {
-                for _ in 0..200 {
-                    stepped.advance_to(FORCE, -amplitude).unwrap();
-                    stepped.advance_to(FORCE, amplitude).unwrap();
-                }
-                whole.advance_cycles(FORCE, amplitude, 200.0).unwrap();
-                let off = stepped.wear_volume() / whole.wear_volume() - 1.0;
-                let of_profile = stepped.profile_volume() / stepped.wear_volume() - 1.0;
-                println!("{profile:?}, {running_in_energy} J, part {part}: {off:+.1e}, {of_profile:+.1e}");
-                assert!(off.abs() < 6e-3 && of_profile.abs() < 5e-3, "{profile:?}: {off:e}, {of_profile:e}");
+            for (part, off) in strokes_off_cycles(parameters, amplitude, (3, 200)).iter().enumerate() {
+                let name = format!("{profile:?}, {running_in_energy} J, part {part}");
+                println!("{name}: V {:+.1e}, profile {:+.1e}", off[0], off[1]);
+                assert!(off[0].abs() < 6e-3 && off[1].abs() < 5e-3, "{name}: {off:?}");
             }
         }
     }
