@@ -103,7 +103,7 @@ impl FrettingContact {
     pub(super) fn tangent(&self) -> Tangent {
         let row = 2.0 * self.model.constants.tangential_modulus;
         if let Some(standing) = self.standing() {
-            return standing.tangent(self.state.direction, 0.0).scaled(row);
+            return standing.tangent().scaled(row);
         }
         let ((stick, side), radius) = (self.moving_zone(), self.state.contact.radius);
         let (bound_slope, room) = (self.model.bound_slope, self.room_outside(stick));

@@ -102,7 +102,9 @@ fn without_wear_or_slip_the_depth_stays() {
 }
 
 /// The stiffness along the motion changes as going straight on changes it, after one line and after
-/// a bend, while the load rests, rises and falls more slowly than the slip zone follows.
+/// a bend, while the load rests, rises and falls more slowly than the slip zone follows; after one
+/// line also as going back changes it while the load falls so fast that the slip zone stays on its
+/// side.
 #[test]
 fn the_stiffness_changes_as_its_gradient_says() {
     for profile in [BALL, CONE] {
@@ -119,8 +121,9 @@ fn the_stiffness_changes_as_its_gradient_says() {
                     contact.advance_to_planar(normal, to).unwrap();
                 }
                 let length = (to[0] - from[0]).hypot(to[1] - from[1]);
-                let step = [0, 1].map(|k| 1e-4 * full * (to[k] - from[k]) / length);
-                for share in [0.0, 0.2, -0.2] {
+                let back = (places.len() == 1).then_some((-1.0, -5.0));
+                for (way, share) in [(1.0, 0.0), (1.0, 0.2), (1.0, -0.2)].into_iter().chain(back) {
+                    let step = [0, 1].map(|k| way * 1e-4 * full * (to[k] - from[k]) / length);
                     let by_load = share * 1e-4 * normal;
                     let after = |contact: &FrettingContact, steps: f64| {
                         let mut moved = contact.clone();

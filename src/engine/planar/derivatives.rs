@@ -1,8 +1,8 @@
 //! Derivatives for masters, of a contact that moves in both tangential directions.
 //!
-//! Springs that stick go along with the body. Those at their bound b along **n** = u/b that the
-//! present direction pulls on (**n**·**t** > 0) slip along it and turn: ∂u/∂U = 1 − **n n**, ∂u/∂d
-//! = m **n**, and friction takes b (**n**·dU − m dd).
+//! Springs that stick go along with the body. Those at their bound b along **n** = u/b slip along
+//! it and turn: ∂u/∂U = 1 − **n n**, ∂u/∂d = m **n**, and friction takes b (**n**·dU − m dd). Where
+//! the motion relaxes them, the load has fallen so fast that they slip nevertheless.
 
 use crate::engine::readout::ASIDE;
 use crate::engine::{FrettingContact, Gradient};
@@ -22,7 +22,7 @@ impl FrettingContact {
     /// slope r' there, dc = (K **n**·dU − m dd)/r'.
     pub(in crate::engine) fn stick_gradient_in_plane(&self) -> Option<Gradient> {
         let standing = self.standing()?;
-        let Some((fall, pull)) = standing.front_slope(self.state.direction) else {
+        let Some((fall, pull)) = standing.front_slope() else {
             return Some(Gradient::default());
         };
         let stick = standing.stick_radius();
@@ -32,11 +32,15 @@ impl FrettingContact {
         Some(gradient.times(self.model.axes.size))
     }
 
-    /// By differences ahead: straight on, and between two ways that go on aside. A load that rises
-    /// at rest would let all springs stick, so that it falls.
+    /// By differences ahead: straight on, and between two ways that go on aside; straight back
+    /// where the slip zone is one that the motion relaxes. A load that rises at rest would let all
+    /// springs stick, so that it falls.
     pub(in crate::engine) fn stiffness_gradient_in_plane(&self) -> Option<Gradient> {
-        let (place, ahead) = (self.state.place, self.state.direction);
         let Row::Plane(row) = &self.state.row else { return None };
+        let front = self.standing()?.front_slope();
+        let relaxed = front.is_some_and(|(_, pull)| pull.dot(&self.state.direction) < 0.0);
+        let place = self.state.place;
+        let ahead = if relaxed { -self.state.direction } else { self.state.direction };
         let stiffness = |control: f64, moved: Vector2<f64>| {
             let to = if control == self.state.contact.control {
                 self.state.contact
@@ -46,7 +50,7 @@ impl FrettingContact {
             let end = place + moved;
             let path = self.path_to(to, end);
             let (row, _) = row.walk(&path, PlanarRow::default(), None);
-            let tangent = self.standing_at(end, &row, &to).tangent(ahead, 0.0);
+            let tangent = self.standing_at(end, &row, &to).tangent();
             Some(2.0 * self.model.constants.tangential_modulus * ahead.dot(&(tangent.stiffness * ahead)))
         };
         let control = self.state.contact.control;
@@ -68,20 +72,20 @@ impl FrettingContact {
         Some(self.behind_the_rig(gradient))
     }
 
-    /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest in the
-    /// present direction.
+    /// dw = (k/σ₀) **τ**·d**s** at the deepest point, or before any wear where it is largest along
+    /// the present direction.
     pub(in crate::engine) fn wear_depth_gradient_in_plane(&self) -> Option<Gradient> {
-        let (standing, ahead) = (self.standing()?, self.state.direction);
+        let standing = self.standing()?;
         let per_work = if self.state.wear.is_some() { self.model.constants.wear_per_work } else { 0.0 };
         let rates = |r: f64| {
             let traction = self.traction_at(r);
-            let [x, y, depth] = standing.surface_slip(r, ahead).map(|slip| {
+            let [x, y, depth] = standing.surface_slip(r).map(|slip| {
                 let rate = per_work * traction.dot(&slip);
                 if rate.is_finite() { rate } else { 0.0 }
             });
             (depth, Vector2::new(x, y))
         };
-        let along = |rates: &(f64, Vector2<f64>)| rates.1.dot(&ahead);
+        let along = |rates: &(f64, Vector2<f64>)| rates.1.dot(&self.state.direction).abs();
         let (by_depth, by_place) = match self.deepest() {
             Some(r) => rates(r),
             None => {

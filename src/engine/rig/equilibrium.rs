@@ -73,7 +73,7 @@ impl FrettingContact {
     ) -> Going {
         let (stiffness, by_depth) = match row {
             Row::Plane(row) => {
-                let tangent = self.standing_at(place, row, contact).tangent(way, deeper);
+                let tangent = self.standing_at(place, row, contact).tangent_ahead(way, deeper);
                 (tangent.stiffness, tangent.by_depth)
             }
             Row::Line(springs) => {

@@ -106,9 +106,8 @@ impl Standing<'_> {
     }
 
     /// At the stick radius: fall of b − |u| per image inside it, and ∂|u|/∂**U** = K **n**, **n** =
-    /// u/|u|; `None` where no front moves, as in gross slip and where
-    /// motion in the present direction does not increase |u|.
-    pub(crate) fn front_slope(&self, ahead: Vector2<f64>) -> Option<(f64, Vector2<f64>)> {
+    /// u/|u|; `None` where no front moves, as in gross slip.
+    pub(crate) fn front_slope(&self) -> Option<(f64, Vector2<f64>)> {
         let knots = &self.row.knots;
         let last =
             knots.iter().rposition(|knot| !self.at_bound(knot)).filter(|last| last + 1 < knots.len())?;
@@ -118,18 +117,17 @@ impl Standing<'_> {
         let fall = (margin(before) - margin(here)) / rise;
         let u = self.deflection(here);
         let size = norm(u);
-        let grows = size > 0.0 && self.stiffness_along(u).0.dot(&ahead) > 0.0;
-        (fall > 0.0 && fall.is_finite() && grows).then(|| (-fall, self.stiffness_along(u / size).0))
+        (fall > 0.0 && fall.is_finite() && size > 0.0).then(|| (-fall, self.stiffness_along(u / size).0))
     }
 
     /// How the surface slips at radius r by displacement along x and y and by depth: s = (2/π) ∫ e
     /// dx/√(r² − x²) from 0 to r; on the axis that of the spring there.
-    pub(crate) fn surface_slip(&self, r: f64, ahead: Vector2<f64>) -> [Vector2<f64>; 3] {
+    pub(crate) fn surface_slip(&self, r: f64) -> [Vector2<f64>; 3] {
         let mut slip = [Vector2::zeros(); 3];
         let of_spring = |knot: &PlanarKnot| {
             let u = self.deflection(knot);
             let size = norm(u);
-            if !(self.at_bound(knot) && size > 0.0 && self.stiffness_along(u).0.dot(&ahead) > 0.0) {
+            if !self.at_bound(knot) || size == 0.0 {
                 return [Vector2::zeros(); 3];
             }
             let n = u / size;
@@ -153,17 +151,27 @@ impl Standing<'_> {
         slip
     }
 
+    /// Tangents of half the row with all springs that are at their bound slipping, those that the
+    /// motion relaxes as well: a load that falls keeps them there.
+    pub(crate) fn tangent(&self) -> Tangent {
+        self.tangent_where(|_| true)
+    }
+
     /// Tangents of half the row for going on in a direction while the depth changes: springs at
     /// their bound on which the motion grows faster than the bound follow it.
-    pub(crate) fn tangent(&self, ahead: Vector2<f64>, deeper: f64) -> Tangent {
-        let bound_rise = self.bound_slope * deeper;
+    pub(crate) fn tangent_ahead(&self, ahead: Vector2<f64>, deeper: f64) -> Tangent {
+        self.tangent_where(|pull| pull.dot(&ahead) > self.bound_slope * deeper)
+    }
+
+    /// Tangents of half the row with those springs at their bound slipping whose ∂|u|/∂**U** is as
+    /// asked for.
+    fn tangent_where(&self, slips: impl Fn(Vector2<f64>) -> bool) -> Tangent {
         let part = |knot: &PlanarKnot| {
             let u = self.deflection(knot);
             let size = norm(u);
             let n = u / size;
             let (along, square) = self.stiffness_along(n);
-            let slips = self.at_bound(knot) && size > 0.0 && along.dot(&ahead) > bound_rise;
-            slips.then(|| {
+            (self.at_bound(knot) && size > 0.0 && slips(along)).then(|| {
                 // K − K**n** K**n**/κ, without the difference
                 let share = self.stiffness_ratio / square;
                 let (bound, m) = (self.bound(knot) / square, self.bound_slope / square);
