@@ -50,7 +50,7 @@ impl Coupling {
         };
         let mut text = format!(
             "## As a part of a stiff system\n\nA mass m on a spring k, driven by its far end, with the contact between mass and ground, in steps of h; \
-             ω² = (k + 2G*a)/m. **Explicit coupling is stable up to h = 2/ω and no further**: found within {:.0e} of that for k from {:e} to {:e} \
+             ω² = (k + 2G*a)/m. All masters update the velocity first and give the contact the new position. **Explicit coupling is then stable up to h = 2/ω and no further**: found within {:.0e} of that for k from {:e} to {:e} \
              times 2G*a and m from {:e} to {:e} kg. **With the derivative that the contact gives, the implicit masters are stable at any step.** \
              Without it, k at the end of the step and T at its start (half-explicit), one is stable only for h² (2G*a − k)/m < 4.\n\n| master | contact steps a step | {} systems, hω from {} to {} |\n| --- | --- | --- |\n",
             self.off(),
