@@ -1,7 +1,7 @@
 //! Where the contacts of an interface are, and the file that lists them.
 
 use crate::error::Error;
-use crate::profile::{LengthUnit, SECOND_HEADER, fields, shorten};
+use crate::profile::{LengthUnit, SECOND_HEADER, are_words, fields, shorten};
 use crate::range;
 use serde::{Deserialize, Serialize};
 
@@ -60,7 +60,7 @@ impl Summit {
             if fields.is_empty() {
                 continue;
             }
-            let is_words = fields.iter().all(|field| field.parse::<f64>().is_err());
+            let is_words = are_words(&fields);
             if is_words && header_allowed {
                 header_allowed = false;
                 continue;
@@ -146,6 +146,9 @@ mod tests {
     fn messages_quote_line_value_and_what_is_allowed() {
         for (text, parts) in [
             ("offset\num\n0\n", ["line 2, \"um\"", SECOND_HEADER]),
+            ("0.0um\n0.5\n", ["line 1, \"0.0um\"", "`0.0um` is not a number: it is offset, give it in um"]),
+            ("--\n0.5\n", ["line 1, \"--\"", "`--` is not a number"]),
+            ("1e-6D\n0.5\n", ["line 1, \"1e-6D\"", "`1e-6D` is not a number"]),
             ("0\nhigh\n", ["line 2, \"high\"", "`high` is not a number: it is offset, give it in um"]),
             ("0 0 0 wide\n", ["line 1, \"0 0 0 wide\"", "it is the radius factor, give a number"]),
             ("0 1\n", ["line 1, \"0 1\"", "2 column(s), but 1, 3 or 4"]),

@@ -50,6 +50,16 @@ pub(super) struct Points {
 pub(crate) const SECOND_HEADER: &str =
     "a second line of words, but one header line is skipped: delete it, or write # before it";
 
+/// Whether these fields are a header: words with a letter among them. A number with its unit is no
+/// word, nor is one that cannot be read for another reason.
+pub(crate) fn are_words(fields: &[String]) -> bool {
+    let is_word = |field: &String| {
+        let begin = field.trim_start_matches(['"', '\'', '(', '[', '+', '-', '.']);
+        field.parse::<f64>().is_err() && !begin.starts_with(|first: char| first.is_ascii_digit())
+    };
+    fields.iter().all(is_word) && fields.iter().any(|field| field.contains(char::is_alphabetic))
+}
+
 /// Reads r and f, m, in the order of the file or reversed if r falls. `#` starts a comment. One
 /// header line of words is skipped.
 ///
@@ -64,7 +74,7 @@ pub(super) fn read(text: &str, unit: LengthUnit) -> Result<Points, Error> {
         if fields.is_empty() {
             continue;
         }
-        let is_header = header_allowed && numbers.iter().all(Option::is_none);
+        let is_header = header_allowed && are_words(&fields);
         header_allowed = false;
         if is_header {
             continue;
@@ -77,7 +87,7 @@ pub(super) fn read(text: &str, unit: LengthUnit) -> Result<Points, Error> {
                 places.push(place);
                 continue;
             }
-            _ if points.is_empty() && numbers.iter().all(Option::is_none) => SECOND_HEADER.into(),
+            _ if points.is_empty() && are_words(&fields) => SECOND_HEADER.into(),
             [None, _] | [_, None] => {
                 let (field, name) = if numbers[0].is_none() { (&fields[0], "r") } else { (&fields[1], "f") };
                 format!("`{}` is not a number: give {name} in {unit_name}", shorten(field, 24))
@@ -134,6 +144,7 @@ mod tests {
             ("0 0\n1e-4 5e-7\n2e-4 2e-6\n", M),
             ("\u{feff}0 0\r\n1e-4 5e-7\r\n2e-4 2e-6\r\n", M),
             ("# a comment\n\nradius height\n0 0\n1e-4 5e-7\n2e-4 2e-6", M),
+            ("r [mm] f (-)\n0 0\n1e-4 5e-7\n", M),
             ("x [\u{fffd}m];z\n0;0\n0,1;0,0005\n0,2;0,002\n", Mm),
             ("Radius\tHeight\n0\t0\n100,0\t0,5\n200,0\t2,0\n", Um),
             ("0,1\t5e-4\n0\t0\n", Mm),
@@ -152,6 +163,8 @@ mod tests {
             ("r f\nr f\n0 0\n", ["line 2, \"r f\"", SECOND_HEADER]),
             ("r f\n0 0\nr f\n", ["line 3, \"r f\"", "`r` is not a number: give r in mm"]),
             ("0 0\n1e-4 high\n", ["line 2, \"1e-4 high\"", "`high` is not a number: give f in mm"]),
+            ("0mm 0mm\n1e-4 5e-7\n", ["line 1, \"0mm 0mm\"", "`0mm` is not a number: give r in mm"]),
+            ("\"0\",\"0\"\n", ["line 1", "is not a number: give r in mm"]),
             ("0,1 0,2\n", ["line 1, \"0,1 0,2\"", "4 column(s)"]),
             ("0;0\n1.234,5;2\n", ["line 2, \"1.234,5;2\"", "`1.234.5` is not a number"]),
         ] {
