@@ -65,7 +65,7 @@ class Contact(ContactFmu):
     in SI units: m, N, Pa, rad, Hz, N/m. A text with a unit is converted: `radius="10 mm"`,
     `youngs_modulus_1="210 GPa"`. Enumerations are texts: `loading="cyclic"`. `profile_file` may
     also be the result of `fit_scan`, a pair of arrays r and f in m, or an array with these two
-    columns; `profile` is "table" then.
+    columns; `profile` is "table" with any of them and with a path, unless it is given.
     `fmu`: path of the FMU; that of the package if not given.
 
     Read values with `contact["wear_volume"]`, fields with `contact["pressure"]` (an array at
@@ -167,14 +167,11 @@ class Contact(ContactFmu):
 
     def _apply(self, values: dict[str, Any]) -> None:
         given = values
-        if values.get("profile_file") is not None and not isinstance(
-            values["profile_file"], (str, os.PathLike)
-        ):
-            values = {
-                "profile": "table",
-                **values,
-                "profile_file": self._write_table(values["profile_file"]),
-            }
+        profile = values.get("profile_file")
+        if profile is not None and not isinstance(profile, (str, os.PathLike)):
+            profile = self._write_table(profile)
+        if profile is not None and str(profile):
+            values = {"profile": "table", **values, "profile_file": profile}
         super().set(**{name: self._checked(name, value) for name, value in values.items()})
         if not self.has_moved:
             self.given = {**self.given, **given}

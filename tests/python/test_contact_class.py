@@ -150,6 +150,16 @@ def test_a_refused_life_leaves_the_contact_as_it_was():
         assert contact.get(*names) == before
 
 
+def test_a_path_of_a_profile_is_a_table(tmp_path):
+    path = tmp_path / "ball.txt"
+    x = np.linspace(0.0, 5e-4, 51)
+    np.savetxt(path, np.column_stack([x, x**2 / 0.02]))
+    with Contact(profile_file=path, normal_force=100.0) as read:
+        assert read["profile"] == "table"
+        with Contact(profile_file=(x, x**2 / 0.02), normal_force=100.0) as given:
+            assert read["contact_radius"] == pytest.approx(given["contact_radius"], rel=1e-9)
+
+
 def test_a_message_has_a_hash_once(tmp_path):
     path = tmp_path / "a#b.txt"
     with pytest.raises(ContactError) as caught:
