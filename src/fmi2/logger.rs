@@ -10,7 +10,7 @@ use std::ffi::CString;
 /// them.
 pub const CATEGORIES: [(&CStr, &str); 6] = [
     (c"logEvents", "what the instance does: creation, initialization, termination"),
-    (c"logStatusWarning", "messages of calls that return fmi2Warning"),
+    (c"logStatusWarning", "warnings, of calls that return fmi2OK as well"),
     (c"logStatusDiscard", "messages of calls that return fmi2Discard"),
     (c"logStatusError", "messages of calls that return fmi2Error"),
     (c"logStatusFatal", "messages of calls that return fmi2Fatal"),

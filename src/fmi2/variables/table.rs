@@ -501,7 +501,7 @@ const fn interface() -> [Variable; 5] {
         count("contact_count_in_touch", 0, touches, |interface| interface.contacts_in_touch() as i32)
             .about("Number of contacts that touch"),
         count("deepest_contact", 1, |_| 1, |interface| interface.deepest_contact() as i32 + 1).about(
-            "Line of contacts_file with the contact that is worn deepest: wear_depth, contact_radius, stick_radius, max_pressure and the \
+            "Contact of contacts_file, counted from 1, that is worn deepest: wear_depth, contact_radius, stick_radius, max_pressure and the \
              fields are its own",
         ),
     ]
