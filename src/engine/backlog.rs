@@ -3,7 +3,7 @@
 use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Resting, Row, SlipPiece};
-use crate::parameters::Parameters;
+use crate::parameters::{Parameters, USUAL_TOLERANCE};
 use crate::surface::{Contact, FrontMotion, Nodes, ROUNDING, Region, Surface};
 use crate::wear::{self, Part, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, Update};
 use nalgebra::Vector2;
@@ -78,9 +78,13 @@ impl FrettingContact {
         // whole
         let depth = self.state.contact.depth;
         let near = self.model.tuning.load_share * (depth - self.surface.tip());
+        // not even at a tight tolerance a whole stroke: parts of it are worn on nodes at rest
+        let is_stroke = wear.begins_at_reversal && wear.backlog.is_at(depth);
+        let looser = (USUAL_TOLERANCE / self.model.parameters.tolerance).max(1.0);
+        let stroke = self.model.tuning.stroke * if is_stroke { looser } else { 1.0 };
         self.turns(place)
             || self.state.row.is_plane()
-            || share > self.model.tuning.stroke * wear.limit
+            || share > stroke * wear.limit
             || !wear.backlog.is_near(depth, near)
             || self.stick_radius() == 0.0
     }
@@ -351,7 +355,7 @@ impl FrettingContact {
         let Some(wear) = &self.state.wear else { return Ok(true) };
         let taken = wear.deferred_share(self.model.tuning.placed_with * work.abs());
         let work = work + taken;
-        let (fields, update) = self.update_within_nodes(law, work)?;
+        let (fields, update) = self.update_within_nodes((law, way), work)?;
         let Some(update) = update else {
             let slips = fields.slip();
             if !slips {
@@ -393,24 +397,21 @@ impl FrettingContact {
     /// leave a step there.
     fn update_within_nodes(
         &mut self,
-        law: &[SlipAtDepth],
+        (law, way): (&[SlipAtDepth], FrontMotion),
         work: f64,
     ) -> Result<(SlipFields, Option<Update>), Error> {
         let (constants, control) = (self.model.constants, self.model.parameters.normal_control);
         let mut before: Option<(Surface, SlipFields, Update)> = None;
         loop {
-            let Some(nodes) = self.surface.worn() else { return Ok((SlipFields::none(0), None)) };
-            let (transforms, made) = self.memory.get().transforms.get(nodes);
-            let counters = &mut self.state.counters;
-            counters.transform_tables += u64::from(made);
-            let fields = SlipFields::of_law((&self.surface, nodes), &transforms, (law, work), &constants)?;
-            if !fields.slip() || fields.are_free() {
+            let fields = self.fields_of_law((law, way), work)?;
+            let Some(nodes) = self.surface.worn().filter(|_| fields.wear()) else {
                 return Ok((fields, None));
-            }
+            };
+            let (transforms, _) = self.memory.get().transforms.get(nodes);
             let update = wear::worn_depth(&self.surface, &transforms, &fields, control, &constants)?;
-            let transforms = fields.transforms + update.iterations;
-            counters.pressure_transforms += transforms;
-            counters.descent_transforms += transforms;
+            let counters = &mut self.state.counters;
+            counters.pressure_transforms += update.iterations;
+            counters.descent_transforms += update.iterations;
             let outgrown = update.followed && update.depth[nodes.last()] > 0.0;
             let reach = (fields.contact.radius, self.surface.profile());
             let more = outgrown.then(|| nodes.reaching_further(reach)).flatten();
@@ -422,6 +423,43 @@ impl FrettingContact {
             before = Some((self.surface.clone(), fields, update));
             self.surface.set_worn(Some(more));
         }
+    }
+
+    /// What a slip law of some work (J) does on the nodes of the surface. Where all that is done
+    /// between a node that sticks and one that is free, there are more between them if that serves.
+    fn fields_of_law(
+        &mut self,
+        (law, way): (&[SlipAtDepth], FrontMotion),
+        work: f64,
+    ) -> Result<SlipFields, Error> {
+        let fields = self.fields_on_nodes(law, work)?;
+        let radius = fields.contact.radius;
+        let ends = (self.innermost_front(law, radius), radius);
+        let Some(nodes) = self.surface.worn().filter(|_| way == FrontMotion::Returns && !fields.wear())
+        else {
+            return Ok(fields);
+        };
+        let Some(split) = nodes.split_at_front(ends, self.surface.profile()) else { return Ok(fields) };
+        let unsplit = nodes.clone();
+        self.surface.set_worn(Some(split));
+        let finer = self.fields_on_nodes(law, work)?;
+        if finer.wear() {
+            return Ok(finer);
+        }
+        self.surface.set_worn(Some(unsplit));
+        Ok(fields)
+    }
+
+    fn fields_on_nodes(&mut self, law: &[SlipAtDepth], work: f64) -> Result<SlipFields, Error> {
+        let Some(nodes) = self.surface.worn() else { return Ok(SlipFields::none(0)) };
+        let (transforms, made) = self.memory.get().transforms.get(nodes);
+        let constants = &self.model.constants;
+        let fields = SlipFields::of_law((&self.surface, nodes), &transforms, (law, work), constants)?;
+        let counters = &mut self.state.counters;
+        counters.transform_tables += u64::from(made);
+        counters.pressure_transforms += fields.transforms;
+        counters.descent_transforms += fields.transforms;
+        Ok(fields)
     }
 
     /// Radius up to which springs stuck (m) while others slipped in contacts up to a radius (m),
@@ -438,12 +476,16 @@ impl FrettingContact {
         }
     }
 
+    /// Radius (m) up to which springs stuck in all of a law, in contacts up to a radius (m).
+    fn innermost_front(&self, law: &[SlipAtDepth], radius: f64) -> f64 {
+        self.radius_of_front(law.iter().map(SlipAtDepth::front).fold(f64::INFINITY, f64::min), radius)
+    }
+
     /// Nodes at rest for a slip law that wears a volume (m³) and whose largest contact has a radius
     /// (m): fine at its innermost front, as its way asks for.
     fn nodes_at_rest(&mut self, law: &[SlipAtDepth], volume: f64, radius: f64, way: FrontMotion) -> Nodes {
         let profile = self.surface.profile();
-        let front = law.iter().map(SlipAtDepth::front).fold(f64::INFINITY, f64::min);
-        let inner = self.radius_of_front(front, radius);
+        let inner = self.innermost_front(law, radius);
         let Some(nodes) = self.surface.worn() else {
             return Nodes::around(
                 profile,

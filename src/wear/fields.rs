@@ -63,9 +63,9 @@ impl SlipFields {
         self.slip_path.iter().any(|path| *path > 0.0)
     }
 
-    /// Whether what slips carries no load any more.
-    pub(crate) fn are_free(&self) -> bool {
-        self.work_per_area.iter().all(|work| *work <= 0.0)
+    /// Whether anything slips that is not free.
+    pub(crate) fn wear(&self) -> bool {
+        self.slip() && self.work_per_area.iter().any(|work| *work > 0.0)
     }
 
     pub(crate) fn none(count: usize) -> Self {

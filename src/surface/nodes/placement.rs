@@ -1,6 +1,6 @@
 //! Where nodes are: around a contact, from a moving mesh, joined, refined and thinned.
 
-use super::thinning::{both_met_by_lines, thinned_while};
+use super::thinning::{NEARLY, both_met_by_lines, thinned_while};
 use super::{Integrals, MeshPlace, Nodes};
 use crate::profile::Profile;
 use crate::transform;
@@ -228,6 +228,21 @@ impl Nodes {
         self.update_integrals(profile);
     }
 
+    /// These nodes and two more in the cell of a front (m): there, and halfway to the end of the
+    /// cell or of the contact (m); `None` where all that is closer than cells may be. At a front
+    /// that no wear moves any more the image falls to that of the free annulus within one cell: no
+    /// node there slips under a pressure, and yet springs between them do.
+    pub(crate) fn split_at_front(&self, (front, edge): (f64, f64), profile: &Profile) -> Option<Self> {
+        let end = self.x[self.cell(front)? + 1].min(edge);
+        (end - front > 2.0 * LEAST_CELL * edge).then(|| {
+            let mut more = self.clone();
+            more.insert(front, profile);
+            more.insert(0.5 * (front + end), profile);
+            more.update_integrals(profile);
+            more
+        })
+    }
+
     /// Leaves out the wide cells: wear has no place there.
     pub(crate) fn leave_far(&mut self) {
         let nodes = self.close_nodes();
@@ -278,7 +293,8 @@ impl Nodes {
     /// half those go that are narrower than `crossed` (m) and than half an even one: an implicit
     /// update takes the contact edge for one that stays in its cell or goes on to the next, and
     /// across many narrow ones it overshoots. At a rim the edge does not move, and wide cells would
-    /// miss how steeply it has worn.
+    /// miss how steeply it has worn. Outside the contact those stay that hold the wall of a former
+    /// front, which lines do not nearly meet.
     pub(crate) fn thinned(&self, share: f64, a: f64, crossed: f64, profile: &Profile) -> Option<Self> {
         let has_rim = self.reach_rim(profile);
         let remains = self.remains.or(self.remains_of_mesh()).filter(|_| !has_rim);
@@ -287,9 +303,12 @@ impl Nodes {
         let least_cell = if has_rim { 0.0 } else { LEAST_CELL * a };
         let width = |anchor: usize, end: usize| self.x[end] - self.x[anchor];
         let is_close = |anchor: usize, end: usize| width(anchor, end) < least_cell;
-        let meets = both_met_by_lines(&self.x, &self.worn_image, &self.depth, share);
+        let met = |share| both_met_by_lines(&self.x, &self.worn_image, &self.depth, share);
+        let (meets, meets_nearly) = (met(share), met(NEARLY * share));
         let kept = thinned_while(&self.x, &self.worn_image, |anchor, end| {
-            let is_narrow = self.x[anchor] >= outer_half && width(anchor, end) < least;
+            let is_narrow = self.x[anchor] >= outer_half
+                && width(anchor, end) < least
+                && (self.x[end] <= a || meets_nearly(anchor, end + 1));
             let widest = 0.75 * self.x[anchor].max(a) / self.resolution as f64;
             is_narrow || is_close(anchor, end) || (width(anchor, end + 1) <= widest && meets(anchor, end + 1))
         });

@@ -6,7 +6,7 @@ const USUAL_SHARE: f64 = 5e-5;
 /// How much further off than an image a depth may be, since it makes the volume and no pressure;
 /// and both, where nodes lie close together at the end. Half of it and twice give the same volumes
 /// (docs/decisions/wear_backlog.md).
-const NEARLY: f64 = 20.0;
+pub(super) const NEARLY: f64 = 20.0;
 
 /// Indices of the nodes to keep: the lines (in x²) between them meet image and depth of all others,
 /// the image within a share of the largest.
