@@ -194,41 +194,39 @@ fn strokes_that_begin_in_gross_slip_wear_as_whole_cycles() {
     }
 }
 
-/// Strokes at constant depth that are up to 3 or 30 % shorter than the largest come to its final
-/// state, and there they end to wear. All their slip lies then in one cell, between a node that
-/// sticks and one that is free. (Nothing could be worn there, so that all was deferred: after ten
-/// lives V was 11 and 18 % too large and rising, and what the profile had lost 6 % less than that.)
-/// It is 4.1 % too large at most now, by the cells of the annulus, and the profile 0.8 % behind.
+/// Strokes at constant depth that are up to 30 % shorter than the largest come to its final state,
+/// and there they end to wear. All their slip lies then in one cell, between a node that sticks and
+/// one that is free. (Nothing could be worn there, so that all was deferred: V was 44, 130 and 17 %
+/// too large and rising, and what the profile had lost 26, 57 and 13 % less than that.) It is 6.6 %
+/// too large at most now, by the cells of the annulus, and the profile 0.7 % behind.
 #[test]
 fn strokes_that_differ_end_to_wear_in_the_final_state() {
-    let full = exact(&ROUNDED, FORCE).full_slip();
-    let depth = started(Parameters { profile: ROUNDED, ..Parameters::default() }).indentation_depth();
-    for shorter in [0.03, 0.3] {
-        let amplitude = 0.27 * full;
-        let mut parameters = Parameters { profile: ROUNDED, ..Parameters::default() };
-        let per_cycle = started(parameters.clone()).wear_volume_per_cycle(amplitude);
-        parameters.normal_control = NormalControl::Indentation;
-        let begun = |parameters: Parameters| {
-            let mut contact = contact(parameters);
-            contact.start_at(depth, 0.0).unwrap();
-            contact
-        };
-        let mut life = begun(parameters.clone());
-        life.advance_cycles(depth, amplitude, 1e12).unwrap();
-        // the strokes of the first rate would wear that in 30 cycles
-        parameters.wear_coefficient *= life.wear_volume() / per_cycle / 30.0;
-        let mut contact = begun(parameters);
-        let mut random = seeded(5);
-        for n in 0..1200 {
+    let amplitude = 0.27 * exact(&ROUNDED, FORCE).full_slip();
+    let mut parameters = Parameters { profile: ROUNDED, ..Parameters::default() };
+    let depth = started(parameters.clone()).indentation_depth();
+    let per_cycle = started(parameters.clone()).wear_volume_per_cycle(amplitude);
+    parameters.normal_control = NormalControl::Indentation;
+    let begun = |parameters: &Parameters| {
+        let mut contact = contact(parameters.clone());
+        contact.start_at(depth, 0.0).unwrap();
+        contact
+    };
+    let mut whole = begun(&parameters);
+    whole.advance_cycles(depth, amplitude, 1e12).unwrap();
+    // eight cycles as the first would wear all that
+    parameters.wear_coefficient *= whole.wear_volume() / per_cycle / 8.0;
+    for seed in [2, 7, 8] {
+        let (mut contact, mut random) = (begun(&parameters), seeded(seed));
+        for n in 0..1280 {
             let side = if n % 2 == 0 { 1.0 } else { -1.0 };
-            let place = side * amplitude * uniform(&mut random, 1.0 - shorter, 1.0);
+            let place = side * amplitude * uniform(&mut random, 0.7, 1.0);
             contact.advance_to(depth, place).unwrap();
         }
-        let off = contact.wear_volume() / life.wear_volume() - 1.0;
+        let off = contact.wear_volume() / whole.wear_volume() - 1.0;
         let behind = contact.profile_volume() / contact.wear_volume() - 1.0;
-        println!("up to {shorter} shorter: V {off:+.1e}, profile {behind:+.1e}; {}", contact.counters());
-        assert!((-0.02..0.05).contains(&off), "up to {shorter} shorter: V {off:e}");
-        assert!(behind.abs() < 0.015, "up to {shorter} shorter: profile {behind:e}");
+        println!("{seed}: V {off:+.1e}, profile {behind:+.1e}; {}", contact.counters());
+        assert!((-0.01..0.08).contains(&off), "{seed}: V {off:e}");
+        assert!(behind.abs() < 0.01, "{seed}: profile {behind:e}");
     }
 }
 
