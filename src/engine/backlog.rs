@@ -78,7 +78,7 @@ impl FrettingContact {
         // whole
         let depth = self.state.contact.depth;
         let near = self.model.tuning.load_share * (depth - self.surface.tip());
-        // not even at a tight tolerance a whole stroke: parts of it are worn on nodes at rest
+        // a whole stroke waits at a tight tolerance, too: parts of it are worn on nodes at rest
         let is_stroke = wear.begins_at_reversal && wear.backlog.is_at(depth);
         let looser = (USUAL_TOLERANCE / self.model.parameters.tolerance).max(1.0);
         let stroke = self.model.tuning.stroke * if is_stroke { looser } else { 1.0 };
@@ -196,7 +196,10 @@ impl FrettingContact {
             let way = if self.state.row.is_plane() { FrontMotion::Creeps } else { FrontMotion::Returns };
             match self.absorb_law((&law, way), backlog.work, backlog.radius) {
                 Ok(true) => {}
-                Ok(false) => self.defer_law(backlog.work),
+                Ok(false) => {
+                    self.surface.extend_far();
+                    self.correct_work(-backlog.work);
+                }
                 Err(Error::WearOutrun { .. }) if self.is_negligible(backlog.work) => {
                     self.defer_law(backlog.work);
                 }
@@ -372,19 +375,23 @@ impl FrettingContact {
         wear.clipped += fields.clipped;
         wear.defect += fields.defect;
         // what the springs dissipated is exact for the frozen profile: the update keeps its shape
-        // and takes that volume
+        // and takes that volume. Where the pressure falls by much, that work is too large, and the
+        // update alone knows how far it falls
         let change = (&update.depth[..], &transforms.abel(&update.depth)[..]);
-        let volume = nodes.volume(&update.depth);
+        let (volume, frozen) = (nodes.volume(&update.depth), per_work * work);
         let scale_to = |target: f64| if volume > 0.0 { (target / volume).min(MOST_SCALE) } else { 0.0 };
-        let full = scale_to(per_work * work);
+        let full = scale_to(frozen);
         let grown: Vec<f64> = change.1.iter().map(|h| full * h).collect();
-        let share = wear::mean_work_share(&self.surface, law, &grown, self.model.parameters.normal_control);
-        let target = per_work * work * share;
+        let control = self.model.parameters.normal_control;
+        let fall = wear::change_of_mean_work(&self.surface, law, &grown, control);
+        let by_springs = (1.0 - fall.abs()).max(0.0).powi(2);
+        let by_update = (1.0 - by_springs) * volume.max(0.0).min(frozen);
+        let target = by_springs * frozen * (1.0 + fall) + by_update;
         let scale = scale_to(target);
         wear.deferred_work += (target - scale * volume) / per_work;
         self.surface = self.surface.worn_further(change, scale);
         self.surface.extend_far();
-        self.correct_work(work * (share - 1.0));
+        self.correct_work(target / per_work - work);
         self.state.counters.descent_transforms += 1;
         self.state.counters.profile_updates += 1;
         self.look_at_coating();
@@ -433,12 +440,12 @@ impl FrettingContact {
         work: f64,
     ) -> Result<SlipFields, Error> {
         let fields = self.fields_on_nodes(law, work)?;
-        let radius = fields.contact.radius;
-        let ends = (self.innermost_front(law, radius), radius);
         let Some(nodes) = self.surface.worn().filter(|_| way == FrontMotion::Returns && !fields.wear())
         else {
             return Ok(fields);
         };
+        let radius = fields.contact.radius;
+        let ends = (self.innermost_front(law, radius), radius);
         let Some(split) = nodes.split_at_front(ends, self.surface.profile()) else { return Ok(fields) };
         let unsplit = nodes.clone();
         self.surface.set_worn(Some(split));
@@ -450,6 +457,7 @@ impl FrettingContact {
         Ok(fields)
     }
 
+    /// What a slip law of some work (J) does on the nodes as they are.
     fn fields_on_nodes(&mut self, law: &[SlipAtDepth], work: f64) -> Result<SlipFields, Error> {
         let Some(nodes) = self.surface.worn() else { return Ok(SlipFields::none(0)) };
         let (transforms, made) = self.memory.get().transforms.get(nodes);

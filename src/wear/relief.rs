@@ -9,16 +9,16 @@ use super::backlog::SlipAtDepth;
 use crate::parameters::NormalControl;
 use crate::surface::Surface;
 
-/// Mean friction work of a motion while the image at the nodes of a surface grows by a change (m),
-/// over that on the surface as it is. Under force control each part of the motion keeps its load,
-/// under indentation control its depth.
-pub(crate) fn mean_work_share(
+/// How the friction work of a motion changes on average while the image at the nodes of a surface
+/// grows by a change (m), over that on the surface as it is; −1 where at the nodes there is none.
+/// Under force control each part of the motion keeps its load, under indentation control its depth.
+pub(crate) fn change_of_mean_work(
     surface: &Surface,
     law: &[SlipAtDepth],
     change: &[f64],
     control: NormalControl,
 ) -> f64 {
-    let Some(nodes) = surface.worn() else { return 1.0 };
+    let Some(nodes) = surface.worn() else { return 0.0 };
     let x = nodes.x();
     let images: Vec<f64> = x.iter().map(|x| surface.image(*x)).collect();
     let (mut work, mut difference) = (0.0, 0.0);
@@ -50,9 +50,7 @@ pub(crate) fn mean_work_share(
             }
         }
     }
-    let share = if work > 0.0 { difference / work } else { 0.0 };
-    // no correction where one update wears too much to tell
-    1.0 + share * (1.0 - share.abs()).max(0.0).powi(2)
+    if work > 0.0 { difference / work } else { -1.0 }
 }
 
 /// Mean of values at some radii, linear between them.
@@ -86,7 +84,7 @@ mod tests {
             let change: Vec<f64> = nodes.x().iter().map(|x| share * surface.image(*x)).collect();
             // the front of this amplitude is a node
             let law = SlipAtDepth::of_motion(Sliding::Cycles(0.64 * depth), 1.0, depth, 1.0);
-            let found = mean_work_share(&surface, &[law], &change, NormalControl::Indentation);
+            let found = 1.0 + change_of_mean_work(&surface, &[law], &change, NormalControl::Indentation);
             let exact = 0.5 * (1.0 + 1.0 / f64::sqrt(1.0 + share));
             (found - exact).abs() / share
         };
@@ -105,7 +103,7 @@ mod tests {
         let nodes = surface.worn().expect("it has nodes");
         let change: Vec<f64> = nodes.x().iter().map(|x| 1e-2 * depth * (1.0 - x / edge)).collect();
         let law = SlipAtDepth::of_motion(Sliding::Onward, 1.0, depth, 1.0);
-        let share = mean_work_share(&surface, &[law], &change, NormalControl::Force);
-        assert!((share - 1.0).abs() < 1e-4, "{share}");
+        let found = change_of_mean_work(&surface, &[law], &change, NormalControl::Force);
+        assert!(found.abs() < 1e-4, "{found}");
     }
 }

@@ -196,9 +196,11 @@ fn strokes_that_begin_in_gross_slip_wear_as_whole_cycles() {
 
 /// Strokes at constant depth that are up to 30 % shorter than the largest come to its final state,
 /// and there they end to wear. All their slip lies then in one cell, between a node that sticks and
-/// one that is free. (Nothing could be worn there, so that all was deferred: V was 44, 130 and 17 %
-/// too large and rising, and what the profile had lost 26, 57 and 13 % less than that.) It is 6.6 %
-/// too large at most now, by the cells of the annulus, and the profile 0.7 % behind.
+/// one that is free. (The work there was deferred, and updates were scaled up to the work of the
+/// profile before them: V of these twelve was up to 43 % too large and rising, and what the profile
+/// had lost 27 % less than that.) V is known to the cells of the annulus, and which sequence is
+/// furthest off depends on rounding: of 40 it is −2.6 to 15 % off, 2.6 % in the median. The profile
+/// is within 0.7 % of it.
 #[test]
 fn strokes_that_differ_end_to_wear_in_the_final_state() {
     let amplitude = 0.27 * exact(&ROUNDED, FORCE).full_slip();
@@ -215,7 +217,8 @@ fn strokes_that_differ_end_to_wear_in_the_final_state() {
     whole.advance_cycles(depth, amplitude, 1e12).unwrap();
     // eight cycles as the first would wear all that
     parameters.wear_coefficient *= whole.wear_volume() / per_cycle / 8.0;
-    for seed in [2, 7, 8] {
+    let mut all_off = Vec::new();
+    for seed in 1..=12 {
         let (mut contact, mut random) = (begun(&parameters), seeded(seed));
         for n in 0..1280 {
             let side = if n % 2 == 0 { 1.0 } else { -1.0 };
@@ -225,9 +228,12 @@ fn strokes_that_differ_end_to_wear_in_the_final_state() {
         let off = contact.wear_volume() / whole.wear_volume() - 1.0;
         let behind = contact.profile_volume() / contact.wear_volume() - 1.0;
         println!("{seed}: V {off:+.1e}, profile {behind:+.1e}; {}", contact.counters());
-        assert!((-0.01..0.08).contains(&off), "{seed}: V {off:e}");
-        assert!(behind.abs() < 0.01, "{seed}: profile {behind:e}");
+        assert!((-0.05..0.25).contains(&off), "{seed}: V {off:e}");
+        assert!(behind.abs() < 0.015, "{seed}: profile {behind:e}");
+        all_off.push(off);
     }
+    all_off.sort_by(f64::total_cmp);
+    assert!(all_off[6].abs() < 0.06, "median of V: {:e}", all_off[6]);
 }
 
 /// How far the worn volume of strokes is off that of whole cycles, and the volume of their profile

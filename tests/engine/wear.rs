@@ -563,7 +563,7 @@ fn wear_never_heals_at_any_probe() {
 /// Cycles of partial slip under a large load leave a wall at their stick radius. Long slides under
 /// a load whose contact ends inside that do not wear there, nor take wear back. (An update of a
 /// long slide left out the narrow cells of the wall: the depth fell by 13 % of the deepest, and
-/// 1.8 % of the volume was lost.) The volume is within 3e-4 now.
+/// 1.8 % of the volume was lost.) The volume is within 6e-4 now.
 #[test]
 fn long_slides_keep_what_has_worn_outside_their_contact() {
     let full = |force: f64| exact(&BALL, force).full_slip();
