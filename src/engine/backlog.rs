@@ -196,6 +196,7 @@ impl FrettingContact {
             let way = if self.state.row.is_plane() { FrontMotion::Creeps } else { FrontMotion::Returns };
             match self.absorb_law((&law, way), backlog.work, backlog.radius) {
                 Ok(true) => {}
+                // what slips has worn free: the springs' work on it is an error of the nodes
                 Ok(false) => {
                     self.surface.extend_far();
                     self.correct_work(-backlog.work);

@@ -92,6 +92,22 @@ mod tests {
         assert!(fine < 2e-3 && fine < 0.6 * coarse, "{coarse:e} {fine:e}");
     }
 
+    /// Cycles whose front is in the last cell of the contact do no work at any node.
+    #[test]
+    fn work_between_two_nodes_is_left_to_the_update() {
+        let (profile, edge) = (Profile::Parabola { radius: 0.01 }, 2e-4);
+        let depth = edge * edge / 0.01;
+        let mut surface = Surface::new(profile.clone());
+        surface.set_worn(Some(Nodes::around(&profile, 64, edge, 0.0)));
+        let change = vec![0.0; surface.worn().expect("it has nodes").x().len()];
+        let found = |amplitude: f64| {
+            let law = SlipAtDepth::of_motion(Sliding::Cycles(amplitude), 1.0, depth, 1.0);
+            change_of_mean_work(&surface, &[law], &change, NormalControl::Indentation)
+        };
+        assert_eq!(found(1e-6 * depth), -1.0);
+        assert_eq!(found(0.5 * depth), 0.0);
+    }
+
     /// Sliding onward at constant force does the same work on any profile.
     #[test]
     fn sliding_at_constant_force_does_the_same_work_on_any_profile() {
