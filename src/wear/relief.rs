@@ -10,7 +10,7 @@ use crate::parameters::NormalControl;
 use crate::surface::Surface;
 
 /// How the friction work of a motion changes on average while the image at the nodes of a surface
-/// grows by a change (m), over that on the surface as it is; −1 where at the nodes there is none.
+/// grows by a change (m), over that on the surface as it is; −1 where no work is done at the nodes.
 /// Under force control each part of the motion keeps its load, under indentation control its depth.
 pub(crate) fn change_of_mean_work(
     surface: &Surface,
