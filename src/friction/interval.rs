@@ -25,7 +25,8 @@ impl Interval {
             return Self { width, rise: 0.0, first: 0.0, second: 0.0 };
         }
         let first = at_most(at_least(q.x * rise - (q.load - p.load), 0.0), rise * width);
-        let second = if width < 3e-4 * q.x {
+        // next to a flat the integrals count from its rim, and keep their digits
+        let second = if width < 3e-4 * q.x && rise * rise * width < LOST * q.square {
             // too narrow for a difference of integrals; g is linear in x² there to a relative 1e-4
             let (x, d) = (p.x, width);
             let t = 2.0 * x + d;
