@@ -115,6 +115,31 @@ impl Springs {
         self.knots.windows(2).map(pair).sum()
     }
 
+    /// ∫ share u² dx, m³, of a share that changes to another at some places, from inside outwards;
+    /// it is 0 inside the first.
+    pub(crate) fn energy_integral_of(&self, displacement: f64, shares: &[(Place, f64)]) -> f64 {
+        let (mut share, mut sum, mut shares) = (0.0, 0.0, shares.iter().peekable());
+        for pair in self.knots.windows(2) {
+            let deflection = |origin: f64| displacement - origin;
+            let (mut inner, mut u) = (pair[0].place, deflection(pair[0].origin));
+            let mut add = |share: f64, place: Place, origin: f64| {
+                let ends = (u, deflection(origin));
+                if share > 0.0 {
+                    sum += share * Interval::between(&inner, &place).product(ends, ends);
+                }
+                (inner, u) = (place, ends.1);
+            };
+            while let Some((place, next)) = shares.next_if(|(place, _)| place.x < pair[1].place.x) {
+                if place.x > pair[0].place.x {
+                    add(share, *place, interpolate(&pair[0], &pair[1], place.image));
+                }
+                share = *next;
+            }
+            add(share, pair[1].place, pair[1].origin);
+        }
+        sum
+    }
+
     /// Origins at the given rising radii inside the contact.
     pub(crate) fn origins_at(&self, surface: &Surface, radii: &[f64]) -> Vec<f64> {
         let mut j = 0;

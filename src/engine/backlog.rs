@@ -160,9 +160,9 @@ impl FrettingContact {
             return Ok(());
         }
         let backlog = take(&mut wear.backlog);
-        let begins_at_reversal = wear.begins_at_reversal;
         self.view.forget();
         let law = backlog.law();
+        let uncounted = self.uncounted(&law, backlog.radius);
         let old = self.surface.clone();
         let at_one_load = !self.state.row.is_plane()
             && !self.state.contact.is_open()
@@ -182,10 +182,9 @@ impl FrettingContact {
             && let drive = self.drive_of(&motion)
             && self.absorb_motion(&motion, drive, backlog.work)?
         {
-            let lost = self.rest_on_worn(&old, zone)?;
-            if motion.sliding == Sliding::Onward {
-                self.lose_to_friction(lost);
-            }
+            // a first quarter is worn as one of steady cycles
+            let uncounted = if motion.sliding == Sliding::Onward { &uncounted[..] } else { &[] };
+            self.rest_on_worn(&old, zone, uncounted)?;
             if let (Sliding::Cycles(amplitude), Some(drive)) = (motion.sliding, drive) {
                 let own = self.own_amplitude(drive);
                 self.state.place.x += self.state.direction.x * (own - amplitude);
@@ -206,13 +205,21 @@ impl FrettingContact {
                 }
                 Err(other) => return Err(other),
             }
-            let lost = self.rest_on_worn(&old, zone)?;
-            if !begins_at_reversal {
-                self.lose_to_friction(lost);
-            }
+            self.rest_on_worn(&old, zone, &uncounted)?;
             self.expect(repeated);
         }
         Ok(())
+    }
+
+    /// Radii (m) from which on springs that follow their bound lose a share of their energy to
+    /// friction that the wear of a law does not count; its contacts go up to a radius, m.
+    fn uncounted(&self, law: &[SlipAtDepth], radius: f64) -> Vec<(f64, f64)> {
+        if self.state.row.is_plane() {
+            let turned = self.state.wear.as_ref().is_some_and(|wear| wear.begins_at_reversal);
+            return vec![(0.0, if turned { 0.0 } else { 1.0 })];
+        }
+        let shares = wear::uncounted_shares(law, self.model.bound_slope);
+        shares.iter().map(|(image, share)| (self.radius_of_front(*image, radius), *share)).collect()
     }
 
     /// Amplitude of the drive (m) of cycles.
@@ -527,17 +534,26 @@ impl FrettingContact {
 
     /// Contact and springs on a surface that has worn at the present load and displacement, where
     /// the springs of a zone (its inner radius and side) slipped: in truth they have followed their
-    /// bound, up or down, all the time. Others keep their place. Returns the energy that the
-    /// springs have lost, J.
-    fn rest_on_worn(&mut self, old: &Surface, zone: (f64, f64)) -> Result<f64, Error> {
+    /// bound, up or down, all the time. Others keep their place. What the springs have lost is work
+    /// of friction, of which shares from some radii (m) on are `uncounted`.
+    fn rest_on_worn(
+        &mut self,
+        old: &Surface,
+        zone: (f64, f64),
+        uncounted: &[(f64, f64)],
+    ) -> Result<(), Error> {
         let to = self.contact_at(self.state.contact.control)?;
-        let stored = self.stored_energy();
+        let shares = |surface: &Surface| -> Vec<_> {
+            uncounted.iter().map(|(x, share)| (surface.place(*x), *share)).collect()
+        };
+        let stored = self.energy_of(&shares(old));
         if let Row::Line(springs) = &self.state.row {
             self.state.row = Row::Line(springs.moved_to(old, &self.surface));
         }
         self.rest_in(to, zone);
         self.renew_limit();
-        Ok(stored - self.stored_energy())
+        self.lose_to_friction(stored - self.energy_of(&shares(&self.surface)));
+        Ok(())
     }
 
     /// A larger depth, m, to which the wear of other contacts has pressed this one: in truth that

@@ -402,6 +402,14 @@ impl SlipAtDepth {
             .then_some(RepeatedMotion { sliding: Sliding::Cycles(whole / quarters), amount: 0.25 * quarters })
     }
 
+    /// Images (m) from which on its slope is larger, and by how much.
+    pub(super) fn rises(&self) -> impl Iterator<Item = (f64, f64)> {
+        let mut last = 0.0;
+        let slopes = [(f64::NEG_INFINITY, self.first.0)].into_iter();
+        let slopes = slopes.chain(self.knots.iter().map(|knot| (knot.0, knot.1)));
+        slopes.map(move |(image, slope)| (image, slope - replace(&mut last, slope)))
+    }
+
     /// Image of the innermost spring that slips, m.
     pub(crate) fn front(&self) -> f64 {
         let inmost = self.knots.first().map_or(f64::INFINITY, |knot| knot.0);

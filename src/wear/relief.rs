@@ -3,7 +3,9 @@
 //! The springs do their work on the profile of the last update. Meanwhile the profile wears, so
 //! that their overlap q = d − g falls by δ until the next update, by half of that on average. Under
 //! a bound m q the slip of a spring is ΔU less the bound at either end of its stroke: a slip path
-//! whose slope in g is c m contains the bound c times.
+//! whose slope in g is c m contains the bound c times. So the work of all of it changes by c δ/2 in
+//! the mean. A spring whose slip has turned (c = 2 in each stroke) slips by so much more. One that
+//! has slipped one way only (c = 0), as where strokes creep, slips by δ: its bound falls behind it.
 
 use super::backlog::SlipAtDepth;
 use crate::parameters::NormalControl;
@@ -51,6 +53,19 @@ pub(crate) fn change_of_mean_work(
         }
     }
     if work > 0.0 { difference / work } else { -1.0 }
+}
+
+/// Share of the fall of the bound by which springs slip on beyond what [`change_of_mean_work`]
+/// counts, from some images (m) on: 1 − c/2 of what has slipped one way only.
+pub(crate) fn uncounted_shares(law: &[SlipAtDepth], bound_slope: f64) -> Vec<(f64, f64)> {
+    let mut rises: Vec<(f64, f64)> = law.iter().flat_map(SlipAtDepth::rises).collect();
+    rises.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    let mut slope = 0.0;
+    let shares = rises.iter().map(|(image, rise)| {
+        slope += rise;
+        (*image, (1.0 - 0.5 * slope / bound_slope).clamp(0.0, 1.0))
+    });
+    shares.collect()
 }
 
 /// Mean of values at some radii, linear between them.

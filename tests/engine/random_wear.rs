@@ -132,8 +132,8 @@ fn random_gross_slip_converges_with_the_tolerance() {
     let (coarse, fine) = (at(1e-3), at(2e-4));
     fine.assert_within_a_percent();
     assert!(fine.volume.abs() < 0.7 * coarse.volume.abs(), "{coarse:?} {fine:?}");
-    // 0.70, as before the cells were graded, which took 0.9 % off the one and 0.2 % off the other
-    assert!(fine.profile < 0.71 * coarse.profile, "{coarse:?} {fine:?}");
+    // 2.3e-3 and 1.6e-3 of d, of which some is that of the springs' spacing
+    assert!(fine.profile < 0.73 * coarse.profile, "{coarse:?} {fine:?}");
 }
 
 /// Small cycles about a place to which a larger motion has brought the body: what sticks keeps the
@@ -243,7 +243,10 @@ fn a_varying_depth_wears_as_an_explicit_row_of_springs() {
             (1..=320).map(f64::from).for_each(|k| row.walk_to_depth(depth(k), place(k), steps));
             row.worn_volume()
         };
-        let exact = 2.0 * row(240, 24) - row(120, 12);
+        // its steps err by first order, its springs by the order 3/2 of a moving contact edge
+        let in_time = |cells: usize| 2.0 * row(cells, 24) - row(cells, 12);
+        let (coarse, fine) = (in_time(120), in_time(240));
+        let exact = fine + (fine - coarse) / (2f64.powf(1.5) - 1.0);
         for (tolerance, most) in [(1e-3, 5e-3), (1e-4, 1.5e-3)] {
             let parameters =
                 Parameters { normal_control: NormalControl::Indentation, tolerance, ..Parameters::default() };
@@ -260,6 +263,40 @@ fn a_varying_depth_wears_as_an_explicit_row_of_springs() {
             );
             assert!(volume.abs() < most, "{name}: {volume:e}");
             assert!(on_profile.abs() < 1e-3, "{name}: {on_profile:e}");
+        }
+    }
+}
+
+/// Strokes whose mean creeps: inside the springs that slip to and fro others slip one way only, and
+/// their bound falls behind them. (As if all had turned, V was 3.0 and 3.3 % too small, at a tenth
+/// of the tolerance 3.0 and 1.9 %.)
+#[test]
+fn strokes_whose_mean_creeps() {
+    let (depth, radius, wear_per_work) = (3.48291e-6, 0.01, 1e-10);
+    let full_slip = MU * E_STAR / G_STAR * depth;
+    for (amplitude, creep, cycles) in [(0.08, 0.03, 25), (0.2, 0.05, 20)] {
+        let place = |k: f64| full_slip * (creep * k / 8.0 + amplitude * (2.0 * PI * k / 8.0).sin());
+        let row = |cells: usize, steps: usize| {
+            let edge = 1.5 * (depth * radius).sqrt();
+            let mut row =
+                WearingRow::new(|x| x * x / radius, (edge, cells), (E_STAR, G_STAR), (MU, wear_per_work));
+            row.walk_to_depth(depth, 0.0, 1);
+            (1..=8 * cycles).for_each(|k| row.walk_to_depth(depth, place(f64::from(k)), steps));
+            row.worn_volume()
+        };
+        let in_time = |cells: usize| 2.0 * row(cells, 12) - row(cells, 6);
+        let (coarse, fine) = (in_time(120), in_time(240));
+        let exact = fine + (fine - coarse) / (2f64.powf(1.5) - 1.0);
+        for (tolerance, most) in [(1e-3, 1e-2), (1e-4, 3e-3)] {
+            let parameters =
+                Parameters { normal_control: NormalControl::Indentation, tolerance, ..Parameters::default() };
+            let wear_coefficient = wear_per_work * parameters.hardness;
+            let mut contact = contact(Parameters { wear_coefficient, ..parameters });
+            contact.start_at(depth, 0.0).expect("a ball can be pressed");
+            (1..=8 * cycles).for_each(|k| to(&mut contact, depth, place(f64::from(k))));
+            let off = contact.wear_volume() / exact - 1.0;
+            println!("{amplitude} {creep}, {tolerance:e}: V {off:+.2e}");
+            assert!(off.abs() < most, "{amplitude} {creep}, {tolerance:e}: V {off:e}");
         }
     }
 }
