@@ -37,7 +37,7 @@ pub(crate) use fields::SlipFields;
 pub(crate) use first_order::FirstOrderWear;
 pub(crate) use life::integrate;
 pub(crate) use mesh::UnitMesh;
-pub(crate) use patch::{Motion, Rig, Sliding};
+pub(crate) use patch::{Mixture, Motion, Rig, Sliding};
 pub(crate) use relief::{change_of_mean_work, uncounted_shares};
 pub(crate) use remesh::THINNEST;
 pub(crate) use settings::{Amount, IntegrationSettings, Part, thinning};

@@ -4,7 +4,7 @@ use super::FrettingContact;
 use crate::error::Error;
 use crate::friction::{Resting, Row, SlipPiece};
 use crate::parameters::{Parameters, USUAL_TOLERANCE};
-use crate::surface::{Contact, FrontMotion, Nodes, ROUNDING, Region, Surface};
+use crate::surface::{Contact, FrontMotion, Nodes, ROUNDING, Surface};
 use crate::wear::{self, Part, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, Update};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -177,20 +177,20 @@ impl FrettingContact {
         // strokes are not quite alike while friction runs in
         let share = if self.is_running_in() { 0.25 * self.model.tuning.drift } else { wear::SAME };
         let (bound_slope, tip) = (self.model.bound_slope, self.surface.tip());
-        let repeated = only.and_then(|law| law.repeated_motion(bound_slope, tip, share));
-        if let Some(motion) = repeated.filter(|motion| self.is_followed(motion))
+        let motion = only.and_then(|law| law.motion((bound_slope, tip), share));
+        if let Some(motion) = motion.filter(|motion| self.is_followed(motion))
             && let drive = self.drive_of(&motion)
             && self.absorb_motion(&motion, drive, backlog.work)?
         {
-            // a first quarter is worn as one of steady cycles
-            let uncounted = if motion.sliding == Sliding::Onward { &uncounted[..] } else { &[] };
-            self.rest_on_worn(&old, zone, uncounted)?;
             if let (Sliding::Cycles(amplitude), Some(drive)) = (motion.sliding, drive) {
+                // a first quarter is worn as one of steady cycles
+                self.rest_on_worn(&old, zone, &[])?;
                 let own = self.own_amplitude(drive);
                 self.state.place.x += self.state.direction.x * (own - amplitude);
                 self.rest_at_reversal(own, zone.0);
+            } else {
+                self.rest_on_worn(&old, zone, &uncounted)?;
             }
-            self.expect(Some(motion));
         } else {
             let way = if self.state.row.is_plane() { FrontMotion::Creeps } else { FrontMotion::Returns };
             match self.absorb_law((&law, way), backlog.work, backlog.radius) {
@@ -206,7 +206,6 @@ impl FrettingContact {
                 Err(other) => return Err(other),
             }
             self.rest_on_worn(&old, zone, &uncounted)?;
-            self.expect(repeated);
         }
         Ok(())
     }
@@ -222,11 +221,13 @@ impl FrettingContact {
         shares.iter().map(|(image, share)| (self.radius_of_front(*image, radius), *share)).collect()
     }
 
-    /// Amplitude of the drive (m) of cycles.
+    /// Amplitude of the drive (m) of equal cycles.
     fn drive_of(&mut self, motion: &RepeatedMotion) -> Option<f64> {
-        match motion.sliding {
-            Sliding::Cycles(own) => Some(self.drive_amplitude(own)),
-            Sliding::Onward => None,
+        match motion {
+            RepeatedMotion { sliding: Sliding::Cycles(own), mixture: None, .. } => {
+                Some(self.drive_amplitude(*own))
+            }
+            _ => None,
         }
     }
 
@@ -241,12 +242,20 @@ impl FrettingContact {
         let drive = drive.filter(|_| self.model.compliance > 0.0 && self.model.constants.force_control);
         let control = self.state.contact.control;
         // as much of it as does that work: friction that runs in was another before
-        let amount = if self.runs_in() { work / self.unit_work(motion.sliding).0 } else { motion.amount };
-        let worn_by = self.wear_by(control, (motion.sliding, drive), amount, Part::Update)?;
+        let amount = if self.runs_in() { work / self.work_of_one(motion) } else { motion.amount };
+        let motion = RepeatedMotion { amount, ..motion.clone() };
+        let worn_by = self.wear_by(control, motion, drive, Part::Update)?;
         if let Some(worn_by) = worn_by {
             self.correct_work(worn_by - work);
         }
         Ok(worn_by.is_some())
+    }
+
+    /// Work (J) of one cycle or metre of a motion on the present profile.
+    fn work_of_one(&mut self, motion: &RepeatedMotion) -> f64 {
+        let Some(mixture) = &motion.mixture else { return self.unit_work(motion.sliding).0 };
+        let work = |(share, amplitude): &(f64, f64)| share * self.unit_work(Sliding::Cycles(*amplitude)).0;
+        mixture.iter().map(work).sum()
     }
 
     /// Defers the wear of work (J) to a later update; below 0 where the profile has worn too much.
@@ -316,31 +325,16 @@ impl FrettingContact {
         self.defer(work);
     }
 
-    /// Whether a motion is worth a moving mesh: on the unworn body, on the mesh that is there, or
-    /// where it has been seen before. A single stroke from anywhere to anywhere looks like half a
-    /// cycle.
+    /// Whether a motion is worth a moving mesh. A slide is on the unworn body and on the mesh that
+    /// is there.
     fn is_followed(&self, motion: &RepeatedMotion) -> bool {
-        let Some(nodes) = self.surface.worn() else { return true };
-        let mesh = nodes.mesh().map(|mesh| mesh.region);
-        match (motion.sliding, self.state.wear.as_ref().and_then(|wear| wear.expected)) {
-            (Sliding::Onward, _) => mesh.is_some(),
-            (Sliding::Cycles(a), _) if mesh == Some(Region::Disc) && a >= self.full_slip() => true,
-            (Sliding::Cycles(a), Some(Sliding::Cycles(b))) => {
-                (a - b).abs() <= self.model.parameters.tolerance * b
-            }
-            _ => false,
-        }
+        let has_mesh = self.surface.worn().is_none_or(|nodes| nodes.mesh().is_some());
+        has_mesh || motion.sliding != Sliding::Onward
     }
 
     /// Displacement from rest at which all springs slip, m.
     pub(super) fn full_slip(&self) -> f64 {
         self.model.bound_slope * (self.state.contact.depth - self.surface.tip())
-    }
-
-    fn expect(&mut self, motion: Option<RepeatedMotion>) {
-        if let Some(wear) = &mut self.state.wear {
-            wear.expected = motion.map(|motion| motion.sliding);
-        }
     }
 
     /// Wears a slip law off on nodes at rest, which is that of friction work (J) of the springs.

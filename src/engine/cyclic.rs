@@ -10,7 +10,7 @@ use crate::error::Error;
 use crate::friction::{Path, Row, Springs};
 use crate::range;
 use crate::surface::{Contact, MeshPlace, Nodes, Surface};
-use crate::wear::{Amount, IntegrationSettings, Motion, Part, Rig, Sliding, integrate};
+use crate::wear::{Amount, IntegrationSettings, Motion, Part, RepeatedMotion, Rig, Sliding, integrate};
 use nalgebra::Vector2;
 
 /// Many cycles in one call.
@@ -119,23 +119,23 @@ impl FrettingContact {
         Ok(own)
     }
 
-    /// Wears the surface on the moving mesh by an amount of sliding at constant load, which is some
-    /// part of a history; returns the work (J), or `None` where the mesh cannot follow. With the
-    /// amplitude of a drive (m), at constant force, the sliding is that at the start.
+    /// Wears the surface on the moving mesh by a motion at constant load, which is some part of a
+    /// history; returns the work (J), or `None` where the mesh cannot follow. With the amplitude of
+    /// a drive (m), at constant force, the sliding is that at the start.
     ///
     /// # Errors
     /// Those of the normal contact.
     pub(super) fn wear_by(
         &mut self,
         value: f64,
-        (sliding, drive): (Sliding, Option<f64>),
-        amount: f64,
+        RepeatedMotion { sliding, mixture, amount }: RepeatedMotion,
+        drive: Option<f64>,
         part: Part,
     ) -> Result<Option<f64>, Error> {
         let compliance = 2.0 * self.model.constants.tangential_modulus * self.model.compliance;
         let rig = drive.map(|amplitude| Rig { amplitude, compliance });
         let control = self.model.parameters.normal_control;
-        let motion = Motion { control, value, sliding, rig };
+        let motion = Motion { control, value, sliding, mixture, rig };
         let last = self.state.wear.as_ref().and_then(|wear| wear.next_step);
         // a call on what one of the same motion has left
         let is_at = |mesh: MeshPlace| mesh.contact.value_of(control) == value;

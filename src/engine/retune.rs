@@ -76,7 +76,7 @@ impl FrettingContact {
                 // a volume, kept as the work that wears it
                 wear.deferred_work *= former_wear_per_work / wear_per_work;
                 wear.surplus *= former_wear_per_work / wear_per_work;
-                (wear.expected, wear.next_step) = (None, None);
+                wear.next_step = None;
             }
             this.set_friction(this.model.parameters.friction_coefficient_after(this.state.work));
             // from the bound of before, which the springs keep to, however small the new one is;

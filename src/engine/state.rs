@@ -59,8 +59,6 @@ pub(super) struct WearState {
     pub(super) slip_direction: Vector2<f64>,
     /// Whether the first slip of the backlog was against the last one before.
     pub(super) begins_at_reversal: bool,
-    /// The motion that the last backlog was.
-    pub(super) expected: Option<Sliding>,
     /// How much the next step of a steady motion should span, and of which.
     pub(super) next_step: Option<(Sliding, f64)>,
     /// Σ of the differences between the work at the nodes and that of the springs, J.

@@ -5,7 +5,7 @@ use super::history::MOST_PIECES;
 use crate::error::Error;
 use crate::friction::Row;
 use crate::surface::{FrontMotion, ROUNDING};
-use crate::wear::{self, Part, Sliding, SlipAtDepth};
+use crate::wear::{self, Part, RepeatedMotion, Sliding, SlipAtDepth};
 use nalgebra::Vector2;
 
 /// Part of the way of full slip after which a slide is all slip. At 1 the motion so far has a front
@@ -45,7 +45,7 @@ impl FrettingContact {
         let amplitude = sliding.amplitude();
         let refused = |left, steps| Error::TooMuchWear { cycles: amount, left, amplitude, steps };
         loop {
-            if let Some(work) = self.wear_by(value, (sliding, None), left, part)? {
+            if let Some(work) = self.wear_by(value, RepeatedMotion::of(sliding, left), None, part)? {
                 self.correct_work(work);
                 self.state.contact = self.contact_at(value)?;
                 return Ok(());

@@ -11,7 +11,7 @@ use super::saved::Saved;
 
 const MAGIC: [u8; 8] = *b"FRETSTAT";
 /// To be raised with every change of what is saved.
-const VERSION: u32 = 15;
+const VERSION: u32 = 16;
 /// Magic number, version, GUID, length, checksum.
 const HEADER: usize = MAGIC.len() + 4 + GUID.len() + 8 + 4;
 

@@ -10,7 +10,7 @@
 
 mod levels;
 
-use super::{Sliding, per_disc};
+use super::{Mixture, Sliding, per_disc};
 use crate::friction::SlipPiece;
 use crate::surface::{Contact, ROUNDING};
 use levels::{Level, Levels};
@@ -90,11 +90,20 @@ pub(crate) struct WearBacklog {
 }
 
 /// A motion that repeats at constant load, and how much of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct RepeatedMotion {
     pub(crate) sliding: Sliding,
+    /// Where the cycles are of several amplitudes.
+    pub(crate) mixture: Option<Mixture>,
     /// Cycles or metres, as its kind has it.
     pub(crate) amount: f64,
+}
+
+impl RepeatedMotion {
+    /// An amount of one kind of sliding.
+    pub(crate) fn of(sliding: Sliding, amount: f64) -> Self {
+        Self { sliding, mixture: None, amount }
+    }
 }
 
 /// Relative difference of two places of hinges, or of two slips, that are taken for one.
@@ -375,6 +384,12 @@ impl SlipAtDepth {
         }
     }
 
+    /// The motion that makes this law: equal ones where it is that of one up to a share of the
+    /// slip, else cycles of several amplitudes.
+    pub(crate) fn motion(&self, (bound_slope, tip): (f64, f64), share: f64) -> Option<RepeatedMotion> {
+        self.repeated_motion(bound_slope, tip, share).or_else(|| self.mixture(bound_slope))
+    }
+
     /// The motion that makes this law, where it is one that repeats in the contact of its depth up
     /// to a share of the slip; `tip` is the image at the axis.
     pub(crate) fn repeated_motion(&self, bound_slope: f64, tip: f64, share: f64) -> Option<RepeatedMotion> {
@@ -383,7 +398,7 @@ impl SlipAtDepth {
             return None;
         }
         if self.knots.is_empty() && (self.at(tip).0 - whole).abs() <= share * whole {
-            return Some(RepeatedMotion { sliding: Sliding::Onward, amount: whole });
+            return Some(RepeatedMotion::of(Sliding::Onward, whole));
         }
         // E(d) = 4 N U₀ and dE/dg = 4 N m, of whole quarters
         let quarters = (slope / bound_slope).round();
@@ -397,9 +412,38 @@ impl SlipAtDepth {
         let alike = |image: f64| (self.at(image).0 - of_cycles(image)).abs() <= share * whole;
         let mut places = self.knots.iter().map(|knot| knot.0).chain([tip, front]);
         let inside = |place: &f64| (tip..self.depth).contains(place);
+        let sliding = Sliding::Cycles(whole / quarters);
         places
             .all(|place| !inside(&place) || alike(place))
-            .then_some(RepeatedMotion { sliding: Sliding::Cycles(whole / quarters), amount: 0.25 * quarters })
+            .then_some(RepeatedMotion::of(sliding, 0.25 * quarters))
+    }
+
+    /// Cycles of several amplitudes that make this law: each hinge is the front of one. There are
+    /// so many that cycles of the largest would slip as much at the contact edge. `None` where the
+    /// core slips evenly.
+    fn mixture(&self, bound_slope: f64) -> Option<RepeatedMotion> {
+        let (slope, whole) = (self.first.0, self.at(self.depth).0);
+        if self.first.1 > self.least && slope * self.depth <= SAME * whole {
+            return None;
+        }
+        let inside = |(place, _): &(f64, f64)| *place < self.depth;
+        let fronts = self.rises().map(|(place, rise)| {
+            // all of a core that slips has its front where the line through it is 0
+            let place = if place.is_finite() { place } else { -self.first.1 / slope };
+            (place, rise)
+        });
+        let fronts: Vec<(f64, f64)> = fronts.filter(|(_, rise)| *rise != 0.0).filter(inside).collect();
+        let innermost = fronts.iter().map(|front| front.0).fold(self.depth, f64::min);
+        let amplitude = bound_slope * (self.depth - innermost);
+        let amount = whole / (4.0 * amplitude);
+        if !(amount > 0.0 && amount.is_finite()) {
+            return None;
+        }
+        let share = |(place, rise): &(f64, f64)| {
+            (rise / (4.0 * amount * bound_slope), bound_slope * (self.depth - place))
+        };
+        let mixture = Some(fronts.iter().map(share).collect());
+        Some(RepeatedMotion { sliding: Sliding::Cycles(amplitude), mixture, amount })
     }
 
     /// Images (m) from which on its slope is larger, and by how much.

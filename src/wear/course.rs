@@ -15,11 +15,8 @@ const MOST_STEPS: f64 = 500.0;
 /// And behind a rig: where a front hovers, stretches of constant amplitude come sooner to an end.
 const MOST_STEPS_BEHIND_A_RIG: f64 = 250.0;
 
-/// And of what is but a small part of a life, which takes one or two. The method is of third order:
-/// a thousandth of the tolerance takes ten times as many.
-const MOST_STEPS_OF_AN_UPDATE: f64 = 60.0;
-
-/// And at most as many times that, however tight the tolerance: no call may go on for ever.
+/// At most as many times that, however tight the tolerance: no call may go on for ever. The method
+/// is of third order: a thousandth of the tolerance takes ten times as many.
 const MOST_TIGHTER: f64 = 100.0;
 
 /// Most rejected steps of a mesh over wear that other loads have left outside; most have five.
@@ -72,11 +69,7 @@ pub(super) struct End {
 impl<'a> Course<'a> {
     pub(super) fn new(motion: &'a Motion, amount: &'a Amount, settings: &'a IntegrationSettings) -> Self {
         let tighter = (USUAL_TOLERANCE / settings.tolerance).cbrt().clamp(1.0, MOST_TIGHTER);
-        let most = match (amount.part, motion.rig) {
-            (Part::Update, _) => MOST_STEPS_OF_AN_UPDATE,
-            (_, Some(_)) => MOST_STEPS_BEHIND_A_RIG,
-            (_, None) => MOST_STEPS,
-        };
+        let most = motion.rig.map_or(MOST_STEPS, |_| MOST_STEPS_BEHIND_A_RIG);
         Self {
             motion,
             amount,

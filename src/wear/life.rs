@@ -57,7 +57,7 @@ pub(crate) fn integrate(
         let outside = match &outside {
             Some(outside) => outside,
             None => {
-                let found = carried_outside(surface, contact.radius, amount.part == Part::Update);
+                let found = carried_outside(surface, contact.radius);
                 &*outside.insert(found.ok_or_else(|| edge_not_found(motion))?)
             }
         };
@@ -124,12 +124,11 @@ pub(crate) fn integrate(
 }
 
 /// The wear outside a contact of some radius (m) that a mesh carries; `None` where it cannot: up to
-/// the rim of a body that ends there it is no smooth profile. For a small part of a life it would
-/// not pay, which is an update.
-fn carried_outside(surface: &Surface, radius: f64, is_update: bool) -> Option<Outside> {
+/// the rim of a body that ends there it is no smooth profile.
+fn carried_outside(surface: &Surface, radius: f64) -> Option<Outside> {
     let Some(nodes) = surface.worn().filter(|nodes| Outside::is_left_on(nodes, radius)) else {
         return Some(Outside::default());
     };
     let reaches_rim = nodes.depth()[nodes.last()] > 0.0;
-    (!is_update && !reaches_rim).then(|| Outside::of(nodes))
+    (!reaches_rim).then(|| Outside::of(nodes))
 }

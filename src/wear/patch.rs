@@ -3,6 +3,7 @@
 //!
 //! One cycle of amplitude U₀ at constant load wears ∂w/∂N = 4 κ p s with κ = kμ/σ₀, the pressure p
 //! of q = d − g and the slip s, the inverse Abel transform of σ = max(U₀ − m q, 0), m = μE*/G*.
+//! Of cycles of several amplitudes σ is the sum of their shares.
 //! Here w̃ is the depth that belongs to the image inside the region alone, h·1[x ≥ c]: what lies
 //! inside the stick radius c has no part in the rate of wear. At the contact edge a the depth is
 //! w_out(a), what other loads have left there, so that w̃(a) = w_out(a) − w_in(a), the latter being
@@ -36,7 +37,7 @@ pub(crate) use front::{FRONT_CELLS, Front};
 pub(crate) use frozen::Frozen;
 use frozen::Sources;
 pub(super) use linear::Linear;
-pub(crate) use motion::{Motion, Rig, Sliding};
+pub(crate) use motion::{Mixture, Motion, Rig, Sliding};
 pub(crate) use outside::Outside;
 pub(crate) use rate::Rate;
 
@@ -108,6 +109,20 @@ impl Patch {
             bound_slope: ratio * constants.bound_slope(),
             factor: strokes * kappa * constants.normal_modulus,
         }
+    }
+
+    /// σ (m) of a spring with an overlap (m), and by how much it falls with that.
+    fn slip(&self, free_slip: f64, overlap: f64) -> (f64, f64) {
+        let bound = self.bound_slope * overlap;
+        let Some(mixture) = &self.motion.mixture else {
+            return if free_slip > bound { (free_slip - bound, self.bound_slope) } else { (0.0, 0.0) };
+        };
+        let (mut slip, mut shares) = (0.0, 0.0);
+        for (share, amplitude) in mixture.iter().filter(|(_, amplitude)| *amplitude > bound) {
+            slip += share * (amplitude - bound);
+            shares += share;
+        }
+        if slip > 0.0 { (slip, shares * self.bound_slope) } else { (0.0, 0.0) }
     }
 
     fn cells(&self) -> usize {

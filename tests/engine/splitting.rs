@@ -161,7 +161,7 @@ fn strokes_that_begin_in_gross_slip_wear_as_whole_cycles() {
     let power_law = |exponent, coefficient| Profile::PowerLaw { exponent, coefficient };
     for (profile, amplitude, steps, most) in [
         (power_law(8.0, 1e25), 1.15, 1, 3e-3),
-        (power_law(8.0, 1e25), 1.15, 20, 3e-3),
+        (power_law(8.0, 1e25), 1.15, 20, 4e-3),
         (power_law(4.0, 1e9), 1.25, 1, 3e-3),
         (power_law(4.0, 1e9), 1.25, 20, 3e-3),
         (BLUNTED, 1.1, 1, 3e-3),
@@ -195,12 +195,11 @@ fn strokes_that_begin_in_gross_slip_wear_as_whole_cycles() {
 }
 
 /// Strokes at constant depth that are up to 30 % shorter than the largest come to its final state,
-/// and there they end to wear. All their slip lies then in one cell, between a node that sticks and
-/// one that is free. (The work there was deferred, and updates were scaled up to the work of the
-/// profile before them: V of these twelve was up to 43 % too large and rising, and what the profile
-/// had lost 27 % less than that.) V is known to the cells of the annulus, and which sequence is
-/// furthest off depends on rounding: of 40 it is −2.6 to 15 % off, 2.6 % in the median. The profile
-/// is within 0.7 % of it.
+/// and there they end to wear. (On nodes at rest all their slip lies then in one cell: V of these
+/// twelve was up to 43 % too large and rising, and what the profile had lost 27 % less than that.)
+/// Of 40 sequences V is −4.9 to 0.7 % off, −1.7 % in the median; with 256 cells at 1e-5, where the
+/// few largest strokes are not at an end yet, eight are −2.0 to −0.1 % off. The profile is within
+/// 0.5 % of V.
 #[test]
 fn strokes_that_differ_end_to_wear_in_the_final_state() {
     let amplitude = 0.27 * exact(&ROUNDED, FORCE).full_slip();
@@ -228,12 +227,12 @@ fn strokes_that_differ_end_to_wear_in_the_final_state() {
         let off = contact.wear_volume() / whole.wear_volume() - 1.0;
         let behind = contact.profile_volume() / contact.wear_volume() - 1.0;
         println!("{seed}: V {off:+.1e}, profile {behind:+.1e}; {}", contact.counters());
-        assert!((-0.05..0.25).contains(&off), "{seed}: V {off:e}");
-        assert!(behind.abs() < 0.015, "{seed}: profile {behind:e}");
+        assert!((-0.08..0.02).contains(&off), "{seed}: V {off:e}");
+        assert!(behind.abs() < 0.01, "{seed}: profile {behind:e}");
         all_off.push(off);
     }
     all_off.sort_by(f64::total_cmp);
-    assert!(all_off[6].abs() < 0.06, "median of V: {:e}", all_off[6]);
+    assert!(all_off[6].abs() < 0.04, "median of V: {:e}", all_off[6]);
 }
 
 /// How far the worn volume of strokes is off that of whole cycles, and the volume of their profile

@@ -426,7 +426,11 @@ fn in_gross_slip_a_force_works_along_its_path_however_far_a_body_wears() {
             println!("{profile:?}, {cycles:e}: {exact:.5} of the limit, off by {off:?}");
             assert!(exact < 1.0 && exact > 0.9);
             assert!(off[0].abs() < 3e-4 && off[1].abs() < 1e-4 && off[2].abs() < 1e-4, "{off:?}");
-            assert!(off[0].abs() > 2.5 * off[1].abs(), "the order is two: {off:?}");
+            // nearly 3/2, as the pressure ends like a root
+            let [coarse, fine, exact] = [32, 64, 128].map(|resolution| share(resolution, 1e-5, 1));
+            let order = ((coarse - fine) / (fine - exact)).log2();
+            println!("order {order:.2}");
+            assert!(order > 1.3, "{profile:?}, {cycles:e}: order {order}");
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::engine::FrettingContact;
 use crate::engine::history::MOST_PIECES;
 use crate::error::Error;
 use crate::roots;
-use crate::wear::{Part, Sliding};
+use crate::wear::{Part, RepeatedMotion, Sliding};
 
 /// Share of the tolerance that the amplitude may be wrong by at the end of a stretch, relative. Of
 /// 400 lives twice as much makes no difference, but to a cone of the tests (5.6e-3 of V off).
@@ -83,7 +83,7 @@ impl FrettingContact {
     ) -> Result<f64, Error> {
         if self.model.constants.force_control {
             let sliding = Sliding::Cycles(self.own_amplitude(drive));
-            if let Some(work) = self.wear_by(value, (sliding, Some(drive)), cycles, part)? {
+            if let Some(work) = self.wear_by(value, RepeatedMotion::of(sliding, cycles), Some(drive), part)? {
                 self.correct_work(work);
                 self.state.contact = self.contact_at(value)?;
                 return Ok(self.own_amplitude(drive));

@@ -187,7 +187,6 @@ impl WearState {
             && self.deferred_work.is_finite()
             && amount(self.surplus)
             && [self.limit, self.defect, self.clipped].iter().all(|value| amount(*value))
-            && self.expected.is_none_or(is_motion)
             && self.next_step.is_none_or(|(sliding, step)| is_motion(sliding) && amount(step))
     }
 }

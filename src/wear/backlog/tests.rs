@@ -217,7 +217,28 @@ fn a_law_of_equal_cycles_is_recognised() {
     assert_eq!(motion(&[0.9 * full, 0.2 * full, 0.9 * full]), None);
     assert_eq!(motion(&[0.5 * full, -0.5 * full, 0.8 * full]), None);
     let slide = SlipAtDepth::of_motion(Sliding::Onward, 3e-6, DEPTH, M).repeated_motion(M, 0.0, SAME);
-    assert_eq!(slide, Some(RepeatedMotion { sliding: Sliding::Onward, amount: 3e-6 }));
+    assert_eq!(slide, Some(RepeatedMotion::of(Sliding::Onward, 3e-6)));
+}
+
+/// Cycles of several amplitudes slip like strokes to and fro that are not alike, whether the core
+/// sticks or not; a slide has none.
+#[test]
+fn a_law_of_unequal_strokes_is_that_of_cycles_of_several_amplitudes() {
+    let full = M * DEPTH;
+    for largest in [0.9, 1.3] {
+        let law = strokes(&[0.5, -0.3, largest, -largest, 0.4, -0.6].map(|place| place * full), 5).law();
+        let motion = law[0].mixture(M).expect("it is no slide");
+        let mixture = motion.mixture.expect("they are of several amplitudes");
+        assert!(mixture.iter().all(|(_, amplitude)| *amplitude <= motion.sliding.amplitude()));
+        for image in [0.0, 0.2, 0.35, 0.6, 0.8, 0.95].map(|share| share * DEPTH) {
+            let slips = mixture.iter().map(|(share, amplitude)| {
+                4.0 * motion.amount * share * (amplitude - M * (DEPTH - image)).max(0.0)
+            });
+            let (slip, exact) = (slips.sum::<f64>(), law[0].at(image).0);
+            assert!((slip - exact).abs() < 1e-9 * full, "{largest}, {image:e}: {slip:e} {exact:e}");
+        }
+    }
+    assert_eq!(SlipAtDepth::of_motion(Sliding::Onward, 3e-6, DEPTH, M).mixture(M), None);
 }
 
 /// Its cycles would wear springs that stick: between their front and that of the law.

@@ -70,7 +70,7 @@ impl Patch {
         }
         let (a, root) = (rate.radius_squared.sqrt(), self.span(rate.radius_squared).sqrt());
         let carries = |i: usize| {
-            let bound = if rate.slip[i] > 0.0 { (rate.free_slip - rate.slip[i]).max(0.0) } else { 0.0 };
+            let bound = if rate.slip[i] > 0.0 { self.bound_slope * rate.overlap[i].max(0.0) } else { 0.0 };
             root * self.mesh.width[i] * rate.scale[i] * bound
         };
         let least = share * self.bound_slope * self.most_worn(rate) * (a - self.inner_radius);

@@ -93,14 +93,14 @@ impl Patch {
             (self.span(rate.radius_squared), self.length(rate.radius_squared, rate.excess).0);
         let root = span.sqrt();
         // how −γτ times the rates at the nodes change with the pressure, times √L, and with the
-        // slip of the springs, over m
+        // slip of the springs
         let wears = |i: usize| i < end && rate.surface_slip[i] > 0.0;
         let at_nodes = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
             let factor = -gamma_step * self.factor * rate.share;
             (0..=n).map(|i| if wears(i) { factor * value(i) } else { 0.0 }).collect()
         };
         let stiffness = at_nodes(&|i| rate.surface_slip[i] / root);
-        let softening = at_nodes(&|i| rate.pressure[i] * self.bound_slope);
+        let softening = at_nodes(&|i| rate.pressure[i]);
         let speed = -gamma_step * rate.area_rate * rate.drift_share / span;
         let edge = rate.edge.as_ref().map(|condition| self.edge_change(condition, depth, rate));
         let approach = self.is_force().then(|| self.approach_change(rate, &stiffness, &softening));
@@ -116,13 +116,15 @@ impl Patch {
                 let rows = column.iter_mut().zip(rows);
                 rows.for_each(|(entry, (weight, stiffness))| *entry = -stiffness * weight * softness);
                 if slips {
-                    volume_row[j] = self.volume_weight(j, rate) * (rate.free_slip - 2.0 * rate.slip[j]);
+                    volume_row[j] =
+                        self.volume_weight(j, rate) * (rate.overlap[j] * rate.slip_fall[j] - rate.slip[j]);
                 }
             }
             if slips {
                 let rows = mesh.inverse_column(j).iter().zip(&softening[j..]);
                 let rows = column[j - first..].iter_mut().zip(rows);
-                rows.for_each(|(entry, (weight, softening))| *entry += softening * weight);
+                let fall = rate.slip_fall[j];
+                rows.for_each(|(entry, (weight, softening))| *entry += fall * softening * weight);
             }
             // the body sinks as it wears
             if let Some((growth, volume)) = &approach
@@ -154,11 +156,12 @@ impl Patch {
         let sensitivity = self.sensitivity(rate);
         let pressure = mesh.pressure(&vec![1.0; n + 1], self.rim);
         let slips: Vec<f64> = (0..=n).map(|j| if rate.slip[j] > 0.0 { rate.scale[j] } else { 0.0 }).collect();
-        let slip = mesh.inverse_abel(&slips);
-        let growth = |i: usize| stiffness[i] * pressure[i] - sensitivity * softening[i] * slip[i];
+        let falls: Vec<f64> = slips.iter().zip(&rate.slip_fall).map(|(b, fall)| b * fall).collect();
+        let fall = mesh.inverse_abel(&falls);
+        let growth = |i: usize| stiffness[i] * pressure[i] - sensitivity * softening[i] * fall[i];
         let volume = |j: usize| {
-            let bound = rate.free_slip - rate.slip[j];
-            self.volume_weight(j, rate) * slips[j] * (rate.slip[j] - sensitivity * bound)
+            let fall = rate.overlap[j] * rate.slip_fall[j];
+            self.volume_weight(j, rate) * slips[j] * (rate.slip[j] - sensitivity * fall)
         };
         ((0..=n).map(growth).collect(), (0..end).map(volume).sum())
     }

@@ -95,8 +95,13 @@ mod tests {
             wear_per_work: 1e-13,
             force_control: true,
         };
-        let motion =
-            Motion { control: NormalControl::Force, value: 1e-9, sliding: Sliding::Onward, rig: None };
+        let motion = Motion {
+            control: NormalControl::Force,
+            value: 1e-9,
+            sliding: Sliding::Onward,
+            mixture: None,
+            rig: None,
+        };
         let region = if inner_radius > 0.0 { Region::Annulus } else { Region::Disc };
         let places = (inner_radius, Frozen::default(), Outside::default());
         let mesh = UnitMesh::shared(region, false, cells);

@@ -1,19 +1,26 @@
 //! What wears a surface: a motion that repeats, at constant load.
 
 use crate::parameters::NormalControl;
+use std::sync::Arc;
 
 /// What wears the surface: a motion that repeats, at constant load.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Motion {
     /// Which normal quantity is held.
     pub(crate) control: NormalControl,
     /// F_N/(2E*) in m² or the indentation depth in m.
     pub(crate) value: f64,
     pub(crate) sliding: Sliding,
+    /// What `sliding` is made of, where that is not cycles of one amplitude.
+    pub(crate) mixture: Option<Mixture>,
     /// What drives cycles, where it is no rigid rig: their amplitude is then that on the surface at
     /// the start.
     pub(crate) rig: Option<Rig>,
 }
+
+/// Cycles of several amplitudes, none of which is larger than that of the motion: the share of each
+/// and its amplitude, m. Shares may be below 0 and have any sum.
+pub(crate) type Mixture = Arc<[(f64, f64)]>;
 
 /// A drive with a spring between it and the body.
 #[derive(Debug, Clone, Copy, PartialEq)]

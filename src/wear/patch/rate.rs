@@ -23,8 +23,12 @@ pub(crate) struct Rate {
     pub(crate) free_slip: f64,
     /// Where the springs first slip, m; the inner edge where that is not looked for.
     pub(super) stick: f64,
+    /// d − g at the nodes, m.
+    pub(super) overlap: Vec<f64>,
     /// σ at the nodes, m.
     pub(crate) slip: Vec<f64>,
+    /// −dσ/dq there.
+    pub(super) slip_fall: Vec<f64>,
     pub(super) radius: Vec<f64>,
     /// b: z = b·h.
     pub(super) scale: Vec<f64>,
@@ -128,8 +132,8 @@ impl Patch {
             overlap[n] = 0.0;
         }
         let (free_slip, stick) = self.amplitude(indentation, (&radius, &overlap));
-        let mut slip: Vec<f64> =
-            overlap.iter().map(|q| (free_slip - self.bound_slope * q).max(0.0)).collect();
+        let (mut slip, slip_fall): (Vec<f64>, Vec<f64>) =
+            overlap.iter().map(|q| self.slip(free_slip, *q)).unzip();
         if mesh.first() == 1 {
             slip[0] = 0.0;
         }
@@ -167,7 +171,9 @@ impl Patch {
             indentation,
             free_slip,
             stick,
+            overlap,
             slip,
+            slip_fall,
             radius,
             scale,
             pressure,

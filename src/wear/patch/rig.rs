@@ -14,7 +14,7 @@ use crate::surface::{Contact, Surface, outer_weight};
 impl Motion {
     /// The same with the amplitude that a drive has on a surface.
     pub(crate) fn on(&self, surface: &Surface, contact: &Contact, bound_slope: f64) -> Self {
-        let Some(rig) = self.rig.filter(|_| !contact.is_open()) else { return *self };
+        let Some(rig) = self.rig.filter(|_| !contact.is_open()) else { return self.clone() };
         let gross_slip = rig.amplitude - rig.compliance * bound_slope * contact.load;
         let amplitude = from_below(gross_slip.max(0.0), |amplitude| {
             let level = contact.depth - amplitude / bound_slope;
@@ -29,7 +29,7 @@ impl Motion {
                 rig.amplitude - amplitude - rig.compliance * (amplitude * stick + bound_slope * outside);
             residual / (1.0 + rig.compliance * stick)
         });
-        Self { sliding: Sliding::Cycles(amplitude), ..*self }
+        Self { sliding: Sliding::Cycles(amplitude), ..self.clone() }
     }
 }
 

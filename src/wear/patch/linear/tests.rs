@@ -21,6 +21,8 @@ struct Scene {
     rig: bool,
     /// Whether other loads have worn the body further out.
     outside: bool,
+    /// Whether there are cycles of other amplitudes among those of the largest.
+    mixed: bool,
 }
 
 const BALL: Scene = Scene {
@@ -29,9 +31,10 @@ const BALL: Scene = Scene {
     rim: false,
     rig: false,
     outside: false,
+    mixed: false,
 };
 
-const SCENES: [Scene; 11] = [
+const SCENES: [Scene; 13] = [
     Scene { control: NormalControl::Force, rig: true, ..BALL },
     BALL,
     Scene { control: NormalControl::Force, ..BALL },
@@ -39,6 +42,8 @@ const SCENES: [Scene; 11] = [
     Scene { region: Region::Disc, control: NormalControl::Force, ..BALL },
     Scene { region: Region::Disc, rim: true, ..BALL },
     Scene { region: Region::Disc, control: NormalControl::Force, rim: true, ..BALL },
+    Scene { mixed: true, ..BALL },
+    Scene { control: NormalControl::Force, mixed: true, ..BALL },
     Scene { outside: true, ..BALL },
     Scene { control: NormalControl::Force, outside: true, ..BALL },
     Scene { region: Region::Disc, outside: true, ..BALL },
@@ -81,7 +86,10 @@ impl Scene {
             let own = sliding.amplitude();
             Rig { amplitude: own + (own * c + constants.bound_slope() * outside) / a, compliance: 1.0 / a }
         });
-        let motion = Motion { control: self.control, value, sliding, rig };
+        let shares = [(0.4, 1.0), (-0.1, 0.7), (0.9, 0.5)];
+        let mixture = || shares.map(|(share, part)| (share, part * sliding.amplitude())).into();
+        let mixture = self.mixed.then(mixture);
+        let motion = Motion { control: self.control, value, sliding, mixture, rig };
         let outside = if self.outside { worn_outside(a) } else { Outside::default() };
         let places = (c, Frozen::default(), outside);
         let patch = Patch::new(surface, mesh, places, motion, self.rim, &constants);
