@@ -1,7 +1,7 @@
 //! Where the contacts of an interface are, and the file that lists them.
 
 use crate::error::Error;
-use crate::profile::{LengthUnit, SECOND_HEADER, are_words, fields, shorten};
+use crate::profile::{LengthUnit, SECOND_HEADER, are_words, fields, lines, shorten};
 use crate::range;
 use serde::{Deserialize, Serialize};
 
@@ -55,7 +55,7 @@ impl Summit {
     pub fn parse(text: &str, unit: LengthUnit) -> Result<Vec<Self>, Error> {
         let mut summits = Vec::new();
         let mut header_allowed = true;
-        for (index, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
+        for (index, line) in lines(text).enumerate() {
             let fields = fields(line.split('#').next().unwrap_or_default());
             if fields.is_empty() {
                 continue;
@@ -136,6 +136,7 @@ mod tests {
         for text in [
             "0 0 0\n0.25 1000 -2000 0.5\n",
             "\u{feff}offset;x;y;factor\n0;0;0;1\n0,25;1000;-2000;0,5\n",
+            "offset\tx\ty\tfactor\r0\t0\t0\t1\r0,25\t1000\t-2000\t0,5\r",
             "# two summits\n0\n\n0.25, 1000, -2000, 0.5 # the lower one\n",
         ] {
             assert_eq!(Summit::parse(text, LengthUnit::Um), Ok(two.to_vec()), "{text:?}");

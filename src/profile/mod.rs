@@ -21,7 +21,7 @@ mod text;
 
 pub use table::ProfileTable;
 pub use text::LengthUnit;
-pub(crate) use text::{SECOND_HEADER, are_words, fields, shorten};
+pub(crate) use text::{SECOND_HEADER, are_words, fields, lines, shorten};
 
 use crate::ellipse::HertzianEllipse;
 use crate::error::Error;

@@ -68,7 +68,7 @@ pub(crate) fn are_words(fields: &[String]) -> bool {
 pub(super) fn read(text: &str, unit: LengthUnit) -> Result<Points, Error> {
     let Points { mut points, mut places } = Points::default();
     let mut header_allowed = true;
-    for (index, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
+    for (index, line) in lines(text).enumerate() {
         let fields = fields(line.split('#').next().unwrap_or_default());
         let numbers: Vec<_> = fields.iter().map(|field| field.parse::<f64>().ok()).collect();
         if fields.is_empty() {
@@ -108,6 +108,12 @@ pub(super) fn read(text: &str, unit: LengthUnit) -> Result<Points, Error> {
     Ok(Points { points, places })
 }
 
+/// The lines of a text without its byte-order mark; LF, CRLF or CR alone ends a line.
+pub(crate) fn lines(text: &str) -> impl Iterator<Item = &str> {
+    let lines = text.trim_start_matches('\u{feff}').split('\n');
+    lines.flat_map(|line| line.strip_suffix('\r').unwrap_or(line).split('\r'))
+}
+
 /// The fields of a line: `;` separates before tab, and tab before blanks and commas.
 pub(crate) fn fields(content: &str) -> Vec<String> {
     match [';', '\t'].into_iter().find(|separator| content.trim().contains(*separator)) {
@@ -143,6 +149,7 @@ mod tests {
         for (text, unit) in [
             ("0 0\n1e-4 5e-7\n2e-4 2e-6\n", M),
             ("\u{feff}0 0\r\n1e-4 5e-7\r\n2e-4 2e-6\r\n", M),
+            ("r f\r0 0\r1e-4 5e-7\r2e-4 2e-6\r", M),
             ("# a comment\n\nradius height\n0 0\n1e-4 5e-7\n2e-4 2e-6", M),
             ("r [mm] f (-)\n0 0\n1e-4 5e-7\n", M),
             ("x [\u{fffd}m];z\n0;0\n0,1;0,0005\n0,2;0,002\n", Mm),
@@ -162,6 +169,8 @@ mod tests {
         for (text, parts) in [
             ("r f\nr f\n0 0\n", ["line 2, \"r f\"", SECOND_HEADER]),
             ("r f\n0 0\nr f\n", ["line 3, \"r f\"", "`r` is not a number: give r in mm"]),
+            ("0 0\r\n\r\n1e-4 high\r\n", ["line 3, \"1e-4 high\"", "`high` is not a number: give f in mm"]),
+            ("0 0\r\r1e-4 high\r", ["line 3, \"1e-4 high\"", "`high` is not a number: give f in mm"]),
             ("0 0\n1e-4 high\n", ["line 2, \"1e-4 high\"", "`high` is not a number: give f in mm"]),
             ("0mm 0mm\n1e-4 5e-7\n", ["line 1, \"0mm 0mm\"", "`0mm` is not a number: give r in mm"]),
             ("\"0\",\"0\"\n", ["line 1", "is not a number: give r in mm"]),
