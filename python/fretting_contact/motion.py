@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -63,10 +64,10 @@ def loop(
     >>> print(f"{last.force_amplitude:.2f} N, {last.work:.3g} J")
     44.31 N, 1.9e-05 J
     """
-    if not (cycles >= 1 and points >= 4):
-        raise SignalError(
-            f"cycles = {cycles}, points = {points}: at least 1 cycle of 4 points is needed"
-        )
+    for name, number, least in ("cycles", cycles, 1), ("points", points, 4):
+        if not (isinstance(number, Real) and number >= least and float(number).is_integer()):
+            raise SignalError(f"{name} = {number!r}: give a whole number, {least} or more")
+    points = int(points)
     amplitude = _number(amplitude, "m", "amplitude")
     center = _number(center, "m", "center")
     phase = np.arange(points * int(cycles) + 1) / points
