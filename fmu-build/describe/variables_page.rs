@@ -96,5 +96,5 @@ fn start_cell(variable: &Variable) -> String {
 
 fn meaning(variable: &Variable) -> String {
     let tunable = if variable.variability() == "tunable" { " (*tunable*)" } else { "" };
-    format!("{}{tunable}", variable.description.replace("[1]", ""))
+    format!("{}{tunable}", variable.description.replace("[1]", "").replace("probe 1,", "the probe,"))
 }

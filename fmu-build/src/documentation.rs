@@ -69,7 +69,7 @@ impl Row {
             unit: unit.unwrap_or_default().replace("m3", "m³"),
             start,
             // The row stands for the whole array.
-            description: text(variable, "description").replace("[1]", ""),
+            description: text(variable, "description").replace("[1]", "").replace("probe 1,", "the probe,"),
             items: items.map(|item| ["value", "name", "description"].map(|key| text(item, key))).collect(),
         })
     }

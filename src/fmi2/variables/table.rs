@@ -58,18 +58,19 @@ const FRICTION: &[&str] = &[
     "resolution",
 ];
 
-/// A field: its rows at all probe radii.
+/// A field: its rows at all probe radii. The description is that before the number of the probe and
+/// that behind it.
 macro_rules! at_every_probe {
-    ($name:literal, $unit:literal, $read:expr, $about:literal) => {
+    ($name:literal, $unit:literal, $read:expr, $before:literal, $behind:literal) => {
         at_every_probe!(
-            $name, $unit, $read, $about;
+            $name, $unit, $read, $before, $behind;
             1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31 32
             33 34 35 36 37 38 39 40 41 42 43 44 45 46 47 48 49 50 51 52 53 54 55 56 57 58 59 60 61 62 63 64
         )
     };
-    ($name:literal, $unit:literal, $read:expr, $about:literal; $($number:literal)*) => {
+    ($name:literal, $unit:literal, $read:expr, $before:literal, $behind:literal; $($number:literal)*) => {
         [$(field(concat!($name, "[", $number, "]"), $unit, $number - 1, $read)
-            .about(concat!($about, "[", $number, "], computed when read"))),*]
+            .about(concat!($before, $number, $behind, ", computed when read"))),*]
     };
 }
 
@@ -79,25 +80,34 @@ pub(super) static TABLE: [Variable; COUNT] = {
         &inputs() as &[Variable],
         &outputs(),
         &parameters(),
-        &at_every_probe!("radius_probe", "m", |_, r| r, "Radius of the probe"),
+        &at_every_probe!("radius_probe", "m", |_, r| r, "Radius of probe ", ""),
         &at_every_probe!(
             "worn_depth",
             "m",
             FrettingContact::worn_depth_at,
-            "Depth of the wear at radius_probe, the sum of both bodies"
+            "Depth of the wear at radius_probe[",
+            "], the sum of both bodies"
         ),
-        &at_every_probe!("pressure", "Pa", FrettingContact::pressure_at, "Contact pressure at radius_probe"),
+        &at_every_probe!(
+            "pressure",
+            "Pa",
+            FrettingContact::pressure_at,
+            "Contact pressure at radius_probe[",
+            "]"
+        ),
         &at_every_probe!(
             "shear_traction",
             "Pa",
             FrettingContact::shear_traction_at,
-            "Tangential traction along tangential_displacement at radius_probe"
+            "Tangential traction along tangential_displacement at radius_probe[",
+            "]"
         ),
         &at_every_probe!(
             "image",
             "m",
             FrettingContact::image_at,
-            "One-dimensional image of the profile at radius_probe"
+            "One-dimensional image of the profile at radius_probe[",
+            "]"
         ),
         &rig(),
         &second_direction(),
@@ -109,19 +119,22 @@ pub(super) static TABLE: [Variable; COUNT] = {
             "profile_height",
             "m",
             FrettingContact::profile_height_at,
-            "Height of the worn profile at radius_probe, of both bodies together"
+            "Height of the worn profile at radius_probe[",
+            "], of both bodies together"
         ),
         &at_every_probe!(
             "slip_amplitude",
             "m",
             FrettingContact::slip_amplitude_at,
-            "Slip since the last reversal at radius_probe; in cyclic loading its amplitude"
+            "Slip since the last reversal at radius_probe[",
+            "]; in cyclic loading its amplitude"
         ),
         &at_every_probe!(
             "energy_density",
             "J/m2",
             |contact, r| contact.energy_density_at(r).unwrap_or(f64::NAN),
-            "Friction work per area so far at radius_probe; not a number without wear or after a change of a wear coefficient"
+            "Friction work per area so far at radius_probe[",
+            "]; not a number without wear or after a change of a wear coefficient"
         ),
         &probes(),
         &running_in(),

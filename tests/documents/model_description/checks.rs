@@ -53,6 +53,23 @@ fn names_and_references_are_unique() {
 }
 
 #[test]
+fn the_description_of_a_field_has_its_number_where_it_reads_as_a_sentence() {
+    with_document(|root| {
+        for (variable, _) in variables(root).iter().filter(|(variable, _)| name(*variable).ends_with(']')) {
+            let probe = name(*variable).split(['[', ']']).nth(1).unwrap();
+            let at = format!(" at radius_probe[{probe}]");
+            let about = variable.attribute("description").unwrap();
+            assert!(
+                about.contains(&at) || about.starts_with(&format!("Radius of probe {probe},")),
+                "{}: {about}",
+                name(*variable)
+            );
+            assert_eq!(about.matches('[').count(), about.matches(&at).count(), "{about}");
+        }
+    });
+}
+
+#[test]
 fn starts_lie_within_their_bounds() {
     with_document(|root| {
         let mut starts = 0;
