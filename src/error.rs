@@ -97,7 +97,7 @@ pub enum Error {
     /// profile.
     #[error(
         "{quantity} = {value:.6e} needs a contact radius beyond the last point of the profile table, \
-         r = {radius:.6e} m: extend the table, lower the load or let it wear less"
+         r = {radius:.6e} m: check the unit of the table (profile_unit), extend it, lower the load or let it wear less"
     )]
     BeyondTable {
         /// The controlled quantity, `normal_force` or `indentation`.

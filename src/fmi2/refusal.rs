@@ -77,12 +77,10 @@ pub(super) enum Refusal {
         "profile_file = \"\" is refused: profile = table needs a file with two columns, r and f in profile_unit"
     )]
     NoProfileFile,
-    #[error("profile_file = \"{name}\" cannot be read from {}: {reason}", .path.display())]
-    ProfileFile { name: String, path: PathBuf, reason: std::io::Error },
+    #[error("{parameter} = \"{name}\" cannot be read from {}: {reason}{}", tried(.places), path_hint(.name))]
+    File { parameter: &'static str, name: String, places: Vec<PathBuf>, reason: std::io::Error },
     #[error("profile_file = \"{name}\" ({}): {problem}", .path.display())]
     ProfileContent { name: String, path: PathBuf, problem: Error },
-    #[error("contacts_file = \"{name}\" cannot be read from {}: {reason}", .path.display())]
-    ContactsFile { name: String, path: PathBuf, reason: std::io::Error },
     #[error("contacts_file = \"{name}\" ({}): {problem}", .path.display())]
     ContactsContent { name: String, path: PathBuf, problem: Error },
     #[error(
@@ -115,4 +113,16 @@ fn describe(allowed: &[State]) -> String {
     }
     let names: Vec<_> = allowed.iter().map(|state| format!("\"{state}\"")).collect();
     format!("only in {}", names.join(", "))
+}
+
+/// The places where a file was looked for.
+fn tried(places: &[PathBuf]) -> String {
+    let places: Vec<_> = places.iter().map(|place| place.display().to_string()).collect();
+    places.join(" or ")
+}
+
+/// What to do with a URI.
+fn path_hint(name: &str) -> &'static str {
+    let is_uri = name.get(..5).is_some_and(|start| start.eq_ignore_ascii_case("file:"));
+    if is_uri { "; it is a URI: give a path" } else { "" }
 }

@@ -40,12 +40,23 @@ impl Resources {
         (!folder.as_os_str().is_empty()).then_some(Self { folder: Some(folder) })
     }
 
-    /// A relative file is one of the resources folder, else of the working directory.
-    fn locate(&self, file: &Path) -> PathBuf {
-        let in_resources = self.folder.as_ref().map(|folder| folder.join(file));
-        match in_resources {
-            Some(path) if file.is_absolute() || path.exists() => path,
-            _ => file.to_owned(),
+    /// Where a file is looked for: a relative one in the resources folder, then in the working
+    /// directory.
+    fn places(&self, file: &Path) -> Vec<PathBuf> {
+        let folder = self.folder.as_ref().filter(|_| !file.is_absolute());
+        let places = folder.map(|folder| folder.join(file)).into_iter().chain([file.to_owned()]);
+        places.map(|place| std::path::absolute(&place).unwrap_or(place)).collect()
+    }
+
+    /// Reads the file that a parameter names; returns its path and its text.
+    fn read(&self, parameter: &'static str, name: &str, most: u64) -> Checked<(PathBuf, String)> {
+        let mut places = self.places(Path::new(name));
+        if let Some(k) = places.iter().position(|place| place.exists()) {
+            places = vec![places.swap_remove(k)];
+        }
+        match read_text(&places[0], most) {
+            Err(reason) => Err(Refusal::File { parameter, name: name.into(), places, reason }.into()),
+            Ok(text) => Ok((places.swap_remove(0), text)),
         }
     }
 
@@ -55,30 +66,19 @@ impl Resources {
         if name.is_empty() {
             return Err(Refusal::NoProfileFile.into());
         }
-        let located = self.locate(Path::new(&name));
-        let path = std::path::absolute(&located).unwrap_or(located);
-        match read_text(&path, LARGEST_PROFILE) {
-            Err(reason) => Err(Refusal::ProfileFile { name, path, reason }.into()),
-            Ok(text) => Ok(ProfileTable::parse_in(&text, unit)
-                .map_err(|problem| Refusal::ProfileContent { name, path, problem })?),
-        }
+        let (path, text) = self.read("profile_file", &name, LARGEST_PROFILE)?;
+        Ok(ProfileTable::parse_in(&text, unit).map_err(|problem| Refusal::ProfileContent {
+            name,
+            path,
+            problem,
+        })?)
     }
-}
 
-impl Resources {
     /// Reads the contacts that the parameter `contacts_file` names, whose lengths have this unit.
     pub(super) fn contacts(&self, file: &CStr, unit: LengthUnit) -> Checked<Vec<Summit>> {
         let name = file.to_string_lossy().into_owned();
-        let located = self.locate(Path::new(&name));
-        let path = std::path::absolute(&located).unwrap_or(located);
-        match read_text(&path, LARGEST_CONTACTS) {
-            Err(reason) => Err(Refusal::ContactsFile { name, path, reason }.into()),
-            Ok(text) => Ok(Summit::parse(&text, unit).map_err(|problem| Refusal::ContactsContent {
-                name,
-                path,
-                problem,
-            })?),
-        }
+        let (path, text) = self.read("contacts_file", &name, LARGEST_CONTACTS)?;
+        Ok(Summit::parse(&text, unit).map_err(|problem| Refusal::ContactsContent { name, path, problem })?)
     }
 }
 
@@ -146,6 +146,28 @@ mod tests {
         assert_eq!(Resources::default().profile_table(&absolute, LengthUnit::M).unwrap().points().len(), 3);
         let missing = resources.profile_table(c"other.txt", LengthUnit::M).unwrap_err().to_string();
         assert!(missing.contains("profile_file = \"other.txt\""), "{missing}");
+        for place in [folder.path(), &std::env::current_dir().unwrap()] {
+            assert!(missing.contains(place.join("other.txt").to_str().unwrap()), "{missing}");
+        }
+        let missing = resources.contacts(c"other.txt", LengthUnit::M).unwrap_err().to_string();
+        assert!(missing.contains("contacts_file = \"other.txt\"") && missing.contains(" or "), "{missing}");
+    }
+
+    #[test]
+    fn a_file_that_is_not_readable_is_named_with_its_place_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join("tip.txt")).unwrap();
+        let resources = Resources { folder: Some(folder.path().to_owned()) };
+        let message = resources.profile_table(c"tip.txt", LengthUnit::M).unwrap_err().to_string();
+        assert!(!message.contains(" or "), "{message}");
+    }
+
+    #[test]
+    fn a_uri_is_answered_by_what_to_give() {
+        for file in [c"file:///tmp/none.txt", c"FILE:none.txt"] {
+            let message = Resources::default().profile_table(file, LengthUnit::M).unwrap_err().to_string();
+            assert!(message.ends_with("; it is a URI: give a path"), "{message}");
+        }
     }
 
     #[test]

@@ -284,7 +284,10 @@ fn a_profile_that_is_not_monotone_where_it_matters() {
 #[test]
 fn a_load_beyond_the_table() {
     let wide = "0 0\n1e-5 5e-9\n2e-5 2e-8\n";
-    profile_refused(wide, &["normal_force = 100.0 N", "beyond the last point"]);
+    profile_refused(
+        wide,
+        &["normal_force = 100.0 N", "beyond the last point", "check the unit of the table (profile_unit)"],
+    );
 }
 
 /// What can be set but not computed is refused by the step, which says what it was given.
