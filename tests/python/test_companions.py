@@ -184,6 +184,10 @@ def test_every_variable_is_documented_with_its_unit(archive, fmu):
         if variable.declaredType:
             for item in variable.declaredType.items:
                 assert f"<li>{item.value} = <code>{item.name}</code>" in page, item.name
+    text = page.split("<h2>Variables</h2>")[0]
+    fields = {name.split("[")[0] for name in fmu.variables if "[" in name}
+    for name in (*fields, "contacts_file", "rotation", "running_in_energy", "coating_thickness"):
+        assert f"<code>{name}</code>" in text, name
     for heading in (
         "Model",
         "Limits of validity",
