@@ -124,16 +124,16 @@ def sweep(
         common = {"loading": "cyclic", **common}
     content = fmu_path(fmu).read_bytes()
     folder = None if out is None else Path(out)
-    every = parts(folder or Path(), len(sets), batch)
-    results: dict[int, list[dict[str, Any]]] = {}
-    if folder is not None:
-        open_folder(folder, content, common, sets, action, batch)
-        results = {part.number: read_part(part.path) for part in every if part.path.exists()}
     if share is not None and (folder is None or not 0 <= share[0] < share[1]):
         raise ValueError(
             f"share = {share}: give (number, count) with 0 <= number < count, and "
             "out, the folder of all shares"
         )
+    every = parts(folder or Path(), len(sets), batch)
+    results: dict[int, list[dict[str, Any]]] = {}
+    if folder is not None:
+        open_folder(folder, content, common, sets, action, batch)
+        results = {part.number: read_part(part.path) for part in every if part.path.exists()}
     mine = every if share is None else every[share[0] :: share[1]]
     todo = [part for part in mine if part.number not in results]
     batches = [sets.rows(part.first, part.last) for part in todo]

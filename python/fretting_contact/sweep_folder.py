@@ -47,6 +47,7 @@ def open_folder(
     batch: int,
 ) -> None:
     """Makes the folder, or checks that it holds results of the same sweep."""
+    _parquet()  # nothing is written where no results can be
     described = {
         "fmu": hashlib.sha256(content).hexdigest(),
         "parameters": {name: repr(value) for name, value in sorted(parameters.items())},

@@ -216,6 +216,7 @@ def test_half_a_cycle_wears_half(fmu_path):
 def test_a_share_that_is_none_is_refused(fmu_path, tmp_path, share):
     with pytest.raises(ValueError, match="give .number, count. with 0 <= number < count"):
         sweep({}, {"normal_force": [1.0]}, fmu=fmu_path, out=tmp_path, share=share)
+    assert not list(tmp_path.iterdir())
     with pytest.raises(ValueError, match="and out, the folder of all shares"):
         sweep({}, {"normal_force": [1.0]}, fmu=fmu_path, share=(0, 1))
 
