@@ -14,25 +14,32 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from .component import ContactError
-from .contact import Contact, ContactWarning, ParameterError, SavedState
+from .contact import Contact, ContactWarning, SavedState
 from .fmu_file import FmuNotFoundError, fmu_path
 from .history import MotionHistory
 from .motion import FrictionLoop, SignalError, drive, loop
+from .quantities import ParameterError, QuantityError
 from .wear_life import WearLife, life
 
 if TYPE_CHECKING:
     from .calibration import Calibration, LoopError, MeasuredLoop, WornVolume, calibrate
-    from .parameter_sets import ParameterSets, grid, read_sets, spread
+    from .parameter_sets import ParameterSets, SetsError, grid, read_sets, spread
     from .parameter_sweep import SweepResult, sweep
     from .profile import ProfileFit, Scan, ScanError, fit_scan, read_scan, write_table
+    from .sweep_folder import SweepFolderError
+    from .text_table import TextTableError
+    from .worker_pool import WorkersLostError
 
 __version__ = "0.1.0"
 
 _LATER = {
     "calibration": ("Calibration", "LoopError", "MeasuredLoop", "WornVolume", "calibrate"),
-    "parameter_sets": ("ParameterSets", "grid", "read_sets", "spread"),
+    "parameter_sets": ("ParameterSets", "SetsError", "grid", "read_sets", "spread"),
     "parameter_sweep": ("SweepResult", "sweep"),
     "profile": ("ProfileFit", "Scan", "ScanError", "fit_scan", "read_scan", "write_table"),
+    "sweep_folder": ("SweepFolderError",),
+    "text_table": ("TextTableError",),
+    "worker_pool": ("WorkersLostError",),
 }
 """Names by module, imported when they are used: scipy takes longer to load than a loop to run."""
 
@@ -49,12 +56,17 @@ __all__ = [
     "ParameterError",
     "ParameterSets",
     "ProfileFit",
+    "QuantityError",
     "SavedState",
     "Scan",
     "ScanError",
+    "SetsError",
     "SignalError",
+    "SweepFolderError",
     "SweepResult",
+    "TextTableError",
     "WearLife",
+    "WorkersLostError",
     "WornVolume",
     "calibrate",
     "drive",

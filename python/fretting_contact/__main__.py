@@ -170,8 +170,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Runs a command; returns the exit status."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     if given[:1] == ["profile"]:
-        from .profile import main as profile
-
+        try:
+            from . import fit_scan  # noqa: F401 - says what to install where scipy is missing
+            from .profile import main as profile
+        except ImportError as problem:
+            return report(problem)
         return profile(given[1:], "python -m fretting_contact profile")
     parser = _parser()
     options, rest = parser.parse_known_args(given)

@@ -17,9 +17,10 @@ from typing import Any
 import numpy as np
 from scipy.optimize import least_squares
 
-from .contact import Contact, ParameterError
+from .contact import Contact
 from .history import MICRO, Array, new_axes
 from .measured_loop import Drive, LoopError, MeasuredLoop, smooth_drive
+from .quantities import ParameterError
 from .worn_volume import WornVolume, fit_volumes
 
 __all__ = ["Calibration", "LoopError", "MeasuredLoop", "WornVolume", "calibrate"]

@@ -59,6 +59,15 @@ _proxied_logger = _callbacks.logger  # addLoggerProxy replaces the field: keep t
 addLoggerProxy(byref(_callbacks))
 
 
+IN_PYTHON = {
+    "call fmi2Reset": "call restart(...)",
+    "or fmi2FreeInstance": "or close()",
+    'not allowed in state "instantiated"': "the contact is not started, call start() first: "
+    'not allowed in state "instantiated"',
+}
+"""What messages of the FMU are in terms of `Contact`."""
+
+
 class ContactError(Exception):
     """A call that the FMU refused: `function`, FMI `status`, and the FMU's own `messages`."""
 
@@ -67,6 +76,8 @@ class ContactError(Exception):
         name = STATUS[status] if status in range(len(STATUS)) else str(status)
         # a message begins with the function, which stands at the end here
         text = " / ".join(message.removeprefix(f"{function}: ") for message in messages)
+        for fmi, python in IN_PYTHON.items():
+            text = text.replace(fmi, python)
         super().__init__(f"{text or 'the component gave no message'} ({function}: {name})")
 
 

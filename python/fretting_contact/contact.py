@@ -18,13 +18,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from .component import ContactError, ContactFmu
 from .fmu_file import FmuFile, shared_file
-from .quantities import in_si
+from .quantities import ParameterError, in_si
 
 SETTABLE = ("parameter", "input")
-
-
-class ParameterError(ValueError):
-    """A name or a value that the component does not have; the text says what it has."""
 
 
 class ContactWarning(UserWarning):
@@ -148,12 +144,19 @@ class Contact(ContactFmu):
         with self._inputs_kept(values):
             self._apply(values)
 
-    def step(self, size: float = 1e-3, **inputs: Any) -> "Contact":
+    def step(self, size: float | str = 1e-3, **inputs: Any) -> "Contact":
         """Sets inputs and advances by `size`, s, along the straight line to the new inputs.
 
+        `size` may be a text with a unit: "1 ms".
         In cyclic loading a step makes `frequency` times `size` cycles.
         """
-        given, size = self.given, float(size)
+        if isinstance(size, str):
+            size = in_si(size, "s", "size")
+        try:
+            size = float(size)
+        except (TypeError, ValueError):
+            raise ParameterError(f"size = {size!r}: give a number in s") from None
+        given = self.given
         with self._inputs_kept(inputs):
             if inputs:
                 self._apply(inputs)
@@ -279,6 +282,10 @@ class Contact(ContactFmu):
     def _require(self, name: str) -> Any:
         variable = self.fmu.variables.get(name)
         if variable is None:
+            if name in self.fields:
+                raise ParameterError(
+                    f"{name} is a field: read it with contact[{name!r}], or one value as {name}[1]"
+                )
             names = [*(n for n in self.fmu.variables if not n.endswith("]")), *self.fields]
             raise ParameterError(
                 f"{name} is no variable of the component{_near(name, names)}; "

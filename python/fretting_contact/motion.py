@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .contact import Contact, ParameterError
+from .contact import Contact
 from .history import OUTPUTS, Array, MotionHistory
-from .quantities import in_si
+from .quantities import ParameterError, in_si
 
 
 class SignalError(ValueError):
@@ -84,17 +84,18 @@ def drive(
     normal_force: ArrayLike | str | None = None,
     *,
     displacement_y: ArrayLike | None = None,
-    outputs: Sequence[str] = (),
+    outputs: str | Sequence[str] = (),
 ) -> MotionHistory:
     """Follows measured signals, straight from sample to sample.
 
     `time`: s, rising. `displacement`: m, in the direction of `tangential_displacement`;
     `displacement_y`: m, across it. `normal_force`: N, one value, which may be a text with a unit,
     or one a sample; that of the contact if not given. Lists, arrays and pandas columns are
-    accepted. `outputs`: further outputs to record, by name; enumerations are recorded by number,
-    Booleans as 0 or 1. A contact that has not been moved yet
-    is pressed on at the first sample, so that an offset of the displacement does no harm; another
-    one goes straight there. Noise of a displacement wears: filter it first (docs/noisy_signals.md).
+    accepted. `outputs`: further outputs to record, one name or several; enumerations are recorded
+    by number, Booleans as 0 or 1, of fields single values: "pressure[1]". A contact that has not
+    been moved yet is pressed on at the first sample, so that an offset of the displacement does no
+    harm; another one goes straight there. Noise of a displacement wears: filter it first
+    (docs/noisy_signals.md).
 
     >>> with Contact() as contact:
     ...     there = drive(contact, [0.0, 0.1, 0.2], [0.0, 1e-6, 4e-6], normal_force=[100, 100, 50])
@@ -130,7 +131,13 @@ def drive(
             f"time[{k + 1}] = {given[k + 1]:g} s does not rise from time[{k}] = "
             f"{given[k]:g} s: sort the samples"
         )
+    outputs = [outputs] if isinstance(outputs, str) else list(outputs)
     for name in outputs:
+        if name in contact.fields:
+            raise ParameterError(
+                f"outputs has {name!r}, a field, which drive does not record: give single values "
+                f"such as {name + '[1]'!r}, or step by step read contact[{name!r}]"
+            )
         if contact._require(name).type == "String":
             raise ParameterError(f"outputs has {name!r}, a text: give names of numbers")
     names = [*OUTPUTS.values(), *outputs]

@@ -355,13 +355,16 @@ def main(arguments: Sequence[str] | None = None, prog: str = "cargo fmu profile"
             None if options.radius is None else options.radius * factor,
         )
         write_table(fit, options.output, options.scan.name)
-        from .profile_picture import draw
-
-        draw(fit, picture, options.scan.name)
+        try:
+            from .profile_picture import draw
+        except ImportError:
+            drawn = "none, pip install fretting-contact[plot]"
+        else:
+            drawn = str(draw(fit, picture, options.scan.name))
     except (OutputError, ScanError, TextTableError, OSError) as problem:
         return report(problem)
     print(
-        "\n".join([*summary(fit), f"table: {options.output}, r and f in m", f"picture: {picture}"])
+        "\n".join([*summary(fit), f"table: {options.output}, r and f in m", f"picture: {drawn}"])
     )
     return 0
 

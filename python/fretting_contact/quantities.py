@@ -9,6 +9,7 @@ UNITS: dict[str, dict[str, float]] = {
     "N/m": {"N/m": 1.0, "N/mm": 1e3, "kN/mm": 1e6, "N/um": 1e6, "N/µm": 1e6, "N/μm": 1e6},
     "rad": {"rad": 1.0, "mrad": 1e-3, "deg": 0.017453292519943295},
     "Hz": {"Hz": 1.0, "kHz": 1e3},
+    "s": {"s": 1.0, "ms": 1e-3, "us": 1e-6, "µs": 1e-6, "μs": 1e-6, "min": 60.0, "h": 3600.0},
     "J": {"J": 1.0, "mJ": 1e-3, "uJ": 1e-6, "µJ": 1e-6, "μJ": 1e-6},
     "m3": {"m3": 1.0, "mm3": 1e-9, "um3": 1e-18, "µm3": 1e-18, "μm3": 1e-18},
     "1": {"": 1.0, "1": 1.0, "%": 1e-2},
@@ -18,7 +19,11 @@ UNITS: dict[str, dict[str, float]] = {
 _PATTERN = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S*)\s*")
 
 
-class QuantityError(ValueError):
+class ParameterError(ValueError):
+    """A name or a value that the component does not have; the text says what it has."""
+
+
+class QuantityError(ParameterError):
     """A value that is no number with a unit of the right kind."""
 
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from .component import ContactError
-from .contact import Contact, ContactWarning, ParameterError
+from .contact import Contact, ContactWarning
 from .fmu_file import file_of_bytes
 from .motion import SignalError, frequency_of
-from .quantities import QuantityError
+from .quantities import ParameterError
 
 Task = Callable[[Contact], dict[str, Any]]
 """Moves a contact and returns numbers or texts by name. Workers import it: define it in a module.
@@ -99,7 +99,7 @@ def run_batch(
                     else Contact(fmu=file_of_bytes(content), **values)
                 )
                 outcome = {**task(contact), "error": ""}
-            except (ContactError, ParameterError, QuantityError, SignalError) as problem:
+            except (ContactError, ParameterError, SignalError) as problem:
                 outcome = {"error": str(problem)}
             results.append(
                 {**row, **outcome, "warning": " / ".join(str(note.message) for note in noted)}

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from scipy.optimize import least_squares
 
-from .contact import Contact, ParameterError
+from .contact import Contact
 from .history import Array
-from .quantities import in_si
+from .quantities import ParameterError, in_si
 
 
 @dataclass(frozen=True)

@@ -1,8 +1,12 @@
-"""python -m fretting_contact: demo, life, calibrate, profile."""
+"""python -m fretting_contact: demo, life, calibrate, profile; what a missing package causes."""
+
+import subprocess
+import sys
 
 import numpy as np
 import pytest
 from conftest import ROOT
+from fretting_contact import sweep
 from fretting_contact.__main__ import main
 
 LOOP = str(ROOT / "examples" / "python" / "measured_loop.csv")
@@ -116,6 +120,43 @@ def test_an_error_is_one_line_and_the_status_1(arguments, message, capsys):
     assert main(arguments) == 1
     said = capsys.readouterr().err
     assert message in said and len(said.splitlines()) == 1, said
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [["profile", "scan.txt", "-o", "out.txt"], ["calibrate", LOOP, "--normal-force", "100 N"]],
+    ids=["profile", "calibrate"],
+)
+def test_what_is_missing_is_named(arguments, tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(
+        "import sys\nsys.modules['scipy'] = None\n"
+        "from fretting_contact.__main__ import main\nsys.exit(main(sys.argv[1:]))\n"
+    )
+    command = [sys.executable, str(script), *arguments]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60)
+    assert done.returncode == 1 and len(done.stderr.splitlines()) == 1, done.stderr
+    assert "needs scipy: pip install fretting-contact[calibrate]" in done.stderr
+
+
+def test_a_profile_without_matplotlib_is_written(tmp_path, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    monkeypatch.delitem(sys.modules, "fretting_contact.profile_picture", raising=False)
+    x = np.linspace(-400, 400, 201)
+    np.savetxt(tmp_path / "scan.txt", np.column_stack([x, x**2 / 2e4]))
+    table = tmp_path / "out.txt"
+    assert main(["profile", str(tmp_path / "scan.txt"), "--unit", "um", "-o", str(table)]) == 0
+    assert table.exists()
+    assert "picture: none, pip install fretting-contact[plot]" in capsys.readouterr().out
+
+
+def test_a_sweep_without_pyarrow_writes_nothing(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "pyarrow.parquet", None)
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    out = tmp_path / "results"
+    with pytest.raises(ImportError, match=r"writes Parquet: pip install fretting-contact\[sweep\]"):
+        sweep({}, {"normal_force": [1.0]}, out=out)
+    assert not out.exists()
 
 
 def test_a_parameter_without_a_value_is_refused(capsys):

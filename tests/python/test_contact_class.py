@@ -72,8 +72,8 @@ def test_every_si_unit_has_the_factor_one_and_a_wrong_unit_is_refused(unit):
     assert in_si(f"2.5 {unit}", unit) == 2.5
     for name, factor in UNITS[unit].items():
         assert in_si(f"1e3 {name}", unit) == pytest.approx(1e3 * factor, rel=1e-15)
-    with pytest.raises(QuantityError, match=f"x = '2 s': the unit has to be one of {unit}"):
-        in_si("2 s", unit, "x")
+    with pytest.raises(QuantityError, match=f"x = '2 kg': the unit has to be one of {unit}"):
+        in_si("2 kg", unit, "x")
 
 
 def test_a_text_without_a_unit_or_for_a_quantity_without_one_is_refused():
@@ -85,7 +85,7 @@ def test_a_text_without_a_unit_or_for_a_quantity_without_one_is_refused():
 
 def test_every_unit_of_the_component_is_known(fmu):
     units = {variable.unit for variable in fmu.variables.values() if variable.unit}
-    assert units <= set(UNITS) | {"J/m2", "N.m", "s"}
+    assert units <= set(UNITS) | {"J/m2", "N.m"}
 
 
 def test_a_refusal_has_the_message_of_the_component_and_changes_nothing():
@@ -139,6 +139,43 @@ def test_a_contact_that_was_reset_takes_inputs_at_its_start():
         contact.reset()
         contact.start(radius=0.02, normal_force=50.0)
         assert contact.get(*READ) == other.get(*READ)
+
+
+def test_messages_name_what_python_calls():
+    with Contact() as contact:
+        with pytest.raises(
+            ContactError, match=r"radius = 0.02 is refused: .*call restart\(...\) to"
+        ):
+            contact.set(radius=0.02)
+        contact.reset()
+        with pytest.raises(ContactError, match=r"call start\(\) first: not allowed in state"):
+            _ = contact["radius"]
+
+
+def test_the_size_of_a_step_may_be_a_text():
+    with Contact() as contact:
+        assert contact.step("1 ms").time == 1e-3
+        for size, message in (
+            ("1 m", "size = '1 m': the unit has to be one of s, ms"),
+            ("1", "size = '1': the unit has to be"),
+            ([1.0, 2.0], r"size = \[1.0, 2.0\]: give a number in s"),
+            (None, "size = None: give a number in s"),
+        ):
+            with pytest.raises(ParameterError, match=message):
+                contact.step(size)
+        assert contact.time == 1e-3
+
+
+def test_a_field_is_no_variable():
+    with Contact() as contact:
+        for use in (
+            lambda: contact.set(pressure=1.0),
+            lambda: contact.step(pressure=1.0),
+        ):
+            with pytest.raises(
+                ParameterError, match=r"pressure is a field: .*contact\['pressure'\]"
+            ):
+                use()
 
 
 def test_a_refused_life_leaves_the_contact_as_it_was():

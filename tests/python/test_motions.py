@@ -146,6 +146,16 @@ def test_outputs_that_are_no_real_are_recorded_as_numbers():
             assert done.more["wear_depth"][-1] == contact["wear_depth"]
 
 
+def test_one_output_may_be_a_name_and_a_field_is_refused():
+    with Contact() as contact:
+        for outputs in "pressure[1]", ["pressure[1]"]:
+            done = drive(contact, [0.0, 1.0], [0.0, 1e-6], outputs=outputs)
+            assert done.more["pressure[1]"][-1] == contact["pressure"][0]
+        for outputs in "pressure", ["wear_depth", "pressure"]:
+            with pytest.raises(ParameterError, match=r"'pressure', a field, .* 'pressure\[1\]'"):
+                drive(contact, [0.0, 1.0], [0.0, 1e-6], outputs=outputs)
+
+
 REFUSED = [
     (([0.0, 1.0], [0.0]), {}, "tangential_displacement has 1 samples and time has 2"),
     (

@@ -52,6 +52,16 @@ def test_every_public_name_is_there_and_explained():
     assert fretting_contact.__all__ == sorted(
         fretting_contact.__all__, key=lambda name: (name[0].islower(), name)
     )
+    defined = {
+        name
+        for module in MODULES
+        for name, what in vars(importlib.import_module(f"fretting_contact.{module}")).items()
+        if isinstance(what, type)
+        and issubclass(what, Exception)
+        and what.__module__.startswith("fretting_contact")
+    }
+    assert defined - {"OutputError"} <= set(fretting_contact.__all__)  # of the command line
+    assert issubclass(fretting_contact.QuantityError, fretting_contact.ParameterError)
     for name in fretting_contact.__all__:
         assert getattr(fretting_contact, name).__doc__, name
     with pytest.raises(AttributeError, match="no attribute 'looop'"):
