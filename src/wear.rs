@@ -1,9 +1,8 @@
 //! Wear by the Reye–Archard–Khrushchov law (paper, eq. (18)): dw = (k/σ₀) τ ds at each radius.
 //!
 //! Between profile updates slip is gathered in one dimension ([`WearBacklog`]). A backlog is worn
-//! off by one implicit update ([`worn_depth`]) on nodes at rest, or, where it is nothing but equal
-//! cycles or sliding onward at constant load, by [`integrate`], on a mesh that moves with the
-//! contact edge.
+//! off by [`integrate`], on a mesh that moves with the contact edge, where it is motion on a line
+//! at one load, else by one implicit update ([`worn_depth`]) on nodes at rest.
 //!
 //! The update is linearly implicit: pressure falls where material goes, so with the pressure of the
 //! *new* profile, p + ∂p/∂h Δh, the worn depth Δw = D\[Δh\] obeys
