@@ -2,7 +2,7 @@
 //! for.
 
 use super::{FrettingContact, SlipState};
-use crate::friction::{Row, norm};
+use crate::friction::norm;
 use crate::range::LEAST_RISE;
 use crate::surface::{Contact, Nodes, Place, Slopes};
 use crate::transform;
@@ -55,13 +55,7 @@ impl FrettingContact {
     /// Elastic energy (J) of shares of the springs, each from a place on.
     pub(super) fn energy_of(&self, shares: &[(Place, f64)]) -> f64 {
         let place = self.model.axes.for_springs(self.state.place);
-        let integral = match &self.state.row {
-            Row::Line(springs) => springs.energy_integral_of(place.x, shares),
-            Row::Plane(row) => {
-                let share = shares.last().map_or(0.0, |(_, share)| *share);
-                share * row.energy_integral(place, self.model.axes.stiffness_ratio)
-            }
-        };
+        let integral = self.state.row.energy_integral_of((place, self.model.axes.stiffness_ratio), shares);
         self.model.constants.tangential_modulus * integral
     }
 

@@ -98,6 +98,21 @@ impl Row {
         }
     }
 
+    /// The same of shares of the springs, each from a place on; in the plane of the last share.
+    pub(crate) fn energy_integral_of(
+        &self,
+        (displacement, stiffness_ratio): (Vector2<f64>, f64),
+        shares: &[(Place, f64)],
+    ) -> f64 {
+        match self {
+            Self::Line(springs) => springs.energy_integral_of(displacement.x, shares),
+            Self::Plane(row) => {
+                let share = shares.last().map_or(0.0, |(_, share)| *share);
+                share * row.energy_integral(displacement, stiffness_ratio)
+            }
+        }
+    }
+
     /// On a line the inner edge (m) of the outer zone in which all springs are at their bound on
     /// one side, and that side; the side is 0 in full stick and in the plane.
     #[inline]
