@@ -221,11 +221,41 @@ fn a_flat_punch_to_and_fro_in_gross_slip() {
     }
 }
 
+/// Ends of straight lines of a ball of 10 mm: depth and displacement, m.
+type Path = Vec<(f64, f64)>;
+
+/// V (m³) of rows of springs along a path from rest, each line in `steps` or half of them. Their
+/// steps err by first order, their springs by the order 3/2 of a moving contact edge.
+fn of_rows(path: &Path, wear_per_work: f64, steps: usize) -> f64 {
+    let deepest = path.iter().map(|(depth, _)| *depth).fold(0.0, f64::max);
+    let row = |cells: usize, steps: usize| {
+        let edge = 1.5 * (deepest * 0.01).sqrt();
+        let mut row = WearingRow::new(|x| x * x / 0.01, (edge, cells), (E_STAR, G_STAR), (MU, wear_per_work));
+        row.walk_to_depth(path[0].0, path[0].1, 1);
+        path[1..].iter().for_each(|(depth, place)| row.walk_to_depth(*depth, *place, steps));
+        row.worn_volume()
+    };
+    let in_time = |cells: usize| 2.0 * row(cells, steps) - row(cells, steps / 2);
+    let (coarse, fine) = (in_time(120), in_time(240));
+    fine + (fine - coarse) / (2f64.powf(1.5) - 1.0)
+}
+
+/// The engine at its end.
+fn at_the_end(path: &Path, wear_per_work: f64, tolerance: f64) -> FrettingContact {
+    let parameters =
+        Parameters { normal_control: NormalControl::Indentation, tolerance, ..Parameters::default() };
+    let wear_coefficient = wear_per_work * parameters.hardness;
+    let mut contact = contact(Parameters { wear_coefficient, ..parameters });
+    contact.start_at(path[0].0, path[0].1).expect("a ball can be pressed");
+    path[1..].iter().for_each(|(depth, place)| to(&mut contact, *depth, *place));
+    contact
+}
+
 /// Depth and displacement vary together, 20 cycles of 16 lines, ahead of each other by parts of a
-/// cycle, against a row of springs extrapolated to no spacing, which is good to some 1e-3.
+/// cycle.
 #[test]
 fn a_varying_depth_wears_as_an_explicit_row_of_springs() {
-    let (depth, radius, wear_per_work) = (3.48291e-6, 0.01, 4e-11);
+    let (depth, wear_per_work) = (3.48291e-6, 4e-11);
     let full_slip = MU * E_STAR / G_STAR * depth;
     for (name, phase, amplitude) in [
         ("in phase", 0.0, 0.6),
@@ -233,27 +263,15 @@ fn a_varying_depth_wears_as_an_explicit_row_of_springs() {
         ("anti-phase", 0.5, 0.6),
         ("gross slip", 0.25, 1.2),
     ] {
-        let depth = |k: f64| depth * (0.7 + 0.3 * (2.0 * PI * (k / 16.0 + phase)).sin());
-        let place = |k: f64| amplitude * full_slip * (2.0 * PI * k / 16.0).sin();
-        let row = |cells: usize, steps: usize| {
-            let edge = 1.5 * (3.48291e-6f64 * radius).sqrt();
-            let mut row =
-                WearingRow::new(|x| x * x / radius, (edge, cells), (E_STAR, G_STAR), (MU, wear_per_work));
-            row.walk_to_depth(depth(0.0), 0.0, 1);
-            (1..=320).map(f64::from).for_each(|k| row.walk_to_depth(depth(k), place(k), steps));
-            row.worn_volume()
+        let end = |k: i32| {
+            let turns = f64::from(k) / 16.0;
+            let share = 0.7 + 0.3 * (2.0 * PI * (turns + phase)).sin();
+            (depth * share, amplitude * full_slip * (2.0 * PI * turns).sin())
         };
-        // its steps err by first order, its springs by the order 3/2 of a moving contact edge
-        let in_time = |cells: usize| 2.0 * row(cells, 24) - row(cells, 12);
-        let (coarse, fine) = (in_time(120), in_time(240));
-        let exact = fine + (fine - coarse) / (2f64.powf(1.5) - 1.0);
+        let path: Path = (0..=320).map(end).collect();
+        let exact = of_rows(&path, wear_per_work, 24);
         for (tolerance, most) in [(1e-3, 5e-3), (1e-4, 1.5e-3)] {
-            let parameters =
-                Parameters { normal_control: NormalControl::Indentation, tolerance, ..Parameters::default() };
-            let wear_coefficient = wear_per_work * parameters.hardness;
-            let mut contact = contact(Parameters { wear_coefficient, ..parameters });
-            contact.start_at(depth(0.0), 0.0).expect("a ball can be pressed");
-            (1..=320).map(f64::from).for_each(|k| to(&mut contact, depth(k), place(k)));
+            let contact = at_the_end(&path, wear_per_work, tolerance);
             let volume = contact.wear_volume() / exact - 1.0;
             let on_profile = contact.profile_volume() / contact.wear_volume() - 1.0;
             println!(
@@ -272,29 +290,14 @@ fn a_varying_depth_wears_as_an_explicit_row_of_springs() {
 /// of the tolerance 3.0 and 1.9 %.)
 #[test]
 fn strokes_whose_mean_creeps() {
-    let (depth, radius, wear_per_work) = (3.48291e-6, 0.01, 1e-10);
+    let (depth, wear_per_work) = (3.48291e-6, 1e-10);
     let full_slip = MU * E_STAR / G_STAR * depth;
     for (amplitude, creep, cycles) in [(0.08, 0.03, 25), (0.2, 0.05, 20)] {
-        let place = |k: f64| full_slip * (creep * k / 8.0 + amplitude * (2.0 * PI * k / 8.0).sin());
-        let row = |cells: usize, steps: usize| {
-            let edge = 1.5 * (depth * radius).sqrt();
-            let mut row =
-                WearingRow::new(|x| x * x / radius, (edge, cells), (E_STAR, G_STAR), (MU, wear_per_work));
-            row.walk_to_depth(depth, 0.0, 1);
-            (1..=8 * cycles).for_each(|k| row.walk_to_depth(depth, place(f64::from(k)), steps));
-            row.worn_volume()
-        };
-        let in_time = |cells: usize| 2.0 * row(cells, 12) - row(cells, 6);
-        let (coarse, fine) = (in_time(120), in_time(240));
-        let exact = fine + (fine - coarse) / (2f64.powf(1.5) - 1.0);
+        let place = |turns: f64| full_slip * (creep * turns + amplitude * (2.0 * PI * turns).sin());
+        let path: Path = (0..=8 * cycles).map(|k| (depth, place(f64::from(k) / 8.0))).collect();
+        let exact = of_rows(&path, wear_per_work, 12);
         for (tolerance, most) in [(1e-3, 1e-2), (1e-4, 3e-3)] {
-            let parameters =
-                Parameters { normal_control: NormalControl::Indentation, tolerance, ..Parameters::default() };
-            let wear_coefficient = wear_per_work * parameters.hardness;
-            let mut contact = contact(Parameters { wear_coefficient, ..parameters });
-            contact.start_at(depth, 0.0).expect("a ball can be pressed");
-            (1..=8 * cycles).for_each(|k| to(&mut contact, depth, place(f64::from(k))));
-            let off = contact.wear_volume() / exact - 1.0;
+            let off = at_the_end(&path, wear_per_work, tolerance).wear_volume() / exact - 1.0;
             println!("{amplitude} {creep}, {tolerance:e}: V {off:+.2e}");
             assert!(off.abs() < most, "{amplitude} {creep}, {tolerance:e}: V {off:e}");
         }
