@@ -93,9 +93,12 @@ impl FrettingContact {
     /// have slipped: `limit` knows no thinner zone than `least_width`.
     fn exceeds_limit_of_zone(&self, share: f64) -> bool {
         let (Some(wear), contact) = (&self.state.wear, &self.state.contact) else { return false };
-        let inner = self.radius_of_front(wear.backlog.front(), contact.radius);
-        let thinnest = contact.radius * (1.0 - wear::THINNEST);
-        if inner <= self.widest_stick(contact, 0.0) || inner >= thinnest {
+        let front = wear.backlog.front();
+        if front <= self.surface.image(self.widest_stick(contact, 0.0)) {
+            return false;
+        }
+        let inner = self.radius_of_front(front, contact.radius);
+        if inner >= contact.radius * (1.0 - wear::THINNEST) {
             return false;
         }
         let limit = wear::limit_of_zone(self.model.parameters.tolerance, &self.surface, contact, inner);

@@ -18,7 +18,9 @@ impl FrettingContact {
         }
         let place = self.place_at(displacement);
         let (wears, turns) = (self.state.wear.is_some(), self.turns(place));
-        if wears && (turns || self.onset_of_long_slide(value, place).is_some()) {
+        if wears
+            && (turns && self.update_is_due(place, 0.0) || self.onset_of_long_slide(value, place).is_some())
+        {
             return false;
         }
         if turns {

@@ -150,9 +150,13 @@ impl LevelMut<'_> {
             [same] if same.place == place => same.slope += slope,
             [first, between @ .., last] => {
                 for hinge in between.iter().chain([&new]) {
-                    let mut three = [*first, *last, *hinge];
-                    three.sort_unstable_by(|a, b| a.place.total_cmp(&b.place));
-                    let [low, middle, high] = three;
+                    let (low, middle, high) = if hinge.place < first.place {
+                        (*hinge, *first, *last)
+                    } else if hinge.place > last.place {
+                        (*first, *last, *hinge)
+                    } else {
+                        (*first, *hinge, *last)
+                    };
                     let share = (middle.place - low.place) / (high.place - low.place);
                     *first = Hinge { slope: low.slope + (1.0 - share) * middle.slope, ..low };
                     *last = Hinge { slope: high.slope + share * middle.slope, ..high };
