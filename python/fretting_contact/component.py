@@ -210,12 +210,16 @@ class ContactFmu:
         return getattr(self.slave, verb + {"Enumeration": "Integer"}.get(type_, type_))
 
     def _references(self, names: Iterable[str]) -> list[int]:
-        return [self.fmu.variables[name].valueReference for name in names]
+        return [self._require(name).valueReference for name in names]
+
+    def _require(self, name: str) -> Any:
+        """The variable of this name."""
+        return self.fmu.variables[name]
 
     def _by_type(self, names: Iterable[str]) -> dict[str, list[Any]]:
         groups: dict[str, list[Any]] = {}
         for name in names:
-            variable = self.fmu.variables[name]
+            variable = self._require(name)
             groups.setdefault(variable.type, []).append(variable)
         return groups
 

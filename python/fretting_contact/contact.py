@@ -289,7 +289,7 @@ class Contact(ContactFmu):
             names = [*(n for n in self.fmu.variables if not n.endswith("]")), *self.fields]
             raise ParameterError(
                 f"{name} is no variable of the component{_near(name, names)}; "
-                "docs/variables.md lists them all"
+                "list(contact.fmu.variables) has all names, docs/variables.md says what they are"
             )
         return variable
 

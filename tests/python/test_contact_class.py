@@ -171,11 +171,31 @@ def test_a_field_is_no_variable():
         for use in (
             lambda: contact.set(pressure=1.0),
             lambda: contact.step(pressure=1.0),
+            lambda: contact.get("pressure"),
+            lambda: contact.get("tangential_force", "pressure"),
+            lambda: contact.follow(["pressure"], tangential_displacement=[1e-6]),
         ):
             with pytest.raises(
                 ParameterError, match=r"pressure is a field: .*contact\['pressure'\]"
             ):
                 use()
+
+
+def test_an_unknown_name_is_answered_with_those_that_are_like_it():
+    with Contact() as contact:
+        before = contact.get(*READ)
+        for use in (
+            lambda: contact.get("tangental_force"),
+            lambda: contact["tangental_force"],
+            lambda: contact.follow(["tangental_force"], tangential_displacement=[1e-6]),
+        ):
+            with pytest.raises(ParameterError, match=r"did you mean tangential_force"):
+                use()
+        with pytest.raises(ParameterError, match=r"list\(contact.fmu.variables\) has all names"):
+            contact.get("nothing like it")
+        with pytest.raises(ParameterError, match=r"did you mean tangential_displacement"):
+            contact.follow(["tangential_force"], tangential_displacment=[1e-6])
+        assert contact.get(*READ) == before
 
 
 def test_a_refused_life_leaves_the_contact_as_it_was():
