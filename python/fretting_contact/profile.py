@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from .command_errors import OutputError, check_output, finite, report
 from .image_shapes import Array, Power, Shape, profile_of_image
-from .line_scan import FEWEST_POINTS, UNITS, Scan, ScanError, difference_noise, read_scan
+from .line_scan import FEWEST_POINTS, UNITS, Scan, ScanError, checked, difference_noise, read_scan
 from .monotone_fit import USUAL_TILT, Window, best_model
 from .scan_centre import Start, is_peak, mirrored, spikes, starting_axis, starts_at_axis
 from .text_table import TextTableError
@@ -134,6 +134,7 @@ def fit_scan(scan: Scan, centre: float | None = None, radius: float | None = Non
     The fewest shapes that explain the heights within that noise are taken (`monotone_fit`). The
     centre and the positions of the shapes are fitted as well (scipy.optimize.least_squares).
     """
+    scan = checked(scan)
     if len(scan.x) < FEWEST_POINTS:
         raise ScanError(f"{len(scan.x)} point(s), but at least {FEWEST_POINTS} are needed")
     if not np.ptp(scan.x) > 0:

@@ -153,6 +153,36 @@ def test_given_centre_and_radius():
         fit_scan(WORN_FLAT.scan(10e-9, 2e-6, 5), centre=40e-6, radius=600e-6)
 
 
+def test_scans_with_gaps_or_in_another_order_are_refused():
+    """The message names the point and says what to do."""
+    whole = BALL.scan(10e-9, 2e-6, 3)
+    count = len(whole.x)
+    gap, missing = whole.z.copy(), whole.x.copy()
+    gap[7], missing[count - 1] = np.nan, np.inf
+    swapped = np.r_[0:5, 6, 5, 7:count]
+    for scan, message in (
+        (Scan(whole.x, gap), r"z\[7\] = nan is not finite: leave this point out"),
+        (Scan(missing, whole.z), rf"x\[{count - 1}\] = inf is not finite"),
+        (Scan(whole.x[swapped], whole.z[swapped]), r"x\[6\] = .* m is below x\[5\] = .*: sort the"),
+        (Scan(whole.x[::-1], whole.z[::-1]), r"x\[1\] = .* m is below x\[0\]"),
+        (Scan(whole.x[1:], whole.z), rf"x has {count - 1} points and z has {count}: give one"),
+        (Scan(np.column_stack([whole.x, whole.z]), whole.z), r"x has the shape .*: give one number"),
+        (Scan(["a"] * count, whole.z), "x of the scan is no array of numbers"),
+    ):
+        with pytest.raises(ScanError, match=message):
+            fit_scan(scan)
+    fit = fit_scan(Scan(whole.x.tolist(), whole.z.tolist()))
+    assert fit.tip_radius == fit_scan(whole).tip_radius
+
+
+@pytest.mark.parametrize("name", ["unit", "z_unit"])
+def test_an_unknown_unit_is_answered_with_those_that_there_are(name, tmp_path):
+    path = tmp_path / "scan.txt"
+    path.write_text("0 0\n")
+    with pytest.raises(ScanError, match=rf"{name} = 'inch' .*: give one of m, mm, um, nm"):
+        read_scan(path, **{name: "inch"})
+
+
 def test_a_refused_table_becomes_one_that_is_accepted(start_contact, tmp_path):
     """A noisy half profile is refused; the command that the message names corrects it."""
     r = np.arange(0, 450e-6, 2e-6)
