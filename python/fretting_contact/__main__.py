@@ -2,11 +2,12 @@
 
 import argparse
 import sys
-from collections.abc import Sequence
+import warnings
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from . import Contact, ContactError, ParameterError, life, loop
+from . import Contact, ContactError, ContactWarning, ParameterError, life, loop
 from .command_errors import check_output, finite, report
 from .quantities import in_si
 
@@ -180,13 +181,27 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options, rest = parser.parse_known_args(given)
     if rest and (options.command == "demo" or not all("=" in text for text in rest)):
         parser.error(f"unknown arguments: {' '.join(rest)}; --help lists those that there are")
-    try:
-        if rest:  # argparse takes NAME=VALUE before the options only
-            options.parameters += map(_value, rest)
-        {"demo": _demo, "life": _life, "calibrate": _calibrate}[options.command](options)
-    except (ContactError, ImportError, OSError, ValueError) as problem:
-        return report(problem)
+    with warnings.catch_warnings():
+        warnings.showwarning = _warning_printer(warnings.showwarning)
+        try:
+            if rest:  # argparse takes NAME=VALUE before the options only
+                options.parameters += map(_value, rest)
+            {"demo": _demo, "life": _life, "calibrate": _calibrate}[options.command](options)
+        except (ContactError, ImportError, OSError, ValueError) as problem:
+            return report(problem)
     return 0
+
+
+def _warning_printer(of_others: Callable[..., None]) -> Callable[..., None]:
+    """Prints a warning of the component in one line: no line of Python has led to it."""
+
+    def show(message: Warning | str, category: type[Warning], *place: Any) -> None:
+        if issubclass(category, ContactWarning):
+            print(f"warning: {message}", file=sys.stderr)
+        else:
+            of_others(message, category, *place)
+
+    return show
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ import contextlib
 import difflib
 import os
 import struct
+import sys
 import tempfile
 import warnings
 from collections.abc import Callable, Iterable, Iterator
@@ -337,8 +338,20 @@ class Contact(ContactFmu):
         result = super()._call(function, *arguments, **keywords)
         for status, text in self.messages[first:]:
             if status == 1:
-                warnings.warn(text, ContactWarning, stacklevel=4)
+                warnings.warn(text, ContactWarning, stacklevel=_level_of_user())
         return result
+
+
+def _level_of_user() -> int:
+    """The `stacklevel` of the line outside this package that has led to the call of this function.
+
+    `skip_file_prefixes` of `warnings.warn` needs Python 3.12.
+    """
+    inside = (os.path.dirname(__file__) + os.sep, contextlib.__file__)
+    level, frame = 0, sys._getframe()
+    while frame.f_back is not None and frame.f_code.co_filename.startswith(inside):
+        level, frame = level + 1, frame.f_back
+    return level
 
 
 def _table_of(profile: Any) -> NDArray[np.float64]:

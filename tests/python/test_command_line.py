@@ -159,6 +159,12 @@ def test_a_sweep_without_pyarrow_writes_nothing(tmp_path, monkeypatch):
     assert not out.exists()
 
 
+def test_a_warning_is_one_line(capsys):
+    assert main(["life", "hardness=800", "wear_coefficient=0", "--rows", "1"]) == 0
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith("warning: the pressure at the first contact, "), line
+
+
 def test_a_parameter_without_a_value_is_refused(capsys):
     with pytest.raises(SystemExit):
         main(["life", "radius"])

@@ -1,6 +1,7 @@
 """The class Contact: parameters by name and unit, states, fields, messages, FMU file."""
 
 import copy
+import inspect
 import pickle
 import shutil
 import warnings
@@ -256,6 +257,26 @@ def test_warnings_of_the_component_are_those_of_python():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         Contact().close()
+
+
+def test_a_warning_points_at_the_line_of_the_user():
+    def line():
+        return inspect.currentframe().f_back.f_lineno
+
+    with warnings.catch_warnings(record=True) as noted:
+        warnings.simplefilter("always", ContactWarning)
+        first = line() + 1
+        Contact(hardness=800.0).close()
+        with Contact() as contact:
+            contact.step(rotation=1e-3)
+        with Contact() as contact:
+            contact.follow(["wear_volume"], rotation=[1e-3])
+        with Contact(loading="cyclic", tangential_displacement=0.0) as contact:
+            contact.set(tangential_displacement=1e-6)
+            life(contact, 10.0)
+    assert [(note.filename, note.lineno - first) for note in noted] == [
+        (__file__, line) for line in (0, 2, 4, 7)
+    ]
 
 
 def test_both_bodies_a_coating_and_fixed_probes():
