@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from . import Contact, ContactError, ContactWarning, ParameterError, life, loop
-from .command_errors import check_output, finite, report
+from .command_errors import check_output, finite, report, whole
 from .quantities import in_si
 
 
@@ -49,7 +49,7 @@ def _parser() -> argparse.ArgumentParser:
     wear.add_argument(
         "--cycles", type=finite, default=1e5, help="number of cycles (default: 100000)"
     )
-    wear.add_argument("--rows", type=int, default=10, help="rows of the table (default: 10)")
+    wear.add_argument("--rows", type=whole, default=10, help="rows of the table (default: 10)")
     wear.add_argument("-o", "--output", type=Path, help="CSV file to write")
 
     fit = commands.add_parser(
@@ -61,7 +61,7 @@ def _parser() -> argparse.ArgumentParser:
         help="two columns: displacement of the drive and tangential force, evenly in time",
     )
     fit.add_argument("--normal-force", required=True, help='such as "100 N"')
-    fit.add_argument("--loop-cycles", type=int, default=1, help="cycles in the file (default: 1)")
+    fit.add_argument("--loop-cycles", type=whole, default=1, help="cycles in the file (default: 1)")
     fit.add_argument("--displacement-unit", default="m", choices=["m", "mm", "um", "nm"])
     fit.add_argument("--force-unit", default="N", choices=["N", "mN", "kN"])
     fit.add_argument("--volume", help='worn volume of a wear test, such as "0.01 mm3"')
@@ -160,8 +160,11 @@ def _calibrate(options: argparse.Namespace) -> None:
     fit = calibrate(measured, volumes, **dict(options.parameters))
     print(fit)
     if options.output:
-        import matplotlib
-
+        try:
+            import matplotlib
+        except ImportError:
+            print("picture: none, pip install fretting-contact[plot]")
+            return
         matplotlib.use("Agg")
         fit.plot().figure.savefig(options.output)
         print(f"picture: {options.output}")

@@ -12,10 +12,21 @@ class OutputError(ValueError):
 
 def finite(text: str) -> float:
     """A finite number as given on the command line."""
-    number = float(text)
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
     if not math.isfinite(number):
         raise argparse.ArgumentTypeError(f"{text!r}: give a finite number")
     return number
+
+
+def whole(text: str) -> int:
+    """A whole number as given on the command line."""
+    try:
+        return int(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r}: give a whole number") from None
 
 
 def check_output(output: Path | None) -> None:

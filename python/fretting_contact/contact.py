@@ -1,13 +1,12 @@
 """A fretting contact as a Python object."""
 
 import contextlib
-import difflib
 import os
 import struct
 import sys
 import tempfile
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from ctypes import c_void_p
 from functools import cached_property
 from numbers import Integral, Real
@@ -19,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .component import ContactError, ContactFmu
 from .fmu_file import FmuFile, shared_file
-from .quantities import ParameterError, in_si
+from .quantities import ParameterError, in_si, near
 
 SETTABLE = ("parameter", "input")
 
@@ -224,7 +223,7 @@ class Contact(ContactFmu):
         """A field at the radii `radius_probe`."""
         if name not in self.fields:
             raise ParameterError(
-                f"{name} is no field{_near(name, self.fields)}; there are {', '.join(self.fields)}"
+                f"{name} is no field{near(name, self.fields)}; there are {', '.join(self.fields)}"
             )
         return self[name]
 
@@ -289,7 +288,7 @@ class Contact(ContactFmu):
                 )
             names = [*(n for n in self.fmu.variables if not n.endswith("]")), *self.fields]
             raise ParameterError(
-                f"{name} is no variable of the component{_near(name, names)}; "
+                f"{name} is no variable of the component{near(name, names)}; "
                 "list(contact.fmu.variables) has all names, docs/variables.md says what they are"
             )
         return variable
@@ -372,16 +371,6 @@ def _table_of(profile: Any) -> NDArray[np.float64]:
     )
 
 
-def _near(name: str, names: Iterable[str]) -> str:
-    """The names that are like a misspelt one, as a part of a message.
-
-    >>> _near("raduis", ["radius", "hardness"])
-    ' (did you mean radius?)'
-    """
-    near = difflib.get_close_matches(name, list(names), n=3)
-    return f" (did you mean {' or '.join(near)}?)" if near else ""
-
-
 def _enumeration(name: str, value: Any, items: dict[str, int]) -> int:
     """The number of an item that is given by name or number."""
     if isinstance(value, str) and value in items:
@@ -389,5 +378,5 @@ def _enumeration(name: str, value: Any, items: dict[str, int]) -> int:
     if isinstance(value, Integral) and int(value) in items.values():
         return int(value)
     raise ParameterError(
-        f"{name} = {value!r}{_near(str(value), items)}: give one of {', '.join(items)}"
+        f"{name} = {value!r}{near(str(value), items)}: give one of {', '.join(items)}"
     )

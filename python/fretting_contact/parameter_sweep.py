@@ -16,6 +16,7 @@ from .dask_cluster import run_on_dask
 from .fmu_file import fmu_path
 from .history import new_axes
 from .parameter_sets import sets_of
+from .quantities import ParameterError, near
 from .sweep_folder import open_folder, parts, read_part, write_part
 from .sweep_task import CyclicLife, Task
 from .worker_pool import run_on_processes
@@ -45,12 +46,22 @@ class SweepResult:
         return len(next(iter(self.columns.values()), ()))
 
     def __getitem__(self, name: str) -> NDArray[Any]:
+        if name not in self.columns:
+            raise ParameterError(
+                f"{name} is no column of the results{near(str(name), self.columns)}; there are "
+                f"{', '.join(self.columns) or 'none'}"
+            )
         return self.columns[name]
 
     def to_pandas(self) -> Any:
         """The results as a pandas table."""
-        import pandas
-
+        try:
+            import pandas
+        except ImportError as problem:
+            raise ImportError(
+                "to_pandas needs pandas: pip install fretting-contact[sweep], or take the arrays "
+                "as they are in columns"
+            ) from problem
         return pandas.DataFrame(self.columns)
 
     @property
@@ -60,10 +71,10 @@ class SweepResult:
 
     def plot(self, x: str, y: str, color: str = "wear_volume", axes: Any = None) -> Any:
         """A map on logarithmic axes, coloured by the logarithm of a result; returns the axes."""
+        values, *places = (self._numbers(name) for name in (color, x, y))
         axes = new_axes(axes)
         from matplotlib.colors import LogNorm
 
-        values = np.asarray(self.columns[color], dtype=float)
         positive = values[values > 0]
         shades = LogNorm(np.percentile(positive, 2), positive.max()) if len(positive) else None
         regimes = self.columns.get("regime", np.full(len(self), "partial"))
@@ -71,15 +82,28 @@ class SweepResult:
         for name, mark in MARKS.items():
             here = (regimes == name) & (values > 0)
             if here.any():
-                places = (self.columns[x][here].astype(float), self.columns[y][here].astype(float))
                 dots = axes.scatter(
-                    *places, c=values[here], marker=mark, s=12, norm=shades, label=name
+                    *(place[here] for place in places),
+                    c=values[here],
+                    marker=mark,
+                    s=12,
+                    norm=shades,
+                    label=name,
                 )
         axes.set(xscale="log", yscale="log", xlabel=x, ylabel=y)
         if dots is not None:
             axes.figure.colorbar(dots, ax=axes, label=color)
             axes.legend()
         return axes
+
+    def _numbers(self, name: str) -> NDArray[np.float64]:
+        """A column as numbers."""
+        try:
+            return self[name].astype(float)
+        except ValueError:
+            raise ParameterError(
+                f"{name} has texts, such as {str(self[name][0])!r}: give a column of numbers"
+            ) from None
 
 
 def sweep(

@@ -1,6 +1,8 @@
 """Values with units as text, such as "10 mm" or "210 GPa", in SI units."""
 
+import difflib
 import re
+from collections.abc import Iterable
 
 UNITS: dict[str, dict[str, float]] = {
     "m": {"m": 1.0, "mm": 1e-3, "um": 1e-6, "µm": 1e-6, "μm": 1e-6, "nm": 1e-9},
@@ -53,3 +55,13 @@ def in_si(text: str, unit: str | None, name: str = "value") -> float:
         if factor < 1e-2 and unit != "rad"
         else float(match[1]) * factor
     )
+
+
+def near(name: str, names: Iterable[str]) -> str:
+    """The names that are like a misspelt one, as a part of a message.
+
+    >>> near("raduis", ["radius", "hardness"])
+    ' (did you mean radius?)'
+    """
+    found = difflib.get_close_matches(name, list(names), n=3)
+    return f" (did you mean {' or '.join(found)}?)" if found else ""

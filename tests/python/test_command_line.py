@@ -6,7 +6,7 @@ import sys
 import numpy as np
 import pytest
 from conftest import ROOT
-from fretting_contact import sweep
+from fretting_contact import SweepResult, sweep
 from fretting_contact.__main__ import main
 
 LOOP = str(ROOT / "examples" / "python" / "measured_loop.csv")
@@ -150,6 +150,22 @@ def test_a_profile_without_matplotlib_is_written(tmp_path, capsys, monkeypatch):
     assert "picture: none, pip install fretting-contact[plot]" in capsys.readouterr().out
 
 
+def test_a_calibration_without_matplotlib_is_printed(tmp_path, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    picture = str(tmp_path / "fit.png")
+    assert main(["calibrate", LOOP, "--normal-force", "100 N", "-o", picture]) == 0
+    said = capsys.readouterr().out
+    assert "friction_coefficient" in said
+    assert "picture: none, pip install fretting-contact[plot]" in said
+
+
+def test_a_table_without_pandas_names_what_is_missing(monkeypatch):
+    monkeypatch.setitem(sys.modules, "pandas", None)
+    results = SweepResult({"normal_force": np.array([1.0])}, 1, 0)
+    with pytest.raises(ImportError, match=r"needs pandas: pip install fretting-contact\[sweep\]"):
+        results.to_pandas()
+
+
 def test_a_sweep_without_pyarrow_writes_nothing(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "pyarrow.parquet", None)
     monkeypatch.setitem(sys.modules, "pyarrow", None)
@@ -175,6 +191,8 @@ def test_a_parameter_without_a_value_is_refused(capsys):
     ("arguments", "message"),
     [
         (["life", "--cycles", "inf"], "argument --cycles: 'inf': give a finite number"),
+        (["life", "--cycles", "abc"], "argument --cycles: 'abc': give a finite number"),
+        (["life", "--rows", "2.5"], "argument --rows: '2.5': give a whole number"),
         (["calibrate", LOOP, "--normal-force", "100 N", "nope"], "unknown arguments: nope"),
         (["demo", "radius=1"], "unknown arguments: radius=1"),
     ],

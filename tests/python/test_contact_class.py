@@ -186,16 +186,16 @@ def test_an_unknown_name_is_answered_with_those_that_are_like_it():
     with Contact() as contact:
         before = contact.get(*READ)
         for use in (
-            lambda: contact.get("tangental_force"),
-            lambda: contact["tangental_force"],
-            lambda: contact.follow(["tangental_force"], tangential_displacement=[1e-6]),
+            lambda: contact.get("tangential_forces"),
+            lambda: contact["tangential_forces"],
+            lambda: contact.follow(["tangential_forces"], tangential_displacement=[1e-6]),
         ):
             with pytest.raises(ParameterError, match=r"did you mean tangential_force"):
                 use()
         with pytest.raises(ParameterError, match=r"list\(contact.fmu.variables\) has all names"):
             contact.get("nothing like it")
         with pytest.raises(ParameterError, match=r"did you mean tangential_displacement"):
-            contact.follow(["tangential_force"], tangential_displacment=[1e-6])
+            contact.follow(["tangential_force"], tangential_displacements=[1e-6])
         assert contact.get(*READ) == before
 
 

@@ -160,13 +160,14 @@ def test_scans_with_gaps_or_in_another_order_are_refused():
     gap, missing = whole.z.copy(), whole.x.copy()
     gap[7], missing[count - 1] = np.nan, np.inf
     swapped = np.r_[0:5, 6, 5, 7:count]
+    turned = Scan(whole.x[swapped], whole.z[swapped])
     for scan, message in (
         (Scan(whole.x, gap), r"z\[7\] = nan is not finite: leave this point out"),
         (Scan(missing, whole.z), rf"x\[{count - 1}\] = inf is not finite"),
-        (Scan(whole.x[swapped], whole.z[swapped]), r"x\[6\] = .* m is below x\[5\] = .*: sort the"),
+        (turned, r"x\[6\] = .* m is below x\[5\] = .*: sort the"),
         (Scan(whole.x[::-1], whole.z[::-1]), r"x\[1\] = .* m is below x\[0\]"),
         (Scan(whole.x[1:], whole.z), rf"x has {count - 1} points and z has {count}: give one"),
-        (Scan(np.column_stack([whole.x, whole.z]), whole.z), r"x has the shape .*: give one number"),
+        (Scan(np.ones((count, 2)), whole.z), r"x has the shape .*: give one number"),
         (Scan(["a"] * count, whole.z), "x of the scan is no array of numbers"),
     ):
         with pytest.raises(ScanError, match=message):

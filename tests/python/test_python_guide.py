@@ -87,6 +87,6 @@ def test_doctests(name, monkeypatch, fmu_path):
 def test_doctests_are_found():
     found = [
         doctest.DocTestFinder().find(importlib.import_module(f"fretting_contact.{name}"))
-        for name in ("contact", "motion")
+        for name in ("contact", "motion", "quantities")
     ]
-    assert sum(bool(test.examples) for tests in found for test in tests) == 4
+    assert sum(bool(test.examples) for tests in found for test in tests) == 5

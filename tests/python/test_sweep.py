@@ -10,7 +10,15 @@ import sys
 import numpy as np
 import pytest
 from conftest import ROOT
-from fretting_contact import SignalError, grid, read_sets, spread, sweep
+from fretting_contact import (
+    ParameterError,
+    SignalError,
+    SweepResult,
+    grid,
+    read_sets,
+    spread,
+    sweep,
+)
 from fretting_contact.parameter_sets import SetsError
 from fretting_contact.sweep_folder import SweepFolderError, parts
 from fretting_contact.sweep_task import CyclicLife, run_batch
@@ -266,6 +274,24 @@ def test_a_map_has_a_mark_for_each_regime(swept):
         "gross",
     ]
     assert axes.get_xscale() == "log" and len(axes.figure.axes) == 2
+
+
+def test_an_unknown_column_is_answered_with_those_that_there_are():
+    columns = {"radius": np.array(["10 mm"]), "load": np.ones(1), "wear_volume": np.ones(1)}
+    results = SweepResult(columns, 1, 0)
+    message = (
+        r"loads is no column of the results \(did you mean load\?\); "
+        "there are radius, load, wear_volume"
+    )
+    for use in (
+        lambda: results["loads"],
+        lambda: results.plot("load", "loads"),
+        lambda: results.plot("load", "load", color="loads"),
+    ):
+        with pytest.raises(ParameterError, match=message):
+            use()
+    with pytest.raises(ParameterError, match="radius has texts, such as '10 mm': give a column"):
+        results.plot("radius", "load")
 
 
 def test_sets_from_a_file(tmp_path):
