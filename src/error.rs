@@ -1,5 +1,6 @@
 //! The one error type of the engine. Every variant carries the numbers that were wrong.
 
+use crate::number::short;
 use thiserror::Error;
 
 /// What the engine refuses, and why. Nothing that returns an error has changed the contact's state.
@@ -52,8 +53,7 @@ pub enum Error {
     },
     /// Many contacts that no approach lets carry a force within the numbers that are computed with.
     #[error(
-        "normal_force = {force:e} N is carried by no approach of the {contacts} contacts: check the load, the radii and the moduli"
-    )]
+        "normal_force = {} N is carried by no approach of the {contacts} contacts: check the load, the radii and the moduli", short(.force))]
     NoApproach {
         /// N.
         force: f64,
@@ -109,8 +109,7 @@ pub enum Error {
     },
     /// A computation overflowed or produced something that is not a number.
     #[error(
-        "{what} is not finite for normal = {normal:e}, displacement = {displacement:e}: the scene is outside the range of double precision"
-    )]
+        "{what} is not finite for normal = {}, displacement = {}: the scene is outside the range of double precision", short(.normal), short(.displacement))]
     NotFinite {
         /// The quantity that overflowed.
         what: &'static str,
@@ -121,8 +120,7 @@ pub enum Error {
     },
     /// A contact larger or loaded more than what is computed with.
     #[error(
-        "{what} = {value:e} is beyond what can be computed with, {most:e}: check the units, N, m and Pa throughout"
-    )]
+        "{what} = {} is beyond what can be computed with, {}: check the units, N, m and Pa throughout", short(.value), short(.most))]
     BeyondNumbers {
         /// The quantity and its unit.
         what: &'static str,
@@ -133,9 +131,8 @@ pub enum Error {
     },
     /// A call that wears so much that its integration would not end in reasonable time.
     #[error(
-        "{cycles:e} cycles of amplitude {amplitude:e} m wear more than {steps} internal steps can follow \
-         ({left:e} cycles are left): take fewer cycles at a time, or check amplitude and wear coefficient"
-    )]
+        "{} cycles of amplitude {} m wear more than {steps} internal steps can follow \
+         ({} cycles are left): take fewer cycles at a time, or check amplitude and wear coefficient", short(.cycles), short(.amplitude), short(.left))]
     TooMuchWear {
         /// Cycles that were asked for.
         cycles: f64,
@@ -148,9 +145,8 @@ pub enum Error {
     },
     /// A step in which the contact wears more than its profile can follow.
     #[error(
-        "the step from displacement {from:e} m to {displacement:e} m wears more than the profile can follow: take smaller \
-         steps, or check wear coefficient and hardness"
-    )]
+        "the step from displacement {} m to {} m wears more than the profile can follow: take smaller \
+         steps, or check wear coefficient and hardness", short(.from), short(.displacement))]
     WearOutrun {
         /// Displacement at its start, m.
         from: f64,

@@ -43,6 +43,7 @@ pub mod fmi2;
 mod friction;
 pub mod interface;
 pub mod material;
+mod number;
 pub mod parameters;
 pub mod problems;
 pub mod profile;

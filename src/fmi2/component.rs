@@ -13,6 +13,7 @@ use super::status::{Outcome, State, Status};
 use super::warnings::Warnings;
 use super::{GUID, MODEL_IDENTIFIER};
 use crate::engine::FrettingContact;
+use crate::number::short;
 use crate::profile::Profile;
 use core::ffi::CStr;
 use fmi_sys::fmi2::{fmi2FMUstate, fmi2Type, fmi2Type_fmi2CoSimulation};
@@ -183,12 +184,13 @@ impl Component {
         self.state = State::StepComplete;
         if subtracted != 0.0 {
             self.event(&format!(
-                "profile_file begins with f(0) = {subtracted:e} m, which is subtracted from all its heights: the tip is at f = 0"
-            ));
+                "profile_file begins with f(0) = {subtracted} m, which is subtracted from all its heights: the tip is at f = 0", subtracted = short(subtracted)));
         }
         self.event(&format!(
-            "initialized with E* = {:e} Pa and G* = {along_x:e} Pa along x, {along_y:e} Pa along y",
-            materials.normal_modulus(),
+            "initialized with E* = {} Pa and G* = {along_x} Pa along x, {along_y} Pa along y",
+            short(materials.normal_modulus()),
+            along_x = short(along_x),
+            along_y = short(along_y)
         ));
         let defect = materials.similarity_defect();
         if defect > SIMILAR {

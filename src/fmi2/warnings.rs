@@ -6,6 +6,7 @@
 use super::enumerations::Loading;
 use super::settings::{Inputs, Settings};
 use crate::engine::FrettingContact;
+use crate::number::short;
 use crate::parameters::NormalControl;
 use crate::profile::Profile;
 
@@ -42,7 +43,8 @@ const TABLE: [Row; 12] = [
         let moduli = [("youngs_modulus_1", youngs_modulus_1), ("youngs_modulus_2", youngs_modulus_2)];
         let (name, value) = moduli.into_iter().find(|(_, value)| *value < 1e6)?;
         Some(format!(
-            "{name} = {value:e} Pa is below 1 MPa, softer than rubber: check the unit, which is Pa and not GPa"
+            "{name} = {value} Pa is below 1 MPa, softer than rubber: check the unit, which is Pa and not GPa",
+            value = short(value)
         ))
     }),
     (Moment::Start, |scene| {
@@ -66,17 +68,17 @@ const TABLE: [Row; 12] = [
         let (name, a, of, radius) =
             extents.into_iter().flatten().find(|(_, a, _, radius)| *a > 0.1 * radius)?;
         Some(format!(
-            "{name} = {a:.3e} m is above a tenth of {of} = {radius:e} m, up to which the bodies count as half-spaces: \
-             check {of}, load and Young's moduli"
+            "{name} = {a:.3e} m is above a tenth of {of} = {radius} m, up to which the bodies count as half-spaces: \
+             check {of}, load and Young's moduli",
+            radius = short(radius)
         ))
     }),
     (Moment::FirstContact, |scene| {
         let (pressure, hardness) = (scene.pressure(), scene.settings.hardness);
         (pressure > hardness).then(|| {
             format!(
-                "the pressure at the first contact, {pressure:.3e} Pa, is above hardness = {hardness:e} Pa, where bodies yield and the \
-                 model does not: check hardness (in Pa), load and profile"
-            )
+                "the pressure at the first contact, {pressure:.3e} Pa, is above hardness = {hardness} Pa, where bodies yield and the \
+                 model does not: check hardness (in Pa), load and profile", hardness = short(hardness))
         })
     }),
     (Moment::FirstContact, |scene| {
@@ -84,18 +86,16 @@ const TABLE: [Row; 12] = [
         let (a, third) = (scene.contact.contact_radius(), table.points().get(2)?.0);
         (a < third).then(|| {
             format!(
-                "contact_radius = {a:.3e} m is within the first three points of the profile table, which end at r = {third:e} m: check the \
-                 unit of profile_file, or give more points near the axis"
-            )
+                "contact_radius = {a:.3e} m is within the first three points of the profile table, which end at r = {third} m: check the \
+                 unit of profile_file, or give more points near the axis", third = short(third))
         })
     }),
     (Moment::FirstContact, |scene| {
         let (rig, contact) = (scene.settings.rig_stiffness, scene.contact.tangential_stiffness());
         (rig < 1e-3 * contact).then(|| {
             format!(
-                "rig_stiffness = {rig:e} N/m is below a thousandth of the contact's own, {contact:.3e} N/m, so that the drive hardly moves the \
-                 contact: check the unit, which is N/m"
-            )
+                "rig_stiffness = {rig} N/m is below a thousandth of the contact's own, {contact:.3e} N/m, so that the drive hardly moves the \
+                 contact: check the unit, which is N/m", rig = short(rig))
         })
     }),
     (Moment::Step, |scene| {
@@ -114,9 +114,8 @@ const TABLE: [Row; 12] = [
         let ([from, _], [to, _]) = (scene.run.start, scene.inputs.place());
         (scene.settings.loading() == Loading::Cyclic && scene.run.start != scene.inputs.place()).then(|| {
             format!(
-                "loading = cyclic, and tangential_displacement has moved from {from:e} m to {to:e} m without effect: set \
-                 displacement_amplitude and frequency, or loading = transient"
-            )
+                "loading = cyclic, and tangential_displacement has moved from {from} m to {to} m without effect: set \
+                 displacement_amplitude and frequency, or loading = transient", from = short(from), to = short(to))
         })
     }),
     (Moment::Step, |scene| {
@@ -125,18 +124,16 @@ const TABLE: [Row; 12] = [
         let given = amplitude != usual && amplitude != 0.0;
         (scene.settings.loading() == Loading::Transient && given).then(|| {
             format!(
-                "loading = transient, and displacement_amplitude = {amplitude:e} m has no effect: set tangential_displacement, or \
-                 loading = cyclic"
-            )
+                "loading = transient, and displacement_amplitude = {amplitude} m has no effect: set tangential_displacement, or \
+                 loading = cyclic", amplitude = short(amplitude))
         })
     }),
     (Moment::Step, |scene| {
         let angle = scene.inputs.rotation;
         (angle != 0.0 && scene.settings.contacts_file.is_empty()).then(|| {
             format!(
-                "rotation = {angle:e} rad has no effect: a single contact lies on the axis of rotation; set contacts_file for a joint of \
-                 many, or leave rotation at 0"
-            )
+                "rotation = {angle} rad has no effect: a single contact lies on the axis of rotation; set contacts_file for a joint of \
+                 many, or leave rotation at 0", angle = short(angle))
         })
     }),
     (Moment::End, |scene| {
@@ -147,9 +144,8 @@ const TABLE: [Row; 12] = [
         };
         (!touched && has_moved).then(|| {
             format!(
-                "the bodies have moved and never touched, since {name} was never above {largest_normal:e} {unit}: check that {name} is \
-                 connected and positive in compression"
-            )
+                "the bodies have moved and never touched, since {name} was never above {largest_normal} {unit}: check that {name} is \
+                 connected and positive in compression", largest_normal = short(largest_normal))
         })
     }),
 ];

@@ -12,6 +12,7 @@
 use super::{Interface, Pose};
 use crate::engine::MOST_PIECES;
 use crate::error::Error;
+use crate::number::short;
 use crate::parameters::NormalControl;
 use crate::range;
 
@@ -168,7 +169,7 @@ impl Interface {
                 Err(problem) if length <= cycles * f64::EPSILON => return Err(problem),
                 run => {
                     if length <= cycles * f64::EPSILON {
-                        let what = format!("{cycles:e} cycles of amplitude {amplitude:e} m");
+                        let what = format!("{} cycles of amplitude {} m", short(cycles), short(amplitude));
                         let parts = (cycles / length) as u64;
                         return Err(Error::InterfaceOutrun { share: exchange.share, what, parts });
                     }
@@ -190,7 +191,12 @@ impl Interface {
             }
         }
         if left > 0.0 {
-            let what = format!("{cycles:e} cycles of amplitude {amplitude:e} m, of which {left:e} are left");
+            let what = format!(
+                "{} cycles of amplitude {} m, of which {} are left",
+                short(cycles),
+                short(amplitude),
+                short(left)
+            );
             return Err(Error::InterfaceOutrun { share: exchange.share, what, parts: MOST_PIECES.into() });
         }
         self.block = block;

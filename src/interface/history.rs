@@ -5,6 +5,7 @@ use super::members::{ForceChange, Loading};
 use super::{Interface, Pose};
 use crate::engine::{FrettingContact, MOST_PIECES, ROUNDING};
 use crate::error::Error;
+use crate::number::short;
 use crate::parameters::NormalControl;
 use crate::range;
 
@@ -198,7 +199,12 @@ impl Interface {
                 }
                 Outcome::TooLong { lost } if is_worn_off && length <= shortest => {
                     let [x, y] = to.displacement;
-                    let what = format!("to displacement ({x:e}, {y:e}) m, rotation {:e} rad", to.rotation);
+                    let what = format!(
+                        "to displacement ({}, {}) m, rotation {} rad",
+                        short(x),
+                        short(y),
+                        short(to.rotation)
+                    );
                     return Err(Error::InterfaceOutrun { share: lost, what, parts: MOST_PIECES.into() });
                 }
                 Outcome::TooLong { lost } => {

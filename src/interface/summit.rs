@@ -1,6 +1,7 @@
 //! Where the contacts of an interface are, and the file that lists them.
 
 use crate::error::Error;
+use crate::number::short;
 use crate::profile::{LengthUnit, SECOND_HEADER, are_words, fields, lines, shorten};
 use crate::range;
 use serde::{Deserialize, Serialize};
@@ -105,7 +106,10 @@ impl Summit {
         for (name, value) in [("offset", self.offset), ("x", self.x), ("y", self.y)] {
             let within = value.abs() <= most;
             if !within {
-                return Some(format!("{name} = {value:?} m: it has to be finite, {most:e} m at most"));
+                return Some(format!(
+                    "{name} = {value:?} m: it has to be finite, {most} m at most",
+                    most = short(most)
+                ));
             }
         }
         let factor = self.radius_factor;

@@ -10,6 +10,7 @@
 
 use super::text::{self, LengthUnit, Points};
 use crate::error::Error;
+use crate::number::short;
 use crate::range;
 use crate::transform::{abel_last, inverse_at, pressure_weight};
 use serde::{Deserialize, Serialize};
@@ -113,20 +114,27 @@ impl ProfileTable {
                 return refuse(
                     i,
                     format!(
-                        "r = {r:e} m: the first point has to lie on the axis, r = 0; a scan over both sides \
-                     becomes a table by `cargo fmu profile`"
+                        "r = {} m: the first point has to lie on the axis, r = 0; a scan over both sides \
+                     becomes a table by `cargo fmu profile`",
+                        short(r)
                     ),
                 );
             }
             if i > 0 && r == points[i - 1].0 {
-                return refuse(i, format!("r = {r:e} m occurs twice: keep one of the two points"));
+                return refuse(i, format!("r = {} m occurs twice: keep one of the two points", short(r)));
             }
             if i > 0 && r < points[i - 1].0 {
                 let before = points[i - 1].0;
-                return refuse(i, format!("r = {r:e} m after r = {before:e} m: sort the points by rising r"));
+                return refuse(
+                    i,
+                    format!("r = {} m after r = {} m: sort the points by rising r", short(r), short(before)),
+                );
             }
             if i > 0 && r < *range::LENGTH.start() {
-                return refuse(i, format!("r = {r:e} m: a radius that is not 0 has to be 1e-30 m at least"));
+                return refuse(
+                    i,
+                    format!("r = {} m: a radius that is not 0 has to be 1e-30 m at least", short(r)),
+                );
             }
         }
         let tip = points[0].1;

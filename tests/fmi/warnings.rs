@@ -79,7 +79,7 @@ fn a_modulus_in_the_wrong_unit() {
     assert_eq!((fmu.set_real("youngs_modulus_1", 210.0), fmu.enter_initialization()), (OK, OK));
     assert_eq!(fmu.exit_initialization(), WARNING, "of the materials, which has always been so");
     let modulus: Vec<_> = fmu.messages().into_iter().filter(|text| text.contains("below 1 MPa")).collect();
-    warned(&modulus, &["youngs_modulus_1 = 2.1e2 Pa", "check the unit"]);
+    warned(&modulus, &["youngs_modulus_1 = 210 Pa", "check the unit"]);
     let fmu = Fmu::started(|fmu| {
         for (name, value) in [("youngs_modulus_2", 9.9e5), ("normal_force", 1e-3)] {
             assert_eq!(fmu.set_real(name, value), OK);
@@ -134,14 +134,14 @@ fn a_table_in_the_wrong_unit() {
     let (_file, set) = table(&content);
     warned(
         &run(set, &[]),
-        &["first three points", "r = 2e1 m", "unit of profile_file", "contact_radius = 1.8"],
+        &["first three points", "r = 20 m", "unit of profile_file", "contact_radius = 1.8"],
     );
 }
 
 #[test]
 fn a_rig_in_the_wrong_unit() {
     // 35 N/µm read as N/m, on a contact of 35.4673 N/µm
-    warned(&run(real("rig_stiffness", 35.0), &STROKES), &["rig_stiffness = 3.5e1 N/m", "3.547e7 N/m"]);
+    warned(&run(real("rig_stiffness", 35.0), &STROKES), &["rig_stiffness = 35 N/m", "3.547e7 N/m"]);
     assert_eq!(run(real("rig_stiffness", 3.6e4), &STROKES), [""; 0]);
 }
 
@@ -169,7 +169,7 @@ fn a_step_far_beyond_full_slip() {
 fn motion_in_cyclic_loading_and_an_amplitude_in_transient_loading() {
     let cyclic = |fmu: &Fmu| assert_eq!(fmu.set_integer("loading", 2), OK);
     let strokes = run(cyclic, &STROKES);
-    warned(&strokes, &["loading = cyclic", "from 0e0 m to 2e-6 m", "loading = transient"]);
+    warned(&strokes, &["loading = cyclic", "from 0 m to 2e-6 m", "loading = transient"]);
     // a constant offset is no motion
     let offset = |fmu: &Fmu| {
         cyclic(fmu);
@@ -182,7 +182,7 @@ fn motion_in_cyclic_loading_and_an_amplitude_in_transient_loading() {
 
 #[test]
 fn a_rotation_of_a_single_contact() {
-    let texts = ["rotation = 1e-3 rad has no effect", "contacts_file"];
+    let texts = ["rotation = 0.001 rad has no effect", "contacts_file"];
     warned(&run(real("rotation", 1e-3), &STROKES), &texts);
     warned(&run(|_| {}, &[&[("rotation", 1e-3)], &[("rotation", 2e-3)]]), &texts);
     let cyclic = |fmu: &Fmu| assert_eq!(fmu.set_integer("loading", 2), OK);
@@ -193,9 +193,9 @@ fn a_rotation_of_a_single_contact() {
 fn a_load_that_is_never_positive() {
     let messages =
         run(real("normal_force", 0.0), &[&[("normal_force", -50.0), (X, 1e-6)], &[("normal_force", -20.0)]]);
-    warned(&messages, &["never touched", "normal_force was never above 0e0 N", "connected"]);
+    warned(&messages, &["never touched", "normal_force was never above 0 N", "connected"]);
     let messages = run(real("normal_force", -100.0), &STROKES);
-    warned(&messages, &["never above -1e2 N"]);
+    warned(&messages, &["never above -100 N"]);
     // nothing moves: nothing is missed
     assert_eq!(run(real("normal_force", 0.0), &[&[], &[]]), [""; 0]);
     let cycles = |fmu: &Fmu| {

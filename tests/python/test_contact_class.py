@@ -252,7 +252,7 @@ def test_a_state_is_restored_from_any_kind_of_bytes(kind):
 
 
 def test_warnings_of_the_component_are_those_of_python():
-    with pytest.warns(ContactWarning, match="hardness = 8e2 Pa"):
+    with pytest.warns(ContactWarning, match="hardness = 800 Pa"):
         Contact(hardness=800.0).close()
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -52,7 +52,7 @@ SINE = "3e-6 * np.sin(6.2832 * t)"
         (
             {"hardness": 800},
             "100.0",
-            ["wears more than the profile can follow", "hardness = 8e2 Pa"],
+            ["wears more than the profile can follow", "hardness = 800 Pa"],
         ),
         ({"wear_coefficient": 1e3}, "100.0", ["wears more than the profile can follow"]),
         # a force that grows beyond what can be computed with
@@ -79,5 +79,5 @@ def test_a_sensible_run_says_nothing(fmu_path):
 def test_it_is_the_default_run(fmu_path):
     """With nothing but a start value, as in a first try."""
     printed, seconds = simulate(fmu_path, {"hardness": 800})
-    assert "hardness = 8e2 Pa" in printed and seconds < 1.0
+    assert "hardness = 800 Pa" in printed and seconds < 1.0
     assert np.isfinite(seconds)

@@ -188,7 +188,7 @@ def test_a_refused_set_has_its_message_and_the_others_come_out(fmu_path, tmp_pat
     assert all("radius = -0.01" in text for text in results["error"][refused])
     assert results["regime"][:2].tolist() == ["partial"] * 2 and results["regime"][4] == "separated"
     assert np.isnan(results["wear_volume"][refused]).all()
-    assert "hardness = 8e2 Pa" in results["warning"][1] and results["warning"][0] == ""
+    assert "hardness = 800 Pa" in results["warning"][1] and results["warning"][0] == ""
 
 
 @pytest.mark.parametrize(

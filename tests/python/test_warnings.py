@@ -12,7 +12,7 @@ def test_a_kept_message_is_found(fmu_path, tmp_path):
         encoding="utf-8",
     )
     _, (line,) = run_with_warnings(own, fmu_path)
-    assert "hardness = 8e2 Pa" in line
+    assert "hardness = 800 Pa" in line
 
 
 def test_a_message_to_fmpy_is_found(fmu_path, tmp_path):
@@ -23,4 +23,4 @@ def test_a_message_to_fmpy_is_found(fmu_path, tmp_path):
         encoding="utf-8",
     )
     _, (line,) = run_with_warnings(simulated, fmu_path)
-    assert "hardness = 8e2 Pa" in line
+    assert "hardness = 800 Pa" in line
