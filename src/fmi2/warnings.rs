@@ -233,6 +233,8 @@ pub(super) struct Warnings {
     unsent: u16,
     /// Whether it has been said that a field has no numbers.
     unknown_field: bool,
+    /// Whether a step of no length has been named.
+    no_length: bool,
     run: Run,
 }
 
@@ -250,7 +252,7 @@ impl Default for Warnings {
             has_moved: false,
             largest_normal: f64::NEG_INFINITY,
         };
-        Self { unsent: ALL, unknown_field: false, run }
+        Self { unsent: ALL, unknown_field: false, no_length: false, run }
     }
 }
 
@@ -258,6 +260,11 @@ impl Warnings {
     /// Whether it has still to be said that a field has no numbers.
     pub(super) fn take_unknown_field(&mut self) -> bool {
         !std::mem::replace(&mut self.unknown_field, true)
+    }
+
+    /// Whether it has still to be said that a step has no length.
+    pub(super) fn take_no_length(&mut self) -> bool {
+        !std::mem::replace(&mut self.no_length, true)
     }
 
     fn begin(&mut self, contact: &FrettingContact, settings: &Settings, inputs: &Inputs) {
