@@ -14,7 +14,7 @@ use super::enumerations::Loading;
 use super::refusal::{Checked, Refusal};
 use super::settings::Inputs;
 use super::values::{Asked, Table};
-use super::variables::{Access, DataType, Direction, Output, Variable, Whole};
+use super::variables::{Access, DataType, Direction, Output, Variable, Whole, variables};
 use crate::engine::Gradient;
 use core::mem::MaybeUninit;
 
@@ -69,15 +69,27 @@ const CONSTANT: Output = Output {
     never_falls: false,
 };
 
-/// The outputs behind a list of references.
-fn outputs<'a>(references: &'a [u32], refuse: impl Fn(&Variable) -> Refusal + 'a) -> Checked<Vec<Output>> {
+/// The outputs behind a list of references. `refuse` makes a refusal of a name and the reason.
+fn outputs(references: &[u32], refuse: fn(String, String) -> Refusal) -> Checked<Vec<Output>> {
     let table = Table::get();
-    let find = |reference: &u32| match table.find(*reference, Asked::Real)? {
+    let find = |reference: &u32| match table.find_any(*reference)? {
         Variable { access: Access::Output(output), .. } => Ok(*output),
         Variable { access: Access::WearThrough(_), .. } => Ok(CONSTANT),
-        other => Err(refuse(other).into()),
+        other => Err(refuse(other.name.to_string(), no_derivative(other)).into()),
     };
     references.iter().map(find).collect()
+}
+
+/// Why a variable has no derivative, and which ones have.
+#[cold]
+fn no_derivative(variable: &Variable) -> String {
+    let reason = match (variable.causality(), variable.variability()) {
+        ("output" | "local", "discrete") => "it is discrete".to_owned(),
+        (causality, _) => format!("it has the causality {causality}"),
+    };
+    let with = variables().iter().filter(|other| matches!(other.access, Access::Output(_)));
+    let names: Vec<_> = with.map(|other| other.name).collect();
+    format!("{reason}; only continuous outputs have derivatives: {}", names.join(", "))
 }
 
 impl Component {
@@ -88,8 +100,7 @@ impl Component {
         (knowns, seed): (&[u32], &[f64]),
         results: &mut [MaybeUninit<f64>],
     ) -> Checked {
-        let refuse = |variable: &Variable| Refusal::Unknown { name: variable.name.to_string() };
-        let outputs = outputs(unknowns, refuse)?;
+        let outputs = outputs(unknowns, |name, reason| Refusal::Unknown { name, reason })?;
         let mut change = Inputs::ZERO;
         let mut by_parameters = vec![0.0; outputs.len()];
         for (&reference, &value) in knowns.iter().zip(seed) {
@@ -159,10 +170,7 @@ impl Component {
         orders: &[i32],
         values: &mut [MaybeUninit<f64>],
     ) -> Checked {
-        let requirement = "only outputs have derivatives";
-        let refuse =
-            |variable: &Variable| Refusal::Text { name: variable.name.to_string(), problem: requirement };
-        let outputs = outputs(references, refuse)?;
+        let outputs = outputs(references, |name, reason| Refusal::OutputDerivative { name, reason })?;
         for (&reference, &order) in references.iter().zip(orders) {
             if order < 1 {
                 let name = Table::get().find(reference, Asked::Real)?.name.to_string();

@@ -55,8 +55,10 @@ pub(super) enum Refusal {
         "derivative of {name}: order {order} is refused; an order is 1 or more, and from 2 on the derivative is 0"
     )]
     OutputDerivativeOrder { name: String, order: i32 },
-    #[error("{name} is refused as an unknown: only Real outputs have directional derivatives")]
-    Unknown { name: String },
+    #[error("{name} is refused as an unknown: {reason}")]
+    Unknown { name: String, reason: String },
+    #[error("derivative of {name} is refused: {reason}")]
+    OutputDerivative { name: String, reason: String },
     #[error(
         "{name} is refused as a known: derivatives are with respect to inputs and, in initialization mode, Real parameters"
     )]

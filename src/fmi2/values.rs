@@ -55,6 +55,13 @@ impl Table {
         }
     }
 
+    /// The variable with this reference, of any type.
+    pub(super) fn find_any(self, reference: u32) -> Checked<&'static Variable> {
+        let last = self.0.len() - 1;
+        let found = self.0.get(reference as usize);
+        found.ok_or_else(|| Refusal::UnknownReference { reference, last }.into())
+    }
+
     /// Access to a variable that [`Self::find`] has found before.
     #[inline]
     pub(super) fn access(self, reference: u32) -> &'static Access {

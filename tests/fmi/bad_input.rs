@@ -182,6 +182,8 @@ fn experiments_that_make_no_sense() {
     fmu.initialize();
 }
 
+const CONTINUOUS: &str = "only continuous outputs have derivatives: tangential_force, wear_volume, ";
+
 #[test]
 fn derivatives_that_are_not_supported() {
     let fmu = Fmu::started(|_| {});
@@ -192,13 +194,29 @@ fn derivatives_that_are_not_supported() {
     let output = |name, order| fmu.output_slope(name, order).1;
     fmu.refused(output("wear_depth", 0), &["fmi2GetRealOutputDerivatives", "wear_depth", "order 0"]);
     fmu.refused(output("wear_depth", 0), &["wear_depth", "order 0"]);
-    fmu.refused(output("normal_force", 1), &["normal_force", "only outputs"]);
-    fmu.refused(output("pressure[1]", 1), &["pressure[1]", "only outputs"]);
+    fmu.refused(
+        output("normal_force", 1),
+        &["normal_force is refused: it has the causality input", CONTINUOUS],
+    );
+    fmu.refused(
+        output("pressure[1]", 1),
+        &["pressure[1] is refused: it has the causality local", CONTINUOUS],
+    );
     let directional = |unknown, known, seed| fmu.directional(&[unknown], &[(known, seed)]).1;
     let refused = |status, texts: &[&str]| fmu.refused(status, texts);
-    refused(directional("pressure[1]", "normal_force", 1.0), &["pressure[1]", "only Real outputs"]);
-    refused(directional("radius", "normal_force", 1.0), &["radius", "only Real outputs"]);
-    refused(directional("slip_state", "normal_force", 1.0), &["slip_state", "not Real"]);
+    refused(
+        directional("pressure[1]", "normal_force", 1.0),
+        &["pressure[1] is refused as an unknown: it has the causality local", CONTINUOUS],
+    );
+    refused(
+        directional("radius", "normal_force", 1.0),
+        &["radius is refused as an unknown: it has the causality parameter", CONTINUOUS],
+    );
+    for name in ["slip_state", "slip_state_value", "worn_through"] {
+        let text = format!("{name} is refused as an unknown: it is discrete; only continuous outputs");
+        refused(directional(name, "normal_force", 1.0), &[&text, ": tangential_force, wear_volume, "]);
+    }
+    refused(output("slip_state", 1), &["derivative of slip_state is refused: it is discrete", CONTINUOUS]);
     refused(directional("tangential_force", "radius", 1.0), &["radius", "with respect to inputs"]);
     refused(directional("tangential_force", "wear_depth", 1.0), &["wear_depth", "with respect to inputs"]);
     refused(directional("tangential_force", "normal_force", f64::NAN), &["normal_force = NaN"]);
