@@ -3,6 +3,10 @@
 use fretting_contact::fmi2::enumerations::ENUMERATIONS;
 use fretting_contact::fmi2::variables::{DataType, PROBES, Start, Variable, variables};
 use std::fmt::Write;
+use table_cells::{array_meaning, short_number, unit_cell};
+
+#[path = "../src/table_cells.rs"]
+mod table_cells;
 
 const HEAD: &str = "\
 # Which variables and enumerations are there?
@@ -70,7 +74,7 @@ fn name(variable: &Variable) -> Option<String> {
 /// Unit of a real number, else the type.
 fn kind(variable: &Variable) -> String {
     match &variable.data_type {
-        DataType::Real { unit, .. } => unit.map_or("", |unit| unit.name).replace("m3", "m³"),
+        DataType::Real { unit, .. } => unit_cell(unit.map_or("", |unit| unit.name)),
         DataType::Enumeration(enumeration) => {
             format!("[{0}](variables.md#{1})", enumeration.name, enumeration.name.to_lowercase())
         }
@@ -86,15 +90,12 @@ fn start_cell(variable: &Variable) -> String {
             format!(" {number} (`{}`) |", enumeration.items[index].0)
         }
         (Some(Start::Integer(number)), _) => format!(" {number} |"),
-        (Some(Start::Real(value)), _) if value != 0.0 && !(1e-3..1e5).contains(&value.abs()) => {
-            format!(" {value:e} |")
-        }
-        (Some(Start::Real(value)), _) => format!(" {value} |"),
+        (Some(Start::Real(value)), _) => format!(" {} |", short_number(value)),
         (Some(Start::Text(text)), _) => format!(" {text} |"),
     }
 }
 
 fn meaning(variable: &Variable) -> String {
     let tunable = if variable.variability() == "tunable" { " (*tunable*)" } else { "" };
-    format!("{}{tunable}", variable.description.replace("[1]", "").replace("probe 1,", "the probe,"))
+    format!("{}{tunable}", array_meaning(variable.description))
 }

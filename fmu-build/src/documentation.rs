@@ -1,6 +1,7 @@
 //! documentation/index.html: a written page, with the tables of variables taken from
 //! modelDescription.xml.
 
+use crate::table_cells::{array_meaning, short_number, unit_cell};
 use anyhow::{Context, Result};
 use quick_xml::escape::escape;
 use roxmltree::{Document, Node};
@@ -59,17 +60,16 @@ impl Row {
             Some(declared) if declared.has_tag_name("Enumeration") => {
                 item_name(declared, &text(element, "start"))
             }
-            _ => short_number(&text(element, "start")),
+            _ => start_cell(&text(element, "start")),
         };
         let items = declared.into_iter().flat_map(|declared| declared.children());
         let items = items.filter(|node| node.has_tag_name("Item"));
         Some(Self {
             causality: variable.attribute("causality").unwrap_or("local").to_owned(),
             name,
-            unit: unit.unwrap_or_default().replace("m3", "m³"),
+            unit: unit_cell(unit.unwrap_or_default()),
             start,
-            // The row stands for the whole array.
-            description: text(variable, "description").replace("[1]", "").replace("probe 1,", "the probe,"),
+            description: array_meaning(&text(variable, "description")),
             items: items.map(|item| ["value", "name", "description"].map(|key| text(item, key))).collect(),
         })
     }
@@ -129,18 +129,14 @@ fn item_name(enumeration: Node<'_, '_>, value: &str) -> String {
     item.and_then(|item| item.attribute("name")).unwrap_or(value).to_owned()
 }
 
-/// Numbers far from 1 with an exponent, 2.1e11 for 210000000000.0; any other text as it is.
-fn short_number(text: &str) -> String {
-    match text.parse::<f64>() {
-        Ok(value) if value != 0.0 && !(1e-3..1e5).contains(&value.abs()) => format!("{value:e}"),
-        Ok(value) => value.to_string(),
-        Err(_) => text.to_owned(),
-    }
+/// A short number; any other text as it is.
+fn start_cell(text: &str) -> String {
+    text.parse().map_or_else(|_| text.to_owned(), short_number)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{page, short_number};
+    use super::{page, start_cell};
 
     const DESCRIPTION: &str = r#"<fmiModelDescription version="1.2.3">
 <TypeDefinitions><SimpleType name="Shape"><Enumeration><Item name="cone" value="2" description="f &lt; r"/></Enumeration></SimpleType></TypeDefinitions>
@@ -172,9 +168,8 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_short() {
-        let shown =
-            ["210000000000.0", "3.48291e-6", "0.01", "0.0", "128", "C:/profile.txt"].map(short_number);
-        assert_eq!(shown, ["2.1e11", "3.48291e-6", "0.01", "0", "128", "C:/profile.txt"]);
+    fn numbers_are_short_and_texts_stay() {
+        let shown = ["210000000000.0", "0.0", "128", "C:/profile.txt"].map(start_cell);
+        assert_eq!(shown, ["2.1e11", "0", "128", "C:/profile.txt"]);
     }
 }

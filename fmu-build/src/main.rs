@@ -27,6 +27,7 @@ mod python;
 mod reference;
 mod release;
 mod smoke_test;
+mod table_cells;
 mod terminals;
 mod totals;
 mod wheel;
