@@ -130,15 +130,19 @@ fn type_attributes(variable: &Variable) -> Vec<(&'static str, String)> {
         DataType::Real { unit, nominal, range: Range { low, high } } => {
             attributes.extend(unit.map(|unit| ("unit", unit.name.to_owned())));
             attributes.extend(variable.display_unit.map(|unit| ("displayUnit", unit.name.to_owned())));
-            // The schema's bounds belong to the range; an open bound cannot be said.
-            if let Bound::Included(min) = low {
-                attributes.push(("min", format!("{min:?}")));
-            }
-            if let Bound::Included(max) = high
-                && max.is_finite()
-            {
-                attributes.push(("max", format!("{max:?}")));
-            }
+            // the schema's bounds belong to the range: those of an open one are the next numbers
+            let min = match *low {
+                Bound::Included(min) => Some(min),
+                Bound::Excluded(min) => Some(min.next_up()),
+                Bound::Unbounded => None,
+            };
+            let max = match *high {
+                Bound::Included(max) => Some(max),
+                Bound::Excluded(max) => Some(max.next_down()),
+                Bound::Unbounded => None,
+            };
+            attributes.extend(min.map(|min| ("min", format!("{min:?}"))));
+            attributes.extend(max.filter(|max| max.is_finite()).map(|max| ("max", format!("{max:?}"))));
             attributes.extend(nominal.map(|nominal| ("nominal", format!("{nominal:?}"))));
         }
         DataType::Integer { min, max } => {

@@ -92,6 +92,25 @@ fn starts_lie_within_their_bounds() {
     });
 }
 
+/// Bounds that do not belong to the range are given by the next numbers.
+#[test]
+fn real_parameters_have_both_bounds() {
+    with_document(|root| {
+        for (variable, data) in variables(root) {
+            if variable.attribute("causality") != Some("parameter") || !data.has_tag_name("Real") {
+                continue;
+            }
+            assert!(number(data, "min").is_some(), "{}", name(variable));
+            // a rig may be rigid
+            let is_open_ended = name(variable) == "rig_stiffness";
+            assert_eq!(number(data, "max").is_none(), is_open_ended, "{}", name(variable));
+            if name(variable) == "cone_slope" {
+                assert_eq!(number(data, "max").map(f64::next_up), Some(std::f64::consts::FRAC_PI_2));
+            }
+        }
+    });
+}
+
 #[test]
 fn starts_are_where_the_standard_wants_them() {
     with_document(|root| {
