@@ -3,6 +3,7 @@
 use fretting_contact::fmi2::enumerations::ENUMERATIONS;
 use fretting_contact::fmi2::variables::{DataType, PROBES, Start, Variable, variables};
 use std::fmt::Write;
+use std::ops::Bound;
 use table_cells::{array_meaning, short_number, unit_cell};
 
 #[path = "../src/table_cells.rs"]
@@ -20,6 +21,11 @@ marked *tunable* may be changed between two steps. Where a tool sets an enumerat
 take the number from [the enumerations](variables.md#enumerations). A tool that knows display units
 shows lengths in um or mm, volumes in mm3, stresses in MPa or GPa, stiffnesses in N/um, work in mJ
 and angles in deg; the values that it exchanges with the FMU stay in SI units.
+
+The range of an input or a parameter is what the FMU accepts; a call with another value is refused.
+Where the cell of a number is empty, any finite one is accepted; a step refuses forces beyond
+1e60 N, lengths beyond 1e60 m and more than 1e30 cycles. Outputs and local variables stay in their
+ranges.
 ";
 
 const SECTIONS: [(&str, &str); 4] =
@@ -33,16 +39,17 @@ pub(crate) fn variables_page() -> String {
             if matches!(causality, "input" | "parameter") { (" start |", " --- |") } else { ("", "") };
         let _ = write!(
             page,
-            "\n## {heading}\n\n| name | unit |{} meaning |\n| --- | --- |{} --- |\n",
+            "\n## {heading}\n\n| name | unit |{} range | meaning |\n| --- | --- |{} --- | --- |\n",
             start.0, start.1
         );
         for variable in variables().iter().filter(|variable| variable.causality() == causality) {
             if let Some(name) = name(variable) {
                 let _ = writeln!(
                     page,
-                    "| {name} | {} |{} {} |",
+                    "| {name} | {} |{} {} | {} |",
                     kind(variable),
                     start_cell(variable),
+                    range_cell(variable),
                     meaning(variable)
                 );
             }
@@ -93,6 +100,23 @@ fn start_cell(variable: &Variable) -> String {
         (Some(Start::Real(value)), _) => format!(" {} |", short_number(value)),
         (Some(Start::Text(text)), _) => format!(" {text} |"),
     }
+}
+
+/// Accepted values; nothing where all of the type are.
+fn range_cell(variable: &Variable) -> String {
+    let (low, high) = match variable.data_type {
+        DataType::Real { range, .. } => (range.low, range.high),
+        DataType::Integer { min, max } => (Bound::Included(min.into()), Bound::Included(max.into())),
+        _ => (Bound::Unbounded, Bound::Unbounded),
+    };
+    let bound = |bound, included: &str, excluded: &str| match bound {
+        Bound::Included(f64::INFINITY) => Some("inf allowed".to_owned()),
+        Bound::Included(value) => Some(format!("{included} {}", short_number(value))),
+        Bound::Excluded(value) => Some(format!("{excluded} {}", short_number(value))),
+        Bound::Unbounded => None,
+    };
+    let bounds = [bound(low, "≥", ">"), bound(high, "≤", "<")];
+    bounds.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
 fn meaning(variable: &Variable) -> String {
