@@ -226,21 +226,6 @@ impl Springs {
         }
     }
 
-    /// Takes a row that stands at +`amplitude` to a `displacement` with the same deflections, in
-    /// direction `side`.
-    pub(crate) fn moved_by(&mut self, side: f64, amplitude: f64, displacement: f64) {
-        for knot in &mut self.knots {
-            knot.origin = displacement - side * (amplitude - knot.origin);
-        }
-    }
-
-    /// Takes the springs at `front` and outside from another row.
-    pub(crate) fn take_outer(&mut self, front: f64, other: &Self) {
-        let start = front * (1.0 - NEARLY);
-        self.knots.retain(|knot| knot.place.x < start);
-        self.knots.extend(other.knots.iter().filter(|knot| knot.place.x >= start));
-    }
-
     /// Inner edge of the outer zone in which all springs are at their bound on one side: the stick
     /// radius, m.
     pub(crate) fn stick_radius(&self, contact: &Contact, bound_slope: f64, displacement: f64) -> f64 {

@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::friction::{Resting, Row, SlipPiece};
 use crate::parameters::{Parameters, USUAL_TOLERANCE};
 use crate::surface::{Contact, FrontMotion, Nodes, ROUNDING, Surface};
-use crate::wear::{self, Part, RepeatedMotion, Sliding, SlipAtDepth, SlipFields, Update};
+use crate::wear::{self, Part, RepeatedMotion, SAME, Sliding, SlipAtDepth, SlipFields, Update};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 use std::mem::{replace, take};
@@ -177,23 +177,13 @@ impl FrettingContact {
         if let Some(law) = only {
             zone.0 = zone.0.max(self.radius_of_front(law.front(), backlog.radius));
         }
-        // strokes are not quite alike while friction runs in
-        let share = if self.is_running_in() { 0.25 * self.model.tuning.drift } else { wear::SAME };
-        let (bound_slope, tip) = (self.model.bound_slope, self.surface.tip());
-        let motion = only.and_then(|law| law.motion((bound_slope, tip), share));
+        let motion = only.and_then(|law| law.motion(self.model.bound_slope));
         if let Some(motion) = motion.filter(|motion| self.is_followed(motion))
-            && let drive = self.drive_of(&motion)
-            && self.absorb_motion(&motion, drive, backlog.work)?
+            && self.absorb_motion(&motion, backlog.work)?
         {
-            if let (Sliding::Cycles(amplitude), Some(drive)) = (motion.sliding, drive) {
-                // a first quarter is worn as one of steady cycles
-                self.rest_on_worn(&old, zone, &[])?;
-                let own = self.own_amplitude(drive);
-                self.state.place.x += self.state.direction.x * (own - amplitude);
-                self.rest_at_reversal(own, zone.0);
-            } else {
-                self.rest_on_worn(&old, zone, &uncounted)?;
-            }
+            // a first quarter is worn as one of steady cycles
+            let is_quarter = motion.mixture.is_none() && motion.amount <= 0.25 * (1.0 + SAME);
+            self.rest_on_worn(&old, zone, if is_quarter { &[] } else { &uncounted })?;
         } else {
             let way = if self.state.row.is_plane() { FrontMotion::Creeps } else { FrontMotion::Returns };
             match self.absorb_law((&law, way), backlog.work, backlog.radius) {
@@ -224,30 +214,14 @@ impl FrettingContact {
         shares.iter().map(|(image, share)| (self.radius_of_front(*image, radius), *share)).collect()
     }
 
-    /// Amplitude of the drive (m) of equal cycles.
-    fn drive_of(&mut self, motion: &RepeatedMotion) -> Option<f64> {
-        match motion {
-            RepeatedMotion { sliding: Sliding::Cycles(own), mixture: None, .. } => {
-                Some(self.drive_amplitude(*own))
-            }
-            _ => None,
-        }
-    }
-
     /// Wears a motion off on the moving mesh, in place of the springs' work on the profile before,
-    /// J; says whether that could follow. At constant force it follows the rig.
-    fn absorb_motion(
-        &mut self,
-        motion: &RepeatedMotion,
-        drive: Option<f64>,
-        work: f64,
-    ) -> Result<bool, Error> {
-        let drive = drive.filter(|_| self.model.compliance > 0.0 && self.model.constants.force_control);
+    /// J; says whether that could follow.
+    fn absorb_motion(&mut self, motion: &RepeatedMotion, work: f64) -> Result<bool, Error> {
         let control = self.state.contact.control;
         // as much of it as does that work: friction that runs in was another before
         let amount = if self.runs_in() { work / self.work_of_one(motion) } else { motion.amount };
         let motion = RepeatedMotion { amount, ..motion.clone() };
-        let worn_by = self.wear_by(control, motion, drive, Part::Update)?;
+        let worn_by = self.wear_by(control, motion, None, Part::Update)?;
         if let Some(worn_by) = worn_by {
             self.correct_work(worn_by - work);
         }

@@ -132,19 +132,6 @@ impl FrettingContact {
         }
     }
 
-    /// Puts the slipping springs where a steady cycle has them at its end, on a surface that has
-    /// just worn. Those that stuck all the time keep what they remember: the cycle need not be
-    /// about the place where they are relaxed.
-    pub(super) fn rest_at_reversal(&mut self, amplitude: f64, stick_before: f64) {
-        let contact = self.state.contact;
-        let (mut springs, _) = self.quarter(&contact, amplitude);
-        let front = springs.stick_radius(&self.state.contact, self.model.constants.bound_slope(), amplitude);
-        springs.moved_by(self.state.direction.x, amplitude, self.state.place.x);
-        if let Row::Line(row) = &mut self.state.row {
-            row.take_outer(front.min(stick_before), &springs);
-        }
-    }
-
     /// Place on a line at constant load from which on all springs slip, where the line goes on so
     /// far beyond it that the wear matters.
     pub(super) fn onset_of_long_slide(&self, value: f64, place: Vector2<f64>) -> Option<Vector2<f64>> {

@@ -384,49 +384,19 @@ impl SlipAtDepth {
         }
     }
 
-    /// The motion that makes this law: equal ones where it is that of one up to a share of the
-    /// slip, else cycles of several amplitudes.
-    pub(crate) fn motion(&self, (bound_slope, tip): (f64, f64), share: f64) -> Option<RepeatedMotion> {
-        self.repeated_motion(bound_slope, tip, share).or_else(|| self.mixture(bound_slope))
-    }
-
-    /// The motion that makes this law, where it is one that repeats in the contact of its depth up
-    /// to a share of the slip; `tip` is the image at the axis.
-    pub(crate) fn repeated_motion(&self, bound_slope: f64, tip: f64, share: f64) -> Option<RepeatedMotion> {
-        let (whole, slope) = self.at(self.depth);
-        if whole <= 0.0 {
-            return None;
-        }
-        if self.knots.is_empty() && (self.at(tip).0 - whole).abs() <= share * whole {
-            return Some(RepeatedMotion::of(Sliding::Onward, whole));
-        }
-        // E(d) = 4 N U₀ and dE/dg = 4 N m, of whole quarters
-        let quarters = (slope / bound_slope).round();
-        if quarters < 1.0 || (slope / bound_slope - quarters).abs() > share * quarters {
-            return None;
-        }
-        let slope = quarters * bound_slope;
-        // both are lines between these places
-        let front = self.depth - whole / slope;
-        let of_cycles = |image: f64| (slope * (image - front)).max(0.0);
-        let alike = |image: f64| (self.at(image).0 - of_cycles(image)).abs() <= share * whole;
-        let mut places = self.knots.iter().map(|knot| knot.0).chain([tip, front]);
-        let inside = |place: &f64| (tip..self.depth).contains(place);
-        let sliding = Sliding::Cycles(whole / quarters);
-        places
-            .all(|place| !inside(&place) || alike(place))
-            .then_some(RepeatedMotion::of(sliding, 0.25 * quarters))
-    }
-
-    /// Cycles of several amplitudes that make this law: each hinge is the front of one. There are
-    /// so many that cycles of the largest would slip as much at the contact edge. `None` where the
-    /// core slips evenly.
-    fn mixture(&self, bound_slope: f64) -> Option<RepeatedMotion> {
+    /// The motion at one load that makes this law: sliding onward, or cycles of which each hinge is
+    /// the front of one amplitude. There are so many that cycles of the largest would slip as much
+    /// at the contact edge. `None` where a core slips as in no cycles: evenly beside others that do
+    /// not, or less further out.
+    pub(crate) fn motion(&self, bound_slope: f64) -> Option<RepeatedMotion> {
         let (slope, whole) = (self.first.0, self.at(self.depth).0);
-        if self.first.1 > self.least && slope * self.depth <= SAME * whole {
-            return None;
-        }
         let inside = |(place, _): &(f64, f64)| *place < self.depth;
+        let rounding = SAME * whole;
+        if self.first.1 > self.least && slope * self.depth <= rounding {
+            let is_even =
+                -slope * self.depth <= rounding && !self.knots.iter().any(|knot| knot.0 < self.depth);
+            return is_even.then(|| RepeatedMotion::of(Sliding::Onward, whole));
+        }
         let fronts = self.rises().map(|(place, rise)| {
             // all of a core that slips has its front where the line through it is 0
             let place = if place.is_finite() { place } else { -self.first.1 / slope };
@@ -442,7 +412,7 @@ impl SlipAtDepth {
         let share = |(place, rise): &(f64, f64)| {
             (rise / (4.0 * amount * bound_slope), bound_slope * (self.depth - place))
         };
-        let mixture = Some(fronts.iter().map(share).collect());
+        let mixture = (fronts.len() > 1).then(|| fronts.iter().map(share).collect());
         Some(RepeatedMotion { sliding: Sliding::Cycles(amplitude), mixture, amount })
     }
 

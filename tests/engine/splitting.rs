@@ -2,6 +2,7 @@
 //! which neither way is refused.
 
 use crate::common::*;
+use fretting_contact::problems::Problem;
 use fretting_contact::{FrettingContact, NormalControl, Parameters, Profile, ProfileTable};
 use rand::RngExt;
 use rand::rngs::StdRng;
@@ -256,6 +257,35 @@ fn strokes_off_cycles(
         [worn / whole.wear_volume() - 1.0, stepped.profile_volume() / worn - 1.0]
     };
     (0..parts).map(|_| part()).collect()
+}
+
+/// At constant depth strokes that wear a good part of a life each end where whole cycles do, with
+/// their stick radius, in one step and in parts. (A part of a stroke was taken for a whole one,
+/// after which the springs stand at a reversal: the front moved in, and V went up to 40 % beyond
+/// the final one.)
+#[test]
+fn parts_of_strokes_in_fast_wear_end_in_the_final_state() {
+    let settings: [(f64, usize); 4] = [(1e-3, 1), (1e-3, 20), (1e-4, 1), (1e-4, 20)];
+    for (profile, life) in [(BALL, 10.0), (BALL, 30.0), (CONE, 10.0), (CONE, 30.0)] {
+        for (tolerance, steps) in settings {
+            let scene = Problem::partial_slip(shape(&profile), NormalControl::Indentation, 0.84);
+            let mut scene = scene.with_seed_cycles(life);
+            scene.parameters.tolerance = tolerance;
+            let (mut stepped, mut whole) = (begun(&scene), begun(&scene));
+            let (depth, amplitude) = (scene.normal, scene.amplitude);
+            in_steps(&mut stepped, (depth, 0.0), (depth, amplitude), steps);
+            for _ in 0..4 * life as u32 {
+                in_steps(&mut stepped, (depth, amplitude), (depth, -amplitude), steps);
+                in_steps(&mut stepped, (depth, -amplitude), (depth, amplitude), steps);
+            }
+            whole.advance_cycles(depth, amplitude, 4.0 * life + 0.25).unwrap();
+            let off = stepped.wear_volume() / whole.wear_volume() - 1.0;
+            let name = format!("{profile:?}, N0 = {life}, {steps} steps, {tolerance:e}");
+            println!("{name}: V {off:+.1e}");
+            assert!(off.abs() < 5.0 * tolerance, "{name}: V {off:e}");
+            close_to(stepped.stick_radius(), whole.stick_radius(), 1e-9, &name);
+        }
+    }
 }
 
 /// Strokes of 0.02 to 0.1 of full slip wear their thin annulus off as whole cycles, until nothing

@@ -33,22 +33,8 @@ fn error_of_stretch(ends: [f64; 2], at_once: [f64; 2], tolerance: f64) -> f64 {
 }
 
 impl FrettingContact {
-    /// Amplitude of the drive (m) in steady cycles of the contact itself at the present load: U₀ +
-    /// T₀/k_rig.
-    pub(in crate::engine) fn drive_amplitude(&mut self, own: f64) -> f64 {
-        if self.model.compliance == 0.0 {
-            return own;
-        }
-        let contact = self.state.contact;
-        let (springs, _) = self.quarter(&contact, own);
-        own + self.model.compliance
-            * 2.0
-            * self.model.constants.tangential_modulus
-            * springs.deflection_integral(own)
-    }
-
-    /// Amplitude of the contact itself in steady cycles of a drive (m) at the present load: the
-    /// same law from rest.
+    /// Amplitude U₀ of the contact itself (m) in steady cycles of a drive (m) at the present load:
+    /// U₀ + T₀/k_rig is that of the drive.
     pub(in crate::engine) fn own_amplitude(&mut self, drive: f64) -> f64 {
         if self.model.compliance == 0.0 || self.state.contact.is_open() {
             return drive;
