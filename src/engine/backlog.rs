@@ -72,7 +72,7 @@ impl FrettingContact {
             return false;
         }
         if share <= wear.limit {
-            return self.turns(place) && self.exceeds_limit_of_zone(share);
+            return self.turns(place) && self.exceeds_limit_of_zone(share) || self.exceeds_limit_now(share);
         }
         // while the load hardly changes an update can wait for the reversal, which leaves strokes
         // whole
@@ -87,6 +87,12 @@ impl FrettingContact {
             || share > stroke * wear.limit
             || !wear.backlog.is_near(depth, near)
             || self.stick_radius() == 0.0
+    }
+
+    /// Whether some wear, over the disc, exceeds the limit of motion in the plane as it is now. An
+    /// orbit that begins in gross slip goes on in a ring that never wears as much as all can.
+    fn exceeds_limit_now(&self, share: f64) -> bool {
+        self.state.row.is_plane() && share > wear::per_disc(self.update_limit(), &self.state.contact)
     }
 
     /// Whether some wear, over the disc, is much of what can wear where the strokes of the backlog
