@@ -343,7 +343,7 @@ impl FrettingContact {
         let Some(wear) = &self.state.wear else { return Ok(true) };
         let taken = wear.deferred_share(self.model.tuning.placed_with * work.abs());
         let work = work + taken;
-        let (fields, update) = self.update_within_nodes((law, way), work)?;
+        let (fields, update) = self.update_within_nodes(law, work)?;
         let Some(update) = update else {
             let slips = fields.slip();
             if !slips {
@@ -389,13 +389,13 @@ impl FrettingContact {
     /// leave a step there.
     fn update_within_nodes(
         &mut self,
-        (law, way): (&[SlipAtDepth], FrontMotion),
+        law: &[SlipAtDepth],
         work: f64,
     ) -> Result<(SlipFields, Option<Update>), Error> {
         let (constants, control) = (self.model.constants, self.model.parameters.normal_control);
         let mut before: Option<(Surface, SlipFields, Update)> = None;
         loop {
-            let fields = self.fields_of_law((law, way), work)?;
+            let fields = self.fields_of_law(law, work)?;
             let Some(nodes) = self.surface.worn().filter(|_| fields.wear()) else {
                 return Ok((fields, None));
             };
@@ -417,33 +417,8 @@ impl FrettingContact {
         }
     }
 
-    /// What a slip law of some work (J) does on the nodes of the surface. Where all that is done
-    /// between a node that sticks and one that is free, there are more between them if that serves.
-    fn fields_of_law(
-        &mut self,
-        (law, way): (&[SlipAtDepth], FrontMotion),
-        work: f64,
-    ) -> Result<SlipFields, Error> {
-        let fields = self.fields_on_nodes(law, work)?;
-        let Some(nodes) = self.surface.worn().filter(|_| way == FrontMotion::Returns && !fields.wear())
-        else {
-            return Ok(fields);
-        };
-        let radius = fields.contact.radius;
-        let ends = (self.innermost_front(law, radius), radius);
-        let Some(split) = nodes.split_at_front(ends, self.surface.profile()) else { return Ok(fields) };
-        let unsplit = nodes.clone();
-        self.surface.set_worn(Some(split));
-        let finer = self.fields_on_nodes(law, work)?;
-        if finer.wear() {
-            return Ok(finer);
-        }
-        self.surface.set_worn(Some(unsplit));
-        Ok(fields)
-    }
-
-    /// What a slip law of some work (J) does on the nodes as they are.
-    fn fields_on_nodes(&mut self, law: &[SlipAtDepth], work: f64) -> Result<SlipFields, Error> {
+    /// What a slip law of some work (J) does on the nodes of the surface.
+    fn fields_of_law(&mut self, law: &[SlipAtDepth], work: f64) -> Result<SlipFields, Error> {
         let Some(nodes) = self.surface.worn() else { return Ok(SlipFields::none(0)) };
         let (transforms, made) = self.memory.get().transforms.get(nodes);
         let constants = &self.model.constants;

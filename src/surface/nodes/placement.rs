@@ -228,21 +228,6 @@ impl Nodes {
         self.update_integrals(profile);
     }
 
-    /// These nodes and two more in the cell of a front (m): there, and halfway to the end of the
-    /// cell or of the contact (m); `None` where all that is closer than cells may be. At a front
-    /// that no wear moves any more the image falls to that of the free annulus within one cell: no
-    /// node there slips under a pressure, and yet springs between them do.
-    pub(crate) fn split_at_front(&self, (front, edge): (f64, f64), profile: &Profile) -> Option<Self> {
-        let end = self.x[self.cell(front)? + 1].min(edge);
-        (end - front > 2.0 * LEAST_CELL * edge).then(|| {
-            let mut more = self.clone();
-            more.insert(front, profile);
-            more.insert(0.5 * (front + end), profile);
-            more.update_integrals(profile);
-            more
-        })
-    }
-
     /// Leaves out the wide cells: wear has no place there.
     pub(crate) fn leave_far(&mut self) {
         let nodes = self.close_nodes();
