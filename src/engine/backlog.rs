@@ -13,11 +13,6 @@ use std::mem::{replace, take};
 /// Most by which the depth of an update is scaled up to the volume that its work wears.
 pub(super) const MOST_SCALE: f64 = 1.5;
 
-/// Share of all that has worn up to which an update that cannot be solved is deferred. Where
-/// cycles have worn all that they can, the overlap that strokes find is rounding: of 72 such
-/// scenes 11 were refused.
-pub(super) const NEGLIGIBLE: f64 = 1e-6;
-
 /// Largest depth under which a law slips, m.
 fn deepest_of(law: &[SlipAtDepth]) -> f64 {
     law.iter().map(|law| law.depth).fold(0.0, f64::max)
@@ -192,17 +187,10 @@ impl FrettingContact {
             self.rest_on_worn(&old, zone, if is_quarter { &[] } else { &uncounted })?;
         } else {
             let way = if self.state.row.is_plane() { FrontMotion::Creeps } else { FrontMotion::Returns };
-            match self.absorb_law((&law, way), backlog.work, backlog.radius) {
-                Ok(true) => {}
-                // what slips has worn free: the springs' work on it is an error of the nodes
-                Ok(false) => {
-                    self.surface.extend_far();
-                    self.correct_work(-backlog.work);
-                }
-                Err(Error::WearOutrun { .. }) if self.is_negligible(backlog.work) => {
-                    self.defer_law(backlog.work);
-                }
-                Err(other) => return Err(other),
+            // what slips has worn free: the springs' work on it is an error of the nodes
+            if !self.absorb_law((&law, way), backlog.work, backlog.radius)? {
+                self.surface.extend_far();
+                self.correct_work(-backlog.work);
             }
             self.rest_on_worn(&old, zone, &uncounted)?;
         }
@@ -246,12 +234,6 @@ impl FrettingContact {
         if let Some(wear) = &mut self.state.wear {
             wear.deferred_work += work;
         }
-    }
-
-    /// Whether work (J) wears next to nothing of what has worn.
-    fn is_negligible(&self, work: f64) -> bool {
-        let worn = self.surface.worn().map_or(0.0, Nodes::worn_volume);
-        self.model.constants.wear_per_work * work <= NEGLIGIBLE * worn
     }
 
     /// Defers the wear of a whole law of some work (J): the nodes keep their wide cells.

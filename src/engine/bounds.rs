@@ -2,7 +2,6 @@
 //! profile can follow breaks these, and is refused instead of giving a wrong number.
 
 use super::FrettingContact;
-use super::backlog::NEGLIGIBLE;
 use crate::error::Error;
 use crate::parameters::USUAL_TOLERANCE;
 use crate::surface::Contact;
@@ -19,6 +18,9 @@ const NOT_AT_FAULT: f64 = 0.1;
 /// Share of the worn volume and of π a² d by which friction may have taken more than it can, which
 /// is lost in those of a step that went wrong.
 const OVERTAKEN: f64 = 0.01;
+
+/// Share of all that has worn, and of the largest contact so far, that need not show.
+const NEGLIGIBLE: f64 = 1e-6;
 
 /// Rounding and the error of an update, relative.
 const SLACK: f64 = 0.05;
