@@ -218,19 +218,6 @@ impl Component {
         }
     }
 
-    /// Says once that FMI has no steps of no length. They are taken nevertheless: see
-    /// docs/decisions/fmu_and_tests.md.
-    #[cold]
-    fn warn_of_no_length(&mut self) {
-        if self.warnings.take_no_length() {
-            self.logger.log(
-                Status::Warning,
-                "communicationStepSize = 0, where FMI 2.0 asks for a step above 0: the contact has moved to the inputs, and time \
-                 stands still: check the step size of the master",
-            );
-        }
-    }
-
     /// Says once why a field has no numbers.
     #[cold]
     pub(super) fn warn_of_unknown_field(&mut self, name: &str) {
@@ -285,9 +272,6 @@ impl Component {
         let end = self.model.staged().clock.after(point, length)?;
         self.check_targets(length)?;
         self.model.step(end, length)?;
-        if length == 0.0 {
-            self.warn_of_no_length();
-        }
         let (contact, staged) = self.model.parts();
         // what a contact of an interface does in a step has no counterpart in the settings
         if let Some(Body::One(contact)) = contact

@@ -233,8 +233,6 @@ pub(super) struct Warnings {
     unsent: u16,
     /// Whether it has been said that a field has no numbers.
     unknown_field: bool,
-    /// Whether a step of no length has been named.
-    no_length: bool,
     run: Run,
 }
 
@@ -252,7 +250,7 @@ impl Default for Warnings {
             has_moved: false,
             largest_normal: f64::NEG_INFINITY,
         };
-        Self { unsent: ALL, unknown_field: false, no_length: false, run }
+        Self { unsent: ALL, unknown_field: false, run }
     }
 }
 
@@ -260,11 +258,6 @@ impl Warnings {
     /// Whether it has still to be said that a field has no numbers.
     pub(super) fn take_unknown_field(&mut self) -> bool {
         !std::mem::replace(&mut self.unknown_field, true)
-    }
-
-    /// Whether it has still to be said that a step has no length.
-    pub(super) fn take_no_length(&mut self) -> bool {
-        !std::mem::replace(&mut self.no_length, true)
     }
 
     fn begin(&mut self, contact: &FrettingContact, settings: &Settings, inputs: &Inputs) {

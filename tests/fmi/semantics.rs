@@ -242,7 +242,6 @@ fn a_state_of_the_initialization_can_be_saved() {
 }
 
 /// Steps of no length take new inputs without moving time; with nothing new they change nothing.
-/// That FMI has none is said once.
 #[test]
 fn steps_of_no_length() {
     for loading in [1, 2] {
@@ -254,12 +253,6 @@ fn steps_of_no_length() {
             assert_eq!(fmu.do_step(0.1, 0.0), OK);
             assert_eq!((fmu.bits() == before, fmu.last_successful_time()), (true, 0.1));
         }
-        let named = fmu
-            .messages()
-            .iter()
-            .filter(|text| text.contains("has moved to the inputs, and time stands still"))
-            .count();
-        assert_eq!(named, 1);
         fmu.step_with(&[("normal_force", 120.0)], 0.1, 0.0);
         assert_eq!((fmu.real("normal_reaction"), fmu.last_successful_time()), (120.0, 0.1));
     }

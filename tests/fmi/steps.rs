@@ -6,9 +6,6 @@ use std::ffi::CString;
 
 const X: &str = "tangential_displacement";
 
-/// What is said of steps of no length.
-const NO_LENGTH: &str = "communicationStepSize = 0, where FMI 2.0 asks for a step above 0";
-
 /// An experiment from `start` to `stop`, initialized after `set`.
 fn experiment(start: f64, stop: f64, set: impl FnOnce(&Fmu)) -> Fmu {
     let fmu = Fmu::new();
@@ -45,7 +42,6 @@ fn products_and_sums_are_the_same_communication_points() {
         assert_eq!(products.bits(), sums.bits());
         // a master may also change from one to the other
         sums.step_with(&[("normal_force", 90.0)], start + 30.0, 0.0);
-        assert!(sums.message().contains(NO_LENGTH));
         // but not be wrong by a tenth of a step
         sums.refused(sums.do_step(start + 29.99, 0.0), &["currentCommunicationPoint", "ended at"]);
     }
@@ -69,7 +65,6 @@ fn a_step_may_end_an_ulp_beyond_the_stop_time() {
             // the rest that rounding leaves, if any, and nothing at all
             fmu.step_with(&[], end, f64::max(stop - end, 0.0));
             fmu.step_with(&[], stop, 0.0);
-            assert!(fmu.message().contains(NO_LENGTH));
             assert_eq!(fmu.bits(), expected);
             if start < 1e8 {
                 fmu.refused(fmu.do_step(stop, 0.01 * way), &["passes the stop time"]);
@@ -129,7 +124,6 @@ fn steps_of_no_length_may_stand_anywhere() {
         for output in ["normal_reaction", "tangential_force", "wear_volume", "dissipated_energy"] {
             assert_eq!(fmu.output_slope(output, 1), (0.0, OK), "{name}, {output}");
         }
-        assert!(fmu.message().contains(NO_LENGTH));
         fmu.refused(fmu.do_step(1.0, 1e-3), &["stop time 1.0"]);
     }
 }
