@@ -73,7 +73,7 @@ impl FrettingContact {
         // whole
         let depth = self.state.contact.depth;
         let near = self.model.tuning.load_share * (depth - self.surface.tip());
-        // a whole stroke waits at a tight tolerance, too: parts of it are worn on nodes at rest
+        // a whole stroke waits at a tight tolerance, too: parts of it may be worn on nodes at rest
         let is_stroke = wear.begins_at_reversal && wear.backlog.is_at(depth);
         let looser = (USUAL_TOLERANCE / self.model.parameters.tolerance).max(1.0);
         let stroke = self.model.tuning.stroke * if is_stroke { looser } else { 1.0 };
@@ -179,22 +179,20 @@ impl FrettingContact {
             zone.0 = zone.0.max(self.radius_of_front(law.front(), backlog.radius));
         }
         let motion = only.and_then(|law| law.motion(self.model.bound_slope));
-        if let Some(motion) = motion.filter(|motion| self.is_followed(motion))
-            && self.absorb_motion(&motion, backlog.work)?
-        {
+        if let Some(motion) = motion.filter(|motion| self.is_followed(motion)) {
             // a first quarter is worn as one of steady cycles
             let is_quarter = motion.mixture.is_none() && motion.amount <= 0.25 * (1.0 + SAME);
-            self.rest_on_worn(&old, zone, if is_quarter { &[] } else { &uncounted })?;
-        } else {
-            let way = if self.state.row.is_plane() { FrontMotion::Creeps } else { FrontMotion::Returns };
-            // what slips has worn free: the springs' work on it is an error of the nodes
-            if !self.absorb_law((&law, way), backlog.work, backlog.radius)? {
-                self.surface.extend_far();
-                self.correct_work(-backlog.work);
+            if self.absorb_motion(motion, backlog.work)? {
+                return self.rest_on_worn(&old, zone, if is_quarter { &[] } else { &uncounted });
             }
-            self.rest_on_worn(&old, zone, &uncounted)?;
         }
-        Ok(())
+        let way = if self.state.row.is_plane() { FrontMotion::Creeps } else { FrontMotion::Returns };
+        // what slips has worn free: the springs' work on it is an error of the nodes
+        if !self.absorb_law((&law, way), backlog.work, backlog.radius)? {
+            self.surface.extend_far();
+            self.correct_work(-backlog.work);
+        }
+        self.rest_on_worn(&old, zone, &uncounted)
     }
 
     /// Radii (m) from which on springs that follow their bound lose a share of their energy to
@@ -210,12 +208,11 @@ impl FrettingContact {
 
     /// Wears a motion off on the moving mesh, in place of the springs' work on the profile before,
     /// J; says whether that could follow.
-    fn absorb_motion(&mut self, motion: &RepeatedMotion, work: f64) -> Result<bool, Error> {
+    fn absorb_motion(&mut self, motion: RepeatedMotion, work: f64) -> Result<bool, Error> {
         let control = self.state.contact.control;
         // as much of it as does that work: friction that runs in was another before
-        let amount = if self.runs_in() { work / self.work_of_one(motion) } else { motion.amount };
-        let motion = RepeatedMotion { amount, ..motion.clone() };
-        let worn_by = self.wear_by(control, motion, None, Part::Update)?;
+        let amount = if self.runs_in() { work / self.work_of_one(&motion) } else { motion.amount };
+        let worn_by = self.wear_by(control, RepeatedMotion { amount, ..motion }, None, Part::Update)?;
         if let Some(worn_by) = worn_by {
             self.correct_work(worn_by - work);
         }
@@ -234,12 +231,6 @@ impl FrettingContact {
         if let Some(wear) = &mut self.state.wear {
             wear.deferred_work += work;
         }
-    }
-
-    /// Defers the wear of a whole law of some work (J): the nodes keep their wide cells.
-    fn defer_law(&mut self, work: f64) {
-        self.surface.extend_far();
-        self.defer(work);
     }
 
     /// Wears the backlog off before a motion to a load. A profile that cannot follow under the
@@ -329,7 +320,8 @@ impl FrettingContact {
         let Some(update) = update else {
             let slips = fields.slip();
             if !slips {
-                self.defer_law(work - taken);
+                self.surface.extend_far();
+                self.defer(work - taken);
             }
             return Ok(!slips);
         };
