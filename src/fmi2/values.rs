@@ -57,9 +57,7 @@ impl Table {
 
     /// The variable with this reference, of any type.
     pub(super) fn find_any(self, reference: u32) -> Checked<&'static Variable> {
-        let last = self.0.len() - 1;
-        let found = self.0.get(reference as usize);
-        found.ok_or_else(|| Refusal::UnknownReference { reference, last }.into())
+        self.0.get(reference as usize).ok_or_else(|| unknown(reference))
     }
 
     /// Access to a variable that [`Self::find`] has found before.
@@ -70,9 +68,14 @@ impl Table {
 }
 
 #[cold]
+fn unknown(reference: u32) -> Box<Refusal> {
+    Refusal::UnknownReference { reference, last: variables().len() - 1 }.into()
+}
+
+#[cold]
 fn not_found(found: Option<&Variable>, reference: u32, asked: Asked) -> Box<Refusal> {
     let Some(variable) = found else {
-        return Refusal::UnknownReference { reference, last: variables().len() - 1 }.into();
+        return unknown(reference);
     };
     let actual = match variable.data_type {
         DataType::Enumeration(_) => "Integer (Enumeration)",
