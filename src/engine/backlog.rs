@@ -181,7 +181,9 @@ impl FrettingContact {
         let motion = only.and_then(|law| law.motion(self.model.bound_slope));
         if let Some(motion) = motion.filter(|motion| self.is_followed(motion)) {
             // a first quarter is worn as one of steady cycles
-            let is_quarter = motion.mixture.is_none() && motion.amount <= 0.25 * (1.0 + SAME);
+            let is_quarter = motion.mixture.is_none()
+                && matches!(motion.sliding, Sliding::Cycles(_))
+                && (motion.amount - 0.25).abs() <= 0.25 * SAME;
             if self.absorb_motion(motion, backlog.work)? {
                 return self.rest_on_worn(&old, zone, if is_quarter { &[] } else { &uncounted });
             }

@@ -288,6 +288,20 @@ fn parts_of_strokes_in_fast_wear_end_in_the_final_state() {
     }
 }
 
+/// One stroke to 1.3 of full slip, in wear of which 20 slides of 0.6 of it take a volume of π a² d:
+/// what springs slip as their bound falls counts for a slide, too. (Taken for a first quarter of
+/// cycles it was left out, and V was 2 % low.) Rows of 100 to 400 springs have 0.13292 to 0.13330.
+#[test]
+fn a_stroke_into_gross_slip_in_fast_wear_counts_what_its_bound_gives_up() {
+    let start = exact(&BALL, FORCE);
+    let (a, d, full) = (start.normal.radius(), start.normal.depth(), start.full_slip());
+    let mut parameters = Parameters { profile: BALL, ..Parameters::default() };
+    parameters.wear_coefficient = PI * a * a * d / (20.0 * MU * FORCE * 0.6 * full) * parameters.hardness;
+    let mut contact = started(parameters);
+    in_steps(&mut contact, (FORCE, 0.0), (FORCE, 1.3 * full), 8);
+    close_to(contact.wear_volume(), 0.1333 * a * a * d, 3e-3, "V");
+}
+
 /// Strokes of 0.02 to 0.1 of full slip wear their thin annulus off as whole cycles, until nothing
 /// is left to wear. (An update waited for a share of what an annulus of a tenth of the radius can
 /// lose: V was up to three times too large, since the profile was updated once or never. At tighter
